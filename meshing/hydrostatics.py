@@ -5,8 +5,9 @@ By Gauss's theorem over the wetted surface S, normals into the water,
     V = ∬ x n_x = ∬ y n_y = ∬ z n_z,    V x_B = ½ ∬ x² n_x, …,    ∬_waterplane f(x, y) = −∬ f n_z,
 
 each exact for polygons: panels are cut into triangles, so that a closed hull remains closed, and the midpoints of a
-triangle's edges integrate a quadratic exactly.  Restoring coefficients are those of J. N. Newman, Marine Hydrodynamics
-(1977), section 6.16; weight and buoyancy may differ.
+triangle's edges integrate a quadratic exactly.  Walls that end on the bed are closed by it (`PanelMesh.foot`).
+Restoring coefficients are those of J. N. Newman, Marine Hydrodynamics (1977), section 6.16; weight and buoyancy may
+differ.
 """
 
 from __future__ import annotations
@@ -14,6 +15,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+
+from .panels import AT_FOOT
 
 OPEN_HULL = 0.01  # relative difference of the three volumes above which a hull is not closed
 
@@ -54,18 +57,38 @@ class Hydrostatics:
     stiffness: np.ndarray
 
 
-def hydrostatics(mesh, center_of_mass=(0, 0, 0), density=1025.0, gravity=9.80665, mass=None, rotation_center=(0, 0, 0)):
+def stands(mesh, depth):
+    """Whether the walls of a hull end on the bed, `depth` m below the surface, without water under them"""
+    return np.isfinite(depth) and bool(abs(mesh.draft - depth) <= AT_FOOT * depth) and mesh.foot is not None
+
+
+def waterplane_area(mesh):
+    """m², of the whole hull or hulls; 0 or less of what is submerged or has normals that point inward"""
+    area = -mesh.copies * mesh.area_vectors[:, 2].sum()
+    return area if mesh.foot is None else area - mesh.copies * mesh.foot.area_vectors[:, 2].sum()
+
+
+def hydrostatics(
+    mesh,
+    center_of_mass=(0, 0, 0),
+    density=1025.0,
+    gravity=9.80665,
+    mass=None,
+    rotation_center=(0, 0, 0),
+    depth=np.inf,
+):
     """Hydrostatics of a hull.
 
     mesh : PanelMesh, up to z = 0
     center_of_mass, rotation_center : (3,) m
     density : kg/m³, gravity : m/s², mass : kg, by default the displaced mass
+    depth : m of water; a hull whose walls end on the bed is closed by it, as if it floated there
     returns : Hydrostatics
     Raises ValueError for a hull with inward normals or a hole, which has no volume.
     """
     density, gravity = _positive("density", density), _positive("gravity", gravity)
     com, origin = _vector("center_of_mass", center_of_mass), _vector("rotation_center", rotation_center)
-    surface = _Surface(mesh)
+    surface = _Surface(mesh.closed() if stands(mesh, depth) else mesh)
     volume, volumes, difference = _volumes(surface, mesh)
     mass = density * volume if mass is None else _positive("mass", mass)
     cob = surface.integral(lambda p: 0.5 * p**2) / volume

@@ -14,6 +14,7 @@ import numpy as np
 
 SYMMETRIES = ("", "x", "y", "xy")
 SAME_PLACE = 1e-5  # points closer than this share of the largest radius are one point: files round coordinates
+AT_FOOT = 1e-6  # distance below which a point lies at the foot of a hull or on the bed, as a share of the draft
 SAME_SIDE = 1e-9  # points closer to a plane than this share of the hull's size lie in the plane
 ROUND = 12  # least number of turns about the vertical that map a mesh to itself for a body of revolution
 
@@ -152,8 +153,40 @@ class PanelMesh:
 
     @cached_property
     def volume(self):
-        """m³ enclosed by the whole hull and the water plane: ∬ x·n dS / 3 (the plane z = 0 adds nothing)"""
-        return self.copies * float(np.einsum("ni,ni->", self.centroids, self.area_vectors)) / 3
+        """m³ enclosed by the whole hull, the water plane and its foot: ∬ x·n dS / 3 (the plane z = 0 adds nothing)"""
+        share = self.copies * float(np.einsum("ni,ni->", self.centroids, self.area_vectors)) / 3
+        return share if self.foot is None else share + self.foot.volume
+
+    @cached_property
+    def foot(self):
+        """Panels that close the foot of walls without a bottom, a PanelMesh with normals down; None for other hulls
+
+        The foot are the edges of one panel at the lowest level of the mesh.  The triangles between each of them and
+        one point have in common with the true bottom the sum of their areas with signs, not their places: for integrals
+        and solid angles only.
+        """
+        level, reach = -self.draft, AT_FOOT * max(self.draft, 0.0)
+        if np.any((self.vertices[..., 2] <= level + reach).all(axis=1)):
+            return None  # it has a bottom
+        welded = self.merged()
+        start, end = welded.corners, np.roll(welded.corners, -1, axis=1)
+        low = welded.points[:, 2] <= level + reach
+        at_foot = low[start] & low[end] & (start != end)
+        for axis in self.symmetry:
+            on_plane = np.abs(welded.points[:, "xy".index(axis)]) <= reach
+            at_foot &= ~(on_plane[start] & on_plane[end])
+        a, b = start[at_foot], end[at_foot]
+        _, number, uses = np.unique(np.sort([a, b], axis=0), axis=1, return_inverse=True, return_counts=True)
+        once = uses[number.reshape(-1)] == 1
+        if not once.any():
+            return None
+        pole = np.full(once.sum(), len(welded.points))
+        points = np.concatenate([welded.points, [[0.0, 0.0, level]]])
+        return PanelMesh(points, np.stack([b[once], a[once], pole, pole], axis=1), self.symmetry)
+
+    def closed(self):
+        """The hull with its `foot`"""
+        return self if self.foot is None else joined([replace(self, body=None), self.foot])
 
     @property
     def draft(self):

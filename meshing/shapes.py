@@ -22,7 +22,7 @@ from .panels import SYMMETRIES, PanelMesh
 WELL_RESOLVED = (2, 2, 3)  # lowest counts of a hull with 200 panels or more
 
 
-def box(length, beam, draft, *, panels=500, symmetry="xy", counts=None, grading=True, longest=math.inf):
+def box(length, beam, draft, *, panels=500, symmetry="xy", counts=None, grading=True, bottom=True, longest=math.inf):
     """Wetted surface of a box.
 
     length, beam, draft : m, along x, y, z
@@ -31,20 +31,21 @@ def box(length, beam, draft, *, panels=500, symmetry="xy", counts=None, grading=
     counts : (n_length, n_beam, n_draft) over half the length, half the beam and the draft, instead of `panels`:
         4 (n_length n_beam + (n_length + n_beam) n_draft) on the whole hull
     grading : False for equal panels; longest : m, no edge is longer (then `panels` may be exceeded)
+    bottom : False omits the bottom, for a caisson that stands on the sea bed
     returns : PanelMesh; volume and areas are exact
     Raises ValueError for dimensions that are not positive and for too few panels.
     """
     _check_dimensions(length=length, beam=beam, draft=draft)
     _check_symmetry(symmetry)
-    n_length, n_beam, n_draft = _counts(counts) if counts else box_counts(length, beam, draft, panels, longest)
+    n_length, n_beam, n_draft = _counts(counts) if counts else box_counts(length, beam, draft, panels, bottom, longest)
     x = length / 2 * _towards_end(n_length, grading)
     y = beam / 2 * _towards_end(n_beam, grading)
-    z = -draft * _towards_both(n_draft, grading)
+    z = _levels(draft, n_draft, grading, bottom)
     patches = [
         _rectangle(lambda s, t: (t, s, -draft), y, x),  # bottom
         _rectangle(lambda s, t: (length / 2, s, t), y, z[::-1]),  # end
         _rectangle(lambda s, t: (s, beam / 2, t), x[::-1], z[::-1]),  # side
-    ]
+    ][not bottom :]
     quarter = graded_patches(patches, "xy", f"box {length:g} x {beam:g} x {draft:g} m")
     return _unfolded(quarter, symmetry)
 
@@ -68,7 +69,7 @@ def buoy(radius, draft, *, panels=500, symmetry="xy", counts=None, grading=True,
     else:
         n_quarter, n_radius, n_draft = buoy_counts(radius, draft, panels, bottom, longest)
     rim = _quarter_rim(radius, n_quarter)
-    z = -draft * _towards_both(n_draft, grading)
+    z = _levels(draft, n_draft, grading, bottom)
     patches = _facets(rim, z)
     if bottom:
         patches.append(_disc_sector(rim, _towards_end(n_radius, grading), -draft))
@@ -84,7 +85,7 @@ class TooFewPanels(ValueError):
         self.least = least
 
 
-def box_counts(length, beam, draft, panels=500, longest=math.inf):
+def box_counts(length, beam, draft, panels=500, bottom=True, longest=math.inf):
     """(n_length, n_beam, n_draft) for at most `panels` on the whole hull.
 
     The counts are proportional to the square roots of half the length, half the beam and twice the draft (which has an
@@ -93,7 +94,7 @@ def box_counts(length, beam, draft, panels=500, longest=math.inf):
     longest : m, upper limit of edges, even if more panels are needed (short waves)
     """
     a, b = length / 2, beam / 2
-    return fitted_counts((a, b, 2 * draft), lambda n: 4 * (n[0] * n[1] + (n[0] + n[1]) * n[2]), panels,
+    return fitted_counts((a, b, 2 * draft), lambda n: 4 * (n[0] * n[1] * bottom + (n[0] + n[1]) * n[2]), panels,
                    (_most(a, longest), _most(b, longest), _most(draft, longest)))  # fmt: skip
 
 
@@ -168,6 +169,13 @@ def _towards_both(n, grading):
     """(n+1,) from 0 to 1, finest at both ends"""
     i = np.arange(n + 1) / n
     return np.sin(np.pi / 2 * i) ** 2 if grading else i
+
+
+def _levels(draft, n, grading, bottom):
+    """(n+1,) m, from 0 to −draft, finest at the waterline and at an edge of the keel; at the bed there is no edge"""
+    if bottom:
+        return -draft * _towards_both(n, grading)
+    return -draft * (1 - _towards_end(n, grading)[::-1])
 
 
 def _rectangle(place, s, t):

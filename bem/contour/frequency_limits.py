@@ -18,7 +18,7 @@ def infinite_frequency(body):
     """(6, 6) m³, m⁴, m⁵"""
     out = np.zeros((6, 6))
     for cls in CLASSES:
-        r = len(body.profiles.mean_rows)
+        r = len(body.profiles.combinations)
         _fill(body, out, cls, -0.5, np.zeros((r, r)), np.zeros((1, 1)))
     return out
 
@@ -32,7 +32,7 @@ def zero_frequency(body):
         own = body.plan.subset(cls, degree, top)
         laplace = body.laplace(top)[cls][0][own[:, None], own]
         _fill(body, out, cls, 0.0, np.multiply.outer(rows, rows) / body.depth, laplace)
-    out[2, 2] = np.inf
+    out[2, 2] = np.inf if body.depth > draft else 0.0
     return out
 
 

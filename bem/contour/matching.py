@@ -87,7 +87,7 @@ def solved(fixed_terms, outside, incident):
         matrix = np.block([[matrix, fixed_terms.net[:, None]], [fixed_terms.net, 0.0]])
         right = np.vstack([right, np.append(fixed_terms.volume, np.zeros(incident.shape[1]))])
     x = np.linalg.solve(matrix, right)
-    scale = np.maximum(np.abs(right).max(axis=0), 1e-300)
+    scale = np.abs(right).max(axis=0, initial=1e-300)
     residual = np.max(np.abs(matrix @ x - right) / scale, initial=0.0)
     constant = x[-1] if fixed_terms.net is not None else np.zeros(right.shape[1])
     return GapVelocity(
@@ -98,7 +98,7 @@ def solved(fixed_terms, outside, incident):
 def loads(fixed_terms, outside, flow, incident):
     """∬ φ n dS along the motions, of every column of a `GapVelocity`, (d, columns); other arguments as of `solved`"""
     m, d = fixed_terms.driven.shape
-    velocity = flow.velocity.reshape(m, -1)
+    velocity = flow.velocity.reshape(m, flow.velocity.shape[-1])
     out = (fixed_terms.side @ outside[m:, :m] + fixed_terms.carried) @ velocity + np.outer(
         fixed_terms.volume, flow.constant
     )

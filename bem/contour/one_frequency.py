@@ -30,7 +30,7 @@ def degrees(body, k):
 
 
 class ContourFrequency:
-    """Intermediate quantities of one frequency of a `bem.contour.solver.ContourBody`."""
+    """Intermediate quantities of one frequency of a `bem.contour.body.ContourBody`."""
 
     def __init__(self, body, omega, headings, theta, dofs, density, gravity):
         self.body, self.omega, self.density, self.gravity = body, float(omega), density, gravity

@@ -53,7 +53,7 @@ def pressure_error(run):
 
 
 def refined(body):
-    """The `bem.contour.solver.ContourBody` with the accuracy that pressures need
+    """The `bem.contour.body.ContourBody` with the accuracy that pressures need
 
     Functions of the gap for twice the digits, modes for two more digits, a smaller eigenvalue of the profiles kept,
     more polynomials on the sides, panels of one digit more, and a table in κ of three digits more.

@@ -40,15 +40,25 @@ def motion(dof, contour, basis, gap_height, alphas):
     basis : (m, n) of its class at the nodes of the contour; shares : α in heave, roll and pitch
     """
     c, none = contour, 0 * contour.x
-    side = (
-        (c.nx, none), (c.ny, none), (none, none), (none, -c.ny), (none, c.nx), (c.x * c.ny - c.y * c.nx, none)
-    )[dof]  # fmt: skip
     value = slope = (none, none)
     if dof in (2, 3, 4):
         value, slope = _particular(dof, c, alphas[dof - 2])
-    project = 4 * (basis * c.weights[:, None]).T
-    fields = (side, np.divide(value, 2 * gap_height), np.divide(slope, 2 * gap_height))
-    return Motion(*(np.array([project @ part for part in pair]) for pair in fields))
+    fields = (np.divide(value, 2 * gap_height), np.divide(slope, 2 * gap_height))
+    return Motion(side(dof, c, basis), *(_projected(pair, c, basis) for pair in fields))
+
+
+def side(dof, contour, basis):
+    """(2, n) `Motion.side`; arguments as of `motion`"""
+    c, none = contour, 0 * contour.x
+    both = (
+        (c.nx, none), (c.ny, none), (none, none), (none, -c.ny), (none, c.nx), (c.x * c.ny - c.y * c.nx, none)
+    )[dof]  # fmt: skip
+    return _projected(both, c, basis)
+
+
+def _projected(pair, contour, basis):
+    project = 4 * (basis * contour.weights[:, None]).T
+    return np.array([project @ part for part in pair])
 
 
 def _particular(dof, c, a):

@@ -262,9 +262,10 @@ class Reader:
         return over.unfolded(there[:, round_:], "force") + over.value(on_ring - there[:, :round_], "force")
 
     def far_field(self, omega, headings=None):
-        """Kochin functions (q, n, t) of the radiation and (q, p, t) of the diffraction."""
-        omega = self.inside(omega)
-        radiated, diffracted = (_known(name, self.between.value(omega, name)) for name in KOCHIN)
+        """Kochin functions (q, n, t) of the radiation, None where none is stored, and (q, p, t) of the diffraction."""
+        omega, stored = self.inside(omega), [name for name in KOCHIN if name in self.between.quantities]
+        *radiated, diffracted = (_known(name, self.between.value(omega, name)) for name in stored)
+        radiated = radiated[0] if radiated else None
         if headings is None:
             return radiated, diffracted
         return radiated, self.to_headings(omega, headings).value(self.ring.of_kochin(diffracted), "kochin")

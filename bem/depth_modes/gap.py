@@ -153,11 +153,11 @@ class Gap:
         s, h = self.height, self.depth
         least = 8 + further * (self.terms**2 - 1)
         count = max(modes * h / min(s, self.draft, shortest), least * h / s) + 4 * k * h
-        return _rounded(count)
+        return rounded(count)
 
     def inner_count(self, modes, shortest):
         """Modes beneath the keel, for a plan with the smallest half breadth or radius `shortest` (m)."""
-        return _rounded(max(modes * max(1.0, self.height / shortest), 32 * self.terms**2))
+        return rounded(max(modes * max(1.0, self.height / shortest), 32 * self.terms**2))
 
     def outer_modes(self, omega, count, gravity):
         """`OuterModes` at ω with `count` evanescent modes."""
@@ -183,7 +183,8 @@ def evanescent_wavenumbers(omega, depth, count, gravity):
     return x / depth
 
 
-def _rounded(count):
+def rounded(count):
+    """A number of modes rounded up in steps of a fifth"""
     return int(np.ceil(1.2 ** np.ceil(np.log(count) / np.log(1.2))))
 
 

@@ -8,6 +8,7 @@ HullMesh_1.pnl and Hydrostatic_1.in on, hulls in axes whose position in the wate
 
 from dataclasses import replace
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -15,7 +16,7 @@ from hakobune.meshing.text_files import numbers_of
 from hakobune.meshing.whole_files import write_whole
 
 from . import wamit
-from .values import FormatError, body_of, lines_of
+from .values import FormatError, body_of, lines_of, of_each
 
 RESULTS = Path("Output", "Wamit_format", "Buoy")
 RESULTS_OF_SEVERAL = RESULTS.with_name("AmssDamp")
@@ -30,19 +31,38 @@ def write(values, place):
     place = Path(place)
     (place / "Input").mkdir(parents=True, exist_ok=True)
     (place / RESULTS.parent).mkdir(parents=True, exist_ok=True)
-    paths = [place / "Input" / "ControlFile.in", place / "Input" / "Hydrostatic.in"]
-    for path, text in zip(paths, (_control(values), _hydrostatic(values)), strict=True):
-        write_whole(path, text.encode("ascii"))
-    if values.mesh is not None:
-        paths.append(place / "Input" / "HullMesh.pnl")
-        write_mesh(values.mesh, paths[-1])
+    texts, paths = {"ControlFile.in": _control(values)}, []
+    for i, one in enumerate(of_each(values)):
+        number = f"_{i + 1}" if values.bodies else ""
+        texts[f"Hydrostatic{number}.in"] = _hydrostatic(one)
+        if values.mesh is not None:
+            paths.append(place / "Input" / f"HullMesh{number}.pnl")
+            write_mesh(values.mesh.of_body(i), paths[-1])
+    for name, text in texts.items():
+        paths.append(place / "Input" / name)
+        write_whole(paths[-1], text.encode("ascii"))
+    if values.bodies:
+        return paths + wamit.write(values, place / RESULTS_OF_SEVERAL, wamit.NAMES_OF_HAMS)
     return paths + wamit.write(values, place / RESULTS)
+
+
+def _bodies(values):
+    """Lines of ControlFile.in about the bodies; hulls and points are in axes of the water"""
+    center = "  ".join(f"{x:.6f}" for x in values.rotation_center)
+    if not values.bodies:
+        return [f"Reference_body_center   {center}"]
+    points = ["  ".join(f"{x:.6f}" for x in body.rotation_center) for body in values.bodies]
+    return [
+        f"Number_of_bodies        {len(points)}",
+        *(f"LCS_{i}                   0.000  0.000  0.000  0.000" for i in range(1, len(points) + 1)),
+        *(f"Reference_body_center_{i} {point}" for i, point in enumerate(points, 1)),
+    ]
 
 
 def _control(values):
     depth = values.water_depth if np.isfinite(values.water_depth) else -1.0
     periods, degrees = 2 * np.pi / values.omega, np.degrees(values.wave_direction)
-    center = "  ".join(f"{x:.6f}" for x in values.rotation_center)
+    about = "\n    ".join(_bodies(values))
     return f"""   --------------HAMS Control file---------------
 
    Waterdepth  {depth:.6f}D0
@@ -59,7 +79,7 @@ def _control(values):
     {" ".join(f"{angle:.6f}" for angle in degrees)}
    #End Definition of Wave Headings
 
-    Reference_body_center   {center}
+    {about}
     Reference_body_length   1.D0
     If_remove_irr_freq      0
     Number of threads       1
@@ -95,13 +115,50 @@ def _numbers(row):
 def read(place, known):
     """The Values of a project; known : {"density", "gravity"}, the depth is in ControlFile.in.  Raises FormatError."""
     place = Path(place)
+    given = _given(place, known)
+    found = wamit.read(given.results, given.known)
+    masses = _hydrostatic_of(place / "Input" / f"Hydrostatic{given.number}.in")
+    told = ()
+    if any(given.drawn_at):
+        where = ", ".join(f"{x:g}" for x in given.drawn_at)
+        told = (
+            f"HullMesh{given.number}.pnl is drawn about ({where}) m: the hull that is given has to lie there in the "
+            "water",
+        )
+    return replace(found, body=dict(found.body) | masses, name=place.name, left_out=(*found.left_out, *told))
+
+
+def coupled(place, known, count):
+    """As `wamit.coupled`; known : as of `read`"""
+    given = _given(Path(place), known | {"body": 1})
+    return wamit.coupled(given.results, given.known, count)
+
+
+def hull_of(place, known=None):
+    """The hull in Input, of several bodies that of known["body"]"""
+    place = Path(place)
+    several = place / "Input" / f"HullMesh_{(known or {}).get('body') or 1}.pnl"
+    return several if several.is_file() else place / "Input" / "HullMesh.pnl"
+
+
+class Given(NamedTuple):
+    """results : path of NAME.1; known : as of `wamit.read`; number : "" or "_1" on; drawn_at : m, origin of the hull"""
+
+    results: Path
+    known: dict
+    number: str
+    drawn_at: list
+
+
+def _given(place, known):
+    """`Given` of the body known["body"] by ControlFile.in.  Raises FormatError."""
     control = place / "Input" / "ControlFile.in"
     said = _control_of(control)
     depth, length = (_one(control, said, key) for key in ("Waterdepth", "Reference_body_length"))
-    number = int(_one(control, said, "Output_frequency_type"))
-    if number not in PERIOD_KINDS:
+    kind = int(_one(control, said, "Output_frequency_type"))
+    if kind not in PERIOD_KINDS:
         raise FormatError(
-            f"{control}: Output_frequency_type is {number}; allowed: "
+            f"{control}: Output_frequency_type is {kind}; allowed: "
             + ", ".join(f"{key} ({name})" for key, name in PERIOD_KINDS.items())
         )
     count = int(_one(control, said, "Number_of_bodies")) if "Number_of_bodies" in said else 1
@@ -110,19 +167,13 @@ def read(place, known):
     axes = numbers_of(said.get(f"LCS{own}", "0 0 0 0"))
     if axes[3:4] not in ([], [0.0]):
         raise FormatError(f"{control}: LCS{own} turns the body about z; allowed: axes along those of the water")
-    known = {"water_depth": depth if depth > 0 else np.inf} | {name: known[name] for name in WATER}
     about = numbers_of(said.get(f"Reference_body_center{own}", "0 0 0"))[:3]
-    inputs = {"length_unit": length, "rotation_center": about, "period_kind": PERIOD_KINDS[number], "body": body + 1}
+    water = {"water_depth": depth if depth > 0 else np.inf} | {name: known[name] for name in WATER}
+    inputs = {"length_unit": length, "rotation_center": about, "period_kind": PERIOD_KINDS[kind], "body": body + 1}
     results = place / RESULTS
     if not results.with_suffix(".1").exists() and (place / RESULTS_OF_SEVERAL).with_suffix(".1").exists():
         results = place / RESULTS_OF_SEVERAL
-    found = wamit.read(results, known | inputs)
-    masses = _hydrostatic_of(place / "Input" / f"Hydrostatic{own}.in")
-    told = ()
-    if any(axes[:3]):
-        where = ", ".join(f"{x:g}" for x in axes[:3])
-        told = (f"HullMesh{own}.pnl is drawn about ({where}) m: the hull that is given has to lie there in the water",)
-    return replace(found, body=dict(found.body) | masses, name=place.name, left_out=(*found.left_out, *told))
+    return Given(results, water | inputs, own, axes[:3])
 
 
 def _control_of(path):

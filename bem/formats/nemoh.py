@@ -3,8 +3,9 @@
 RadiationCoefficients.tec has a zone for each motion j: ω, then A_ij and B_ij of i = 1 … 6; ExcitationForce.tec,
 DiffractionForce.tec and FKForce.tec one for each heading: ω, then amplitude and phase (rad) of i = 1 … 6. Nemoh.cal
 gives frequencies and headings by first, last and count: others are refused.  Zones are counted, not named: Nemoh 2
-calls those of the excitation "Diffraction force" too.  File names are accepted in any case, as Nemoh 3 writes results/.
-G. Delhommeau, C. Lheea, École centrale de Nantes, Nemoh v3 manual.
+calls those of the excitation "Diffraction force" too.  Of N bodies there are zones for each motion and 6N columns, and
+Hydrostatics_0.dat, KH_0.dat on; one that is fixed has no motions.  File names are accepted in any case, as Nemoh 3
+writes results/.  G. Delhommeau, C. Lheea, École centrale de Nantes, Nemoh v3 manual.
 """
 
 import re
@@ -16,8 +17,9 @@ import numpy as np
 from hakobune.meshing.text_files import numbers_of
 from hakobune.meshing.whole_files import write_whole
 
+from ..modes import moving
 from ..waves import wavenumber
-from .values import FormatError, Values, body_of, evenly, lines_of
+from .values import FormatError, Values, body_of, evenly, lines_of, of_each
 
 FORCES = {
     "ExcitationForce.tec": ("excitation_force", "Excitation force"),
@@ -38,14 +40,21 @@ def write(values, place):
     place = Path(place)
     for folder in ("Mesh", "Results"):
         (place / folder).mkdir(parents=True, exist_ok=True)
-    counts, hull = (0, 0), f"{values.name}.dat"
-    made = {}
-    if values.mesh is not None:
-        write_mesh(values.mesh, place / "Mesh" / hull)
-        counts = len(values.mesh.points), len(values.mesh.corners)
-    made["Nemoh.cal"] = _cal(values, hull, counts, omegas, headings)
-    made |= {f"Mesh/{name}": text for name, text in _still_water(values).items()}
-    zones = [(f"Motion of body  1 in DoF  {j + 1}", _pairs(A[:, :, j], B[:, :, j])) for j in range(6)]
+    made, described = {}, []
+    for i, one in enumerate(of_each(values)):
+        counts, hull = (0, 0), f"{one.name}.dat"
+        if values.mesh is not None:
+            mesh = values.mesh.of_body(i).whole() if values.bodies else values.mesh
+            write_mesh(mesh, place / "Mesh" / hull)
+            counts = len(mesh.points), len(mesh.corners)
+        fixed, number = bool(values.bodies) and values.bodies[i].fixed, f"_{i}" if values.bodies else ""
+        described.append(_described(one.rotation_center, hull, counts, i + 1, fixed))
+        made |= {f"Mesh/{name}{number}.dat": text for name, text in _still_water(one).items()}
+    made["Nemoh.cal"] = _cal(values, described, omegas, headings)
+    zones = [
+        (f"Motion of body {d // 6 + 1:2d} in DoF {d % 6 + 1:2d}", _pairs(A[:, :, j], B[:, :, j]))
+        for j, d in enumerate(moving(values.bodies))
+    ]
     made["Results/RadiationCoefficients.tec"] = _tec(values.omega, ("A", "B"), zones)
     for file, (name, title) in FORCES.items():
         X = values.get(name)
@@ -61,24 +70,37 @@ def write(values, place):
 
 
 def _pairs(first, second):
-    """(n, 12) of two (n, 6), in turn"""
+    """(n, 12) of two (n, 6), in turn; of N bodies (n, 12N)"""
     return np.stack([first, second], axis=-1).reshape(len(first), -1)
 
 
 def _tec(omega, names, zones):
-    lines = [TITLE] + [f'"{names[0]}{i}" "{names[1]}{i}"' for i in range(1, 7)]
+    lines = [TITLE] + [f'"{names[0]}{i}" "{names[1]}{i}"' for i in range(1, zones[0][1].shape[1] // 2 + 1)]
     for title, rows in zones:
         lines.append(f'Zone t="{title}",I={len(omega):6d},F=POINT')
         lines += [" ".join(f"{x: .9E}" for x in (w, *row)) for w, row in zip(omega, rows, strict=True)]
     return "\n".join(lines) + "\n"
 
 
-def _cal(values, hull, counts, omegas, headings):
-    depth = values.water_depth if np.isfinite(values.water_depth) else 0.0
-    about = " ".join(f"{x:.6f}" for x in values.rotation_center)
+def _described(center, hull, counts, number, fixed):
+    """Lines of one body in Nemoh.cal"""
+    about = " ".join(f"{x:.6f}" for x in center)
     axes = [f"{kind} {axis} {about}" for kind in (1, 2) for axis in ("1. 0. 0.", "0. 1. 0.", "0. 0. 1.")]
     names = ("Surge", "Sway", "Heave", "Roll about a point", "Pitch about a point", "Yaw about a point")
     modes = [f"{axis}\t! {name}" for axis, name in zip(axes, names, strict=True)]
+    moved = [] if fixed else modes
+    return [
+        f"--- Body {number} ---",
+        f"Mesh/{hull}\t! Name of mesh file",
+        f"{counts[0]} {counts[1]}\t! Number of points and number of panels",
+        *(f"{len(moved)}\t! Number of degrees of freedom", *moved),
+        *("6\t! Number of resulting generalised forces", *modes),
+        "0\t! Number of lines of additional information",
+    ]
+
+
+def _cal(values, described, omegas, headings):
+    depth = values.water_depth if np.isfinite(values.water_depth) else 0.0
     lines = [
         "--- Environment ---",
         f"{values.density:.9g}\t! RHO ! KG/M**3 ! Fluid specific volume",
@@ -86,13 +108,8 @@ def _cal(values, hull, counts, omegas, headings):
         f"{depth:.9g}\t! DEPTH ! M ! Water depth",
         "0. 0.\t! XEFF YEFF ! M ! Wave measurement point",
         "--- Description of floating bodies ---",
-        "1\t! Number of bodies",
-        "--- Body 1 ---",
-        f"Mesh/{hull}\t! Name of mesh file",
-        f"{counts[0]} {counts[1]}\t! Number of points and number of panels",
-        *("6\t! Number of degrees of freedom", *modes),
-        *("6\t! Number of resulting generalised forces", *modes),
-        "0\t! Number of lines of additional information",
+        f"{len(described)}\t! Number of bodies",
+        *(line for body in described for line in body),
         "--- Load cases to be solved ---",
         f"{omegas[2]} {omegas[0]:.9g} {omegas[1]:.9g}\t! Number of wave frequencies, Min, and Max (rad/s)",
         f"{headings[2]} {headings[0]:.9g} {headings[1]:.9g}\t! Number of wave directions, Min and Max (degrees)",
@@ -103,15 +120,16 @@ def _cal(values, hull, counts, omegas, headings):
 
 
 def _still_water(values):
+    """{name without ending: text} of one body"""
     cb, cg, volume, C = map(
         values.get, ("center_of_buoyancy", "center_of_mass", "displaced_volume", "hydrostatic_stiffness")
     )
     made = {}
     if cb is not None and cg is not None and volume is not None:
         lines = [f" {axis}F = {b:.6f} - {axis}G = {g:.6f}" for axis, b, g in zip("XYZ", cb, cg, strict=True)]
-        made["Hydrostatics.dat"] = "\n".join([*lines, f" Displacement = {float(volume):.9E}"]) + "\n"
+        made["Hydrostatics"] = "\n".join([*lines, f" Displacement = {float(volume):.9E}"]) + "\n"
     if C is not None:
-        made["KH.dat"] = "\n".join(" ".join(f"{x: .9E}" for x in row) for row in C) + "\n"
+        made["KH"] = "\n".join(" ".join(f"{x: .9E}" for x in row) for row in C) + "\n"
     return made
 
 
@@ -129,16 +147,8 @@ def read(place, known=None):
         [None if row is None else start + row for row in _six(place, rows)]
         for start, rows in ((first, body.motions), (last, body.forces))
     )
-    results = _inside(place, "Results")
-    columns = sum(len(one.forces) for one in cal.bodies)
-    omega, rows = _zones(
-        _inside(results, "RadiationCoefficients.tec"), sum(len(one.motions) for one in cal.bodies), columns
-    )
-    square = _taken(_taken(rows, motions, 0), forces, 2)
-    quantities = {
-        "added_mass": square[..., 0].transpose(1, 2, 0),
-        "radiation_damping": square[..., 1].transpose(1, 2, 0),
-    }
+    results, columns = _inside(place, "Results"), sum(len(one.forces) for one in cal.bodies)
+    omega, quantities = _radiation(results, cal, motions, forces)
     k = wavenumber(omega, cal.depth, cal.gravity)
     crest = np.cos(cal.headings) * cal.crest[0] + np.sin(cal.headings) * cal.crest[1]
     for file, (name, _) in FORCES.items():
@@ -153,6 +163,31 @@ def read(place, known=None):
     still = _body(_inside(place, "Mesh"), which, len(cal.bodies))
     return Values(omega, cal.headings, cal.depth, cal.density, cal.gravity, quantities, still,
                   _about(place, body), name=place.name, others=len(cal.bodies) - 1)  # fmt: skip
+
+
+def _radiation(results, cal, motions, forces):
+    """ω (n,) rad/s and added mass and damping of the motions and forces at these places, None for missing ones"""
+    counts = (
+        sum(len(rows) for rows in part) for part in zip(*((b.motions, b.forces) for b in cal.bodies), strict=True)
+    )
+    omega, rows = _zones(_inside(results, "RadiationCoefficients.tec"), *counts)
+    square = _taken(_taken(rows, motions, 0), forces, 2)
+    names = "added_mass", "radiation_damping"
+    return omega, {name: square[..., i].transpose(1, 2, 0) for i, name in enumerate(names)}
+
+
+def coupled(place, known, count):
+    """{quantity: array} of added mass and damping of `count` bodies together, (n, 6 count, 6 count).
+
+    known : ignored.  Raises FormatError.
+    """
+    place = Path(place)
+    cal, motions, forces = _cal_of(_inside(place, "Nemoh.cal")), [], []
+    for body in cal.bodies[:count]:
+        for all_rows, own in ((motions, body.motions), (forces, body.forces)):
+            start = sum(row is not None for row in all_rows)
+            all_rows += [None if row is None else start + row for row in _six(place, own)]
+    return _radiation(_inside(place, "Results"), cal, motions, forces)[1]
 
 
 def hull_of(place, known=None):

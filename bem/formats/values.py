@@ -122,7 +122,8 @@ def of_each(values):
 
 
 def _of_one(values, number):
-    own, body = slice(6 * number, 6 * number + 6), {}
+    own, body, moved = slice(6 * number, 6 * number + 6), {}, moving(values.bodies)
+    columns = [moved.index(d) for d in range(own.start, own.stop) if d in moved]  # none of a fixed body
     quantities = {}
     for name, data in values.quantities.items():
         axes = QUANTITIES[name][0]
@@ -130,7 +131,8 @@ def _of_one(values, number):
             quantities[name] = np.take(data, range(own.start, own.stop), axis=axes.index("influenced_dof") - len(axes))
     for name, data in values.body.items():
         square = BODY[name][0][-2:] == ("influenced_dof", "radiating_dof")
-        body[name] = data[own, own] if square else data[number]
+        if not square or columns:
+            body[name] = data[own][:, columns] if square else data[number]
     one = values.bodies[number]
     return replace(values, quantities=quantities, body=body, rotation_center=np.asarray(one.rotation_center, float),
                    name=one.name, bodies=(), others=len(values.bodies) - 1)  # fmt: skip

@@ -46,8 +46,11 @@ DRIFTS = (".8", ".9", ".7")  # drift files by momentum, pressure, control surfac
 DRIFT_INDEX = [DOFS.index(name) + 1 for name in DRIFT_DOFS]
 
 
-def write(values, place):
-    """Write NAME.1 … beside each other; place : NAME with or without a suffix.  Returns the paths."""
+def write(values, place, names=None):
+    """Write NAME.1 … beside each other; place : NAME with or without a suffix.  Returns the paths.
+
+    names : {suffix: name} of the files that are written, in place of NAME; by default all
+    """
     A, B = values.need("added_mass", "radiation_damping")
     place, rho, rho_g = Path(place), values.density, values.density * values.gravity
     files = {".1": _radiation(values, A / rho, B / (rho * values.omega[:, None, None]))}
@@ -66,7 +69,9 @@ def write(values, place):
         ]
     paths = []
     for suffix, lines in files.items():
-        paths.append(place.with_suffix(suffix))
+        if names is not None and suffix not in names:
+            continue
+        paths.append(place.with_name((names or {}).get(suffix, place.stem) + suffix))
         write_whole(paths[-1], ("\n".join(lines) + "\n").encode("ascii"))
     return paths
 

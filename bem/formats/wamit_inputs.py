@@ -28,6 +28,29 @@ SAME_PERIOD = 2e-3  # relative difference within which periods of a listing and 
 PERIOD_KINDS = {1: "period", 2: "frequency", 3: "deep wavenumber", 4: "wavenumber"}  # IPEROUT
 
 
+def pot_of(values, hulls):
+    """Text of NAME.pot of several bodies, each along the axes of the scene about its own point
+
+    values : `values.Values` with bodies; hulls : names of their .gdf files, in these axes
+    """
+    depth = values.water_depth if np.isfinite(values.water_depth) else 0.0  # 0 for deep water
+    periods, degrees = 2 * np.pi / values.omega, np.degrees(values.wave_direction)
+    lines = [
+        "several bodies, from hakobune",
+        f"{depth:.9g}  HBOT",
+        "1  1  IRAD IDIFF",
+        f"{len(periods)}  NPER",
+        *(f"{period:.9g}" for period in periods),
+        f"{len(degrees)}  NBETA",
+        *(f"{angle:.9g}" for angle in degrees),
+        f"{len(hulls)}  NBODY",
+    ]
+    for body, hull in zip(values.bodies, hulls, strict=True):
+        point = "  ".join(f"{x:.9g}" for x in body.rotation_center)
+        lines += [hull, f"{point}  0.  XBODY", "  ".join("0" if body.fixed else "1" for _ in range(6)) + "  IMODE"]
+    return "\n".join(lines) + "\n"
+
+
 class Table(NamedTuple):
     """path : of a file, for messages; rows : (k, columns) of its numbers"""
 

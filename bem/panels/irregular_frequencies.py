@@ -8,8 +8,8 @@ Continued by zero, such a flow is also one of the box around the hull, whose min
 
     K ≥ κ coth κd,    κ² = π² (1/L² + 1/B²),    equal for a box of length L, beam B, draft d.
 
-Of all boxes with a side along an edge of the convex hull of the plan the one with the largest κ is used: rotating the
-hull does not change it.
+A hull that stands on the bed, where ∂φ/∂z = 0, has κ tanh κd in place of it.  Of all boxes with a side along an edge of
+the convex hull of the plan the one with the largest κ is used: rotating the hull does not change it.
 """
 
 from __future__ import annotations
@@ -24,17 +24,20 @@ from ..kernels.convex_hull import convex_hull
 SHARE = 0.6
 
 
-def lowest_irregular(length, beam, draft):
-    """K = ω²/g in 1/m, below which no hull inside a box of these dimensions (m) has an irregular frequency"""
+def lowest_irregular(length, beam, draft, bottom=True):
+    """K = ω²/g in 1/m, below which no hull inside a box of these dimensions (m) has an irregular frequency
+
+    bottom : False for walls that end on the bed
+    """
     kappa = np.pi * np.hypot(1 / length, 1 / beam)
-    return float(kappa / np.tanh(kappa * draft))
+    return float(kappa * np.tanh(kappa * draft) ** (-1 if bottom else 1))
 
 
 def lid_needed_from(mesh):
     """K = ω²/g in 1/m below which a hull is solved without a lid; mesh : PanelMesh, with or without mirror planes"""
     if mesh.body is not None:
         return min(lid_needed_from(mesh.of_body(i)) for i in range(mesh.bodies))
-    return SHARE * lowest_irregular(*rectangle_around(mesh), mesh.draft)
+    return SHARE * lowest_irregular(*rectangle_around(mesh), mesh.draft, mesh.foot is None)
 
 
 def rectangle_around(mesh):

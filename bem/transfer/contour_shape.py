@@ -39,7 +39,7 @@ class Answers(NamedTuple):
 
 
 def answers(body, modes, waves):
-    """`Answers` of a `bem.contour.solver.ContourBody`.
+    """`Answers` of a `bem.contour.body.ContourBody`.
 
     modes : `bem.depth_modes.gap.OuterModes`
     waves : [`partial_waves.PartialWaves`] from the propagating mode on, or without it from the first that decays

@@ -21,8 +21,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..contour.body import SMALL
 from ..contour.several.bodies import SeveralBodies, nearest
-from ..contour.solver import SMALL, prepare_box, prepare_cylinder
+from ..contour.solver import prepare_box, prepare_cylinder
 from ..depth_modes.gap import OuterModes
 from ..first_order import FirstOrder
 from ..kernels.threads import blas_threads
@@ -60,7 +61,7 @@ def prepare_far(shapes, places, depth, tolerance=1e-3):
 
 @dataclass(frozen=True, eq=False)
 class FarBodies(SeveralBodies):
-    """Several `bem.contour.solver.ContourBody`, equal ones the same object; the rest as of `SeveralBodies`"""
+    """Several `bem.contour.body.ContourBody`, equal ones the same object; the rest as of `SeveralBodies`"""
 
     def first_order(self, omega, headings=(), theta=(), dofs=None, density=1025.0, gravity=9.80665):
         """`FirstOrder` at one frequency, motions (6N,) about the origin, body by body; dofs : all are found"""
@@ -101,7 +102,7 @@ class FarBodies(SeveralBodies):
         return tuple(dict.fromkeys(self.bodies))
 
     def resolution(self, omega, gravity=9.80665):
-        """As of `solver.ContourBody`"""
+        """As of `body.ContourBody`"""
         return tuple(body.resolution(omega, gravity) for body in self.alone)
 
     @cached_property

@@ -13,6 +13,7 @@ from functools import cached_property
 
 import numpy as np
 
+from ..hydrostatics import waterplane_area
 from .overlap import connected, overlaps
 from .seams import rings
 
@@ -60,7 +61,7 @@ def findings(mesh, depth=math.inf, shortest_wave=None, lid=None):
         *_duplicates(welded),
         *_holes(edges, float(mesh.areas.sum())),
         *_orientation(welded, edges),
-        *_overlaps(mesh),
+        *_overlaps(mesh, depth),
         *_clearance(mesh, depth, edges),
         *_resolution(mesh, shortest_wave),
         *lid_findings(mesh, lid),
@@ -308,8 +309,8 @@ def _parts(mesh, edges):
     return part, mesh.copies * np.bincount(part, share), closed
 
 
-def _overlaps(mesh):
-    for inside, of, place in overlaps(mesh.whole().merged(WELD)):
+def _overlaps(mesh, depth):
+    for inside, of, place in overlaps(mesh.whole().merged(WELD), depth):
         yield Finding(
             "error",
             f"two parts of the hull overlap: {inside} of {of} checked panels of one are inside the other, the "
@@ -326,8 +327,7 @@ def _clearance(mesh, depth, edges):
             f"the hull stands on the sea bed, z = {-depth:.6g} m, along {length:.4g} m: there is no water under "
             "it; it is solved as fixed to the bed",
         )
-        return
-    if not gap > 0:
+    elif not gap > 0:
         yield Finding(
             "error",
             f"the draft {mesh.draft:.4g} m leaves {gap:.4g} m of water under the keel; allowed: more than 0 in "
@@ -369,7 +369,7 @@ def lid_findings(mesh, lid):
         yield Finding("error", "the lid has normals that point down; allowed: up")
     if lid.symmetry != mesh.symmetry:
         yield Finding("error", f"the lid has the symmetry {lid.symmetry!r}, the hull {mesh.symmetry!r}")
-    inside = -mesh.copies * mesh.area_vectors[:, 2].sum()
+    inside = waterplane_area(mesh)
     covered = lid.copies * lid.areas.sum()
     if inside > 0 and abs(covered / inside - 1) > LID_AREA:
         yield Finding(

@@ -10,25 +10,30 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..hydrostatics import stands
+from ..panels import PanelMesh
+
 MOST = 32  # parts; a mesh of more parts has panels that do not meet, for which another finding exists
 SAMPLE = 100  # panels of a part that are tested as a sample
 BLOCK = 1 << 20  # places times panels at once
 
 
-def overlaps(welded):
+def overlaps(welded, depth=np.inf):
     """[(panels of one part inside another, panels tested, (3,) m place of the first)] of parts of a hull.
 
-    welded : whole PanelMesh whose panels share their points
+    welded : whole PanelMesh whose panels share their points; depth : m of water, whose bed closes walls that end on it
     """
     part = _parts(welded)
     out = []
     if part.max() >= MOST:
         return out
+    whole = [PanelMesh(welded.points, welded.corners[part == one]) for one in range(part.max() + 1)]
+    whole = [one.closed() if stands(one, depth) else one for one in whole]
     for one in range(part.max() + 1):
         panels = np.flatnonzero(part == one)
         some = panels[:: max(1, len(panels) // SAMPLE)]
         for other in (other for other in range(part.max() + 1) if other != one):
-            seen = welded.vertices[part == other]
+            seen = whole[other].vertices
             low, high = seen.reshape(-1, 3).min(axis=0), seen.reshape(-1, 3).max(axis=0)
             centres = welded.centroids[some]
             near = centres[np.all((centres[:, :2] > low[:2]) & (centres[:, :2] < high[:2]), axis=1)]

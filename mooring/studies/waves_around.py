@@ -41,7 +41,8 @@ def around_body(db, omega, beta, fixed, amplitude=None):
     """
     if not math.isfinite(beta):
         raise ValueError("heading is not a number; allowed: an angle")
-    db.require(*KOCHIN)
+    fixed = fixed or bool(db.attributes.get("held"))
+    db.require(*KOCHIN[fixed:])
     reader = db.bodies_reader
     if amplitude is not None and reader.viscous is not None:
         reader, _ = in_regular_waves(reader, omega, amplitude, beta)

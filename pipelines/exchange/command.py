@@ -12,6 +12,8 @@ from hakobune.bem.database.schema import LIMITS
 from hakobune.bem.database.widening import read_group
 from hakobune.bem.drift import OF_EACH
 from hakobune.bem.formats.values import CARRIED, values_of
+from hakobune.bem.formats.wamit_inputs import pot_of
+from hakobune.meshing.whole_files import write_whole
 from hakobune.mooring.criteria.failing import fails
 
 from ..common.gaps import gaps_of
@@ -23,13 +25,12 @@ from ..printing.verdict import tell
 class Format(NamedTuple):
     """module : of `bem.formats`; ending : of the default name; folder : whether it is one; several : of several bodies
 
-    hull : position of its mesh relative to the place that is read; silent : quantities that its files may not contain
+    silent : quantities that its files may not contain
     """
 
     module: str
     ending: str
     folder: bool = False
-    hull: str = ""
     silent: tuple[str, ...] = ()
     read_only: bool = False
     several: bool = False
@@ -38,8 +39,8 @@ class Format(NamedTuple):
 WATER = ("water_depth", "density", "gravity")
 FORMATS = {
     "wamit": Format("wamit", ".1", silent=(*WATER, "length_unit", "rotation_center"), several=True),
-    "nemoh": Format("nemoh", "_nemoh", True),
-    "hams": Format("hams", "_hams", True, "Input/HullMesh.pnl", ("density", "gravity")),
+    "nemoh": Format("nemoh", "_nemoh", True, several=True),
+    "hams": Format("hams", "_hams", True, ("density", "gravity"), several=True),
     "bemio": Format("bemio", "_bemio.h5", several=True),
     "hydrochrono": Format("bemio", "_hydrochrono.h5", several=True),
     "capytaine": Format("capytaine", ".nc", several=True),
@@ -65,9 +66,14 @@ def export(database, to, output, fresh):
     if to == "wamit" and values.mesh is not None:
         from hakobune.meshing.files import write_mesh
 
-        for name, mesh in _hulls(values):
+        hulls = list(_hulls(values))
+        for name, mesh in hulls:
             made.append(Path(output).with_name(f"{Path(output).stem}{name}.gdf"))
             write_mesh(mesh, made[-1])
+        if values.bodies:
+            names = [path.name for path in made[-len(hulls) :]]
+            made.append(Path(output).with_suffix(".pot"))
+            write_whole(made[-1], pot_of(values, names).encode("ascii"))
     if to == "wamit":
         made += _pairs_written(db, values, output)
     print("\n".join(map(str, made)))
@@ -75,10 +81,9 @@ def export(database, to, output, fresh):
 
 
 def _hulls(values):
-    """("", PanelMesh) of a body, or of each of several bodies ("_barge", PanelMesh in its own coordinates)"""
+    """("", PanelMesh) of a body, or of each of several ("_barge", along the axes of the scene about its own point)"""
     for i, body in enumerate(values.bodies):
-        mesh = values.mesh.of_body(i).whole().moved(dx=-body.place[0], dy=-body.place[1])
-        yield f"_{body.name}", mesh.rotated(-body.heading)
+        yield f"_{body.name}", values.mesh.of_body(i).whole().moved(*np.negative(body.rotation_center))
     if not values.bodies:
         yield "", values.mesh
 
@@ -139,12 +144,13 @@ def _left_out(db, values, to):
         lost += [name for name in OF_EACH if name in db.names]
         lost = [name for name in lost if name != "drift_force" or to not in ("bemio", "hydrochrono", "capytaine")]
     elif db.bodies:
-        lost += [name for name in ("drift_force", "drift_force_fixed", *OF_EACH) if name in db.names]
+        parts = ("Froude_Krylov_force", "diffraction_force") if to == "hams" else ()
+        lost += [name for name in (*parts, "drift_force", "drift_force_fixed", *OF_EACH) if name in db.names]
     elif "drift_force" in db.names and "drift_force_fixed" in db.names:
         lost.append("drift_force_fixed")
     if lost:
         yield f"the format of {to} cannot hold {', '.join(lost)}"
-    if to == "wamit" and values.bodies:
+    if to in ("wamit", "hams", "nemoh") and values.bodies:
         points = "; ".join(f"{b.name} ({', '.join(f'{x:g}' for x in b.rotation_center)}) m" for b in values.bodies)
         yield f"all bodies along the axes of the scene, moments and rotations about the point of each: {points}"
     if to == "wamit" and np.any(values.rotation_center):

@@ -113,7 +113,7 @@ def hull_of(place, kind, module, mesh, known):
     known["rotation_center"] : (3,) m, origin of the axes of that file; None or missing for those of the water
     """
     origin = known.get("rotation_center")
-    path = mesh or (place / kind.hull.format(stem=place.stem) if kind.hull else None)
+    path = mesh
     if path is None and hasattr(module, "hull_of"):
         path = module.hull_of(place, known)
     if path is None or not path.resolve().is_file():

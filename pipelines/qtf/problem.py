@@ -87,7 +87,7 @@ def _fits_contour(db, highest):
     radius, draft = db.dimensions["radius"], db.dimensions["draft"]
     k = float(wavenumber(highest, db.water_depth, db.gravity))
     gap = (db.water_depth - draft) / min(radius, draft)
-    return gap <= SOLVERS["contour"].highest_gap and not too_many((radius, draft), k)
+    return 0 < gap <= SOLVERS["contour"].highest_gap and not too_many((radius, draft), k)
 
 
 def _cylinder(db, panels, tolerance):

@@ -16,10 +16,16 @@ from .tables import FREQUENCY_KEYS, MOST, SHAPES, SceneError, listed
 from .viscous_table import viscous_of
 
 CLOSEST = 2e-9  # relative in omega, rad in heading: twice the tolerance for equal values in a database
+STANDING = ("box", "buoy")  # shapes that may stand on the bed
 EXTENT = 1e-3, 1e6  # m, sizes and places
 MOST_BODIES = 100
 DAMPING = 1e-6, 10.0  # epsilon of a damping lid
 RANGES = {"omegas": (1e-6, 1e4), "periods": (1e-3, 1e7), "xi_B": (1e-9, 1e6), "band": (1e-6, 1e4)}
+
+
+def stands_on_bed(scene, body):
+    """Whether a box or buoy of a scene has no water under it; of a mesh its panels say so"""
+    return body.shape in STANDING and body.fixed and body.draft == scene.water.depth
 
 
 def check(scene):
@@ -93,7 +99,7 @@ def check_body(key, body, depth):
     elif (body.bow, body.stern, body.waterplane) != (None, None, None):
         raise SceneError(f"{key} has a fullness of bow or stern, or a waterplane; a {body.shape} has {', '.join(own)}")
     if body.shape != "mesh" and body.draft >= depth:
-        raise SceneError(f"{key}.draft is {body.draft} in water {depth} m deep; allowed: below the depth")
+        _check_standing(key, body, depth)
     if body.shape == "mesh" and not Path(body.file).is_file():
         raise SceneError(f"{key}.file is {body.file!r}; there is no such file")
     if body.mass is not None:
@@ -107,6 +113,16 @@ def check_body(key, body, depth):
             raise SceneError(f"{key}.GM is given, and z of center_of_gravity; allowed: one of them, z as 0")
 
 
+def _check_standing(key, body, depth):
+    """Raise SceneError for a body that reaches the bed and does not stand on it"""
+    if body.shape in STANDING and body.fixed and body.draft == depth:
+        return
+    way = ""
+    if body.shape in STANDING:
+        way = f", or {depth:g} of a body that stands on the bed, which needs fixed = true"
+    raise SceneError(f"{key}.draft is {body.draft} in water {depth} m deep; allowed: below the depth{way}")
+
+
 def _check_one(body):
     """Checks of keys for one of several bodies"""
     for name in ("place", "rotation_center"):
@@ -115,8 +131,6 @@ def _check_one(body):
             raise SceneError(f"bodies[0].{name} is {list(getattr(body, name))}, but there is one body; {way}")
     if body.viscous is not None:
         raise SceneError("bodies[0].viscous is given, but there is one body; give its laws under [viscous]")
-    if body.fixed:
-        raise SceneError("bodies[0].fixed is true, but no other body moves; leave it out")
 
 
 def _check_among_others(key, body):
@@ -141,8 +155,6 @@ def _check_arrangement(scene):
     twice = next((name for name in names if names.count(name) > 1), None)
     if twice is not None:
         raise SceneError(f"bodies has two bodies named {twice!r}; allowed: each name once")
-    if all(body.fixed for body in scene.bodies):
-        raise SceneError("all bodies are fixed; allowed: at least one that moves")
     if any(scene.rotation_center):
         raise SceneError(
             f"rotation_center is {list(scene.rotation_center)}, but there are several bodies; give it under [[bodies]]"

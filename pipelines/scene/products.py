@@ -15,14 +15,16 @@ GROUPS = {
     "lids": (POWER,),
     "drift": ("drift_force_fixed", "drift_force", *OF_EACH),
 }
+OF_MOTIONS = (*GROUPS["radiation"], *GROUPS["limits"], "kochin_radiation", *NEEDS_MOTION)
 
 
-def expand(want, motions_known):
+def expand(want, motions_known, held=False):
     """Names of the database for a list of names and group words, in the order of its table.
 
     want : list of str, or None for everything but `bem.database.schema.ONLY_BY_NAME`
     motions_known : whether the body's inertia is known; otherwise motions are excluded
-    Raises ValueError for an unknown word, and for motions requested by name without inertia.
+    held : whether no body moves; then waves by motions are excluded too
+    Raises ValueError for an unknown word, and for motions requested by name that are not there.
     """
     if want is None:
         asked = set(QUANTITIES) - set(ONLY_BY_NAME)
@@ -34,7 +36,12 @@ def expand(want, motions_known):
             words = ", ".join((*GROUPS, *QUANTITIES))
             raise ValueError(f"there is no result named {unknown[0]!r}; allowed in want: {words}")
         asked = {name for word in want for name in GROUPS.get(word, (word,))}
-    if not motions_known:
+    if held:
+        named = [word for word in want or () if set(GROUPS.get(word, (word,))) <= set(OF_MOTIONS)]
+        if named:
+            raise ValueError(f"want has {named[0]}, but no body moves (fixed); leave it out")
+        asked -= set(OF_MOTIONS)
+    elif not motions_known:
         named = [word for word in want or () if word in NEEDS_MOTION or word == "motions"]
         if named:
             raise ValueError(f"{named[0]} needs the radii of gyration (m); give gyration (--gyration)")

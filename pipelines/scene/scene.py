@@ -93,9 +93,14 @@ class Scene(SceneTable, dict=True):  # dict=True: derived quantities are cached 
         return {key: getattr(self.body, key) for key in keys}
 
     @property
+    def held(self):
+        """Whether no body moves"""
+        return all(body.fixed for body in self.bodies)
+
+    @property
     def motions_known(self):
-        """Whether the inertia is given for all moving bodies."""
-        return all(body.gyration is not None for body in self.bodies if not body.fixed)
+        """Whether bodies move, and the inertia is given for all of them."""
+        return not self.held and all(body.gyration is not None for body in self.bodies if not body.fixed)
 
     def omegas(self):
         """(n,) rad/s ascending; for a band its ends"""
@@ -107,7 +112,7 @@ class Scene(SceneTable, dict=True):  # dict=True: derived quantities are cached 
 
     def names(self):
         """Wanted names of the database."""
-        return names_given(self, products.expand(self.want, self.motions_known), self.want or ())
+        return names_given(self, products.expand(self.want, self.motions_known, self.held), self.want or ())
 
     @cached_property
     def solved_by(self):

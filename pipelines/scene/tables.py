@@ -63,7 +63,7 @@ class BodyTable(SceneTable):
     shape : shape of the body: box, buoy (vertical cylinder), ship or mesh
     length : m, length of a box or ship
     beam : m, beam of a box or ship
-    draft : m, draft of a box, buoy or ship
+    draft : m, draft of a box, buoy or ship; that of the water depth for a fixed box or buoy on the bed
     radius : m, radius of a buoy
     block : block coefficient of a ship
     bow : fullness of the waterplane of a ship at the bow
@@ -79,7 +79,7 @@ class BodyTable(SceneTable):
     place : m, m, degrees, x and y of the origin of the body and its heading, where there are several
     rotation_center : m, x, y, z from the origin of the body, the point of its rotations and moments, where there are
         several
-    fixed : whether the body is fixed and scatters waves, as a caisson or a pier, where there are several
+    fixed : whether the body is fixed and scatters waves, as a caisson, a pier or a pile; it may stand on the bed
     viscous : viscous damping of the body, where there are several; [viscous] of the scene has the wave height
     """
 

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from hakobune.meshing.hydrostatics import stands
 from hakobune.meshing.mirror import folded
 from hakobune.meshing.panels import assembled, with_symmetry
 from hakobune.meshing.quality.overlap import winding
@@ -59,8 +60,11 @@ def check_apart(scene, mesh, panels_matter=True):
                 raise SceneError(f"{names} overlap; allowed: water between them; move one of them (place)")
             if gap <= reach:
                 raise SceneError(f"{names} touch; allowed: water between them (place), or one mesh of both")
-            widths = [min(np.ptp(hull.points[:, :2], axis=0)) for hull in (one, hulls[j])]
-            gaps.append((names, gap, min(one.draft, hulls[j].draft), sum(widths) + gap))
+            afloat = [hull for hull in (one, hulls[j]) if not stands(hull, scene.water.depth)]
+            if afloat:
+                widths = [min(np.ptp(hull.points[:, :2], axis=0)) for hull in afloat]
+                draft, wall = min(hull.draft for hull in afloat), len(afloat) == 1
+                gaps.append((names, gap, draft, sum(widths) + (0.0 if wall else gap), wall))
             if gap < size / 2 and panels_matter:
                 said.append(
                     f"{names} are {gap:.3g} m apart, but their panels are up to {size:.3g} m long; good: at most "
@@ -87,7 +91,7 @@ def _overlap(one, other):
     """Whether a corner of a hull lies inside another hull"""
     low, high = other.points.min(axis=0), other.points.max(axis=0)
     near = one.centroids[np.all((one.centroids[:, :2] > low[:2]) & (one.centroids[:, :2] < high[:2]), axis=1)]
-    return len(near) > 0 and bool(np.any(np.abs(winding(near, other.vertices)) > 0.5))
+    return len(near) > 0 and bool(np.any(np.abs(winding(near, other.closed().vertices)) > 0.5))
 
 
 def _far(one, other):

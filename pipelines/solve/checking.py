@@ -10,6 +10,7 @@ from hakobune.bem.database.file import opened
 from hakobune.bem.database.integrity import DamagedError, repair
 from hakobune.bem.database.schema import LIMITS
 from hakobune.bem.stored_laws import broken_laws
+from hakobune.meshing.hydrostatics import stands
 from hakobune.meshing.quality import Finding, findings
 from hakobune.meshing.whole_files import keep_room
 from hakobune.mooring.criteria.failing import fails
@@ -87,7 +88,7 @@ def _repaired(path):
 
 def _findings(db):
     if not _on_panels(db):
-        return findings(db.mesh)
+        return findings(db.mesh, db.water_depth if stands(db.mesh, db.water_depth) else np.inf)
     if not len(db.omega):
         return findings(db.mesh, db.water_depth, lid=db.lid)
     wave = 2 * np.pi / float(db["wavenumber"].max())

@@ -57,7 +57,8 @@ def each_body(scene, mesh, body):
     body : `body_properties` of the scene
     """
     if not scene.several:
-        yield "", scene, mesh, body
+        if not scene.held:
+            yield "", scene, mesh, body
         return
     for i, hull in enumerate(own_hulls(scene, mesh)):
         if not scene.bodies[i].fixed:
@@ -92,7 +93,7 @@ def _of_several(scene, mesh):
 def _of_one(scene, mesh):
     body, water = scene.body, scene.water
     given = {"density": water.density, "gravity": water.gravity, "mass": body.mass}
-    given |= {"rotation_center": scene.rotation_center}
+    given |= {"rotation_center": scene.rotation_center, "depth": water.depth}
     center = body.center_of_gravity
     if body.GM is not None:
         center = (*center[:2], hydrostatics(mesh, center, **given).transverse_metacentric_height - body.GM)
@@ -122,6 +123,8 @@ def kochin_angles(scene, mesh, wave):
 
 def _attributes(scene):
     made = {"tolerance": scene.accuracy, "method": scene.solved_by}
+    if scene.held:
+        made["held"] = True  # no body moves
     files = contents(scene)
     if files is not None:
         made[MESH_FILE] = files

@@ -10,6 +10,7 @@ from functools import partial
 from hakobune.bem.contour.short_waves import MOST_WAVES, too_many, waves_along
 from hakobune.bem.waves import wavenumber
 from hakobune.meshing.files import read_mesh
+from hakobune.meshing.hydrostatics import stands, waterplane_area
 from hakobune.meshing.lid import lid
 from hakobune.meshing.mirror import folded
 from hakobune.meshing.panels import PanelMesh
@@ -17,6 +18,7 @@ from hakobune.meshing.quality import findings, lid_findings
 from hakobune.meshing.shapes import TooFewPanels
 
 from ..common.typed import typed
+from ..scene.checks import stands_on_bed
 from ..scene.methods import METHODS
 from ..scene.scene import Scene, SceneError
 from .arrangement import arranged, check_apart, own_hulls, own_hulls_of_modes
@@ -61,7 +63,7 @@ def make_hull(scene):
 
 def _for_show(scene):
     """Panels for drawing only, for bodies that lie apart"""
-    hulls = [_meshed(body, FOR_SHOW) for body in scene.bodies]
+    hulls = [_meshed(scene, body, FOR_SHOW) for body in scene.bodies]
     if not scene.several:
         return MeshedHull(hulls[0], None)
     mesh = arranged(scene, hulls)
@@ -74,11 +76,16 @@ def _hull(scene, body):
         mesh = read_mesh(body.file)
         if mesh.total > MOST_GIVEN:
             raise SceneError(f"{body.file} has {mesh.total} panels; allowed: up to {MOST_GIVEN}")
+        if not body.fixed and stands(mesh, scene.water.depth):
+            raise SceneError(
+                f"{body.file} stands on the bed, z = {-scene.water.depth:g} m, without a bottom, and cannot float; "
+                "give fixed = true under [[bodies]]"
+            )
         return folded(mesh)
     if scene.panels is None:
         return _fine_enough(scene, body)
     try:
-        return _meshed(body, round(scene.panels * _share(scene, body)))
+        return _meshed(scene, body, round(scene.panels * _share(scene, body)))
     except TooFewPanels:
         raise SceneError(f"panels is {scene.panels}; allowed: {_least_panels(scene)} to 100000") from None
 
@@ -88,7 +95,7 @@ def _least_panels(scene):
     fewest = []
     for body in scene.bodies:
         try:
-            _meshed(body, 0)
+            _meshed(scene, body, 0)
         except TooFewPanels as error:
             fewest.append(math.ceil((error.least - 0.5 + 1e-9) / _share(scene, body)))
     return max(fewest)
@@ -96,7 +103,8 @@ def _least_panels(scene):
 
 def _share(scene, body):
     """Share of the panels of a scene on one of its bodies, by the wetted area"""
-    return _wetted_area(body) / sum(map(_wetted_area, scene.bodies)) if scene.several else 1.0
+    whole = sum(_wetted_area(scene, one) for one in scene.bodies)
+    return _wetted_area(scene, body) / whole if scene.several else 1.0
 
 
 def _check_count(scene, total):
@@ -143,7 +151,7 @@ def make_lid(scene, mesh):
     """
     if not scene.lid:
         return None
-    waterplane = -mesh.copies * mesh.area_vectors[:, 2].sum()
+    waterplane = waterplane_area(mesh)
     if waterplane <= 0:
         return lid(mesh)
     wide = min(scene.shortest_wave / 5, math.sqrt(_smallest_waterplane(mesh)) / 2)
@@ -152,8 +160,8 @@ def make_lid(scene, mesh):
 
 def _smallest_waterplane(mesh):
     """m², of the meshed part of the hull, or for several bodies of a quarter of the smallest"""
-    planes = (-mesh.of_body(i).area_vectors[:, 2].sum() for i in range(mesh.bodies))
-    return min(plane * (mesh.copies / 4 if mesh.bodies > 1 else 1.0) for plane in planes if plane > 0)
+    planes = (waterplane_area(mesh.of_body(i)) for i in range(mesh.bodies))
+    return min(plane / (4 if mesh.bodies > 1 else mesh.copies) for plane in planes if plane > 0)
 
 
 def lid_in_proportion(cover, mesh, other):
@@ -183,7 +191,7 @@ def _remeshed(scene, mesh, counts):
     found = [counts(body, hull) for body, hull in zip(scene.bodies, hulls, strict=True)]
     if any(one is None for one in found):
         return None
-    made = [meshed(body, one) for body, one in zip(scene.bodies, found, strict=True)]
+    made = [meshed(*one, bottom=not stands_on_bed(scene, one[0])) for one in zip(scene.bodies, found, strict=True)]
     return _in_place(scene, made)
 
 
@@ -230,15 +238,16 @@ def finer_hull(scene):
     return None if given else FinerHull(scene)
 
 
-def _meshed(body, panels):
-    return meshed(body, None, panels=panels)
+def _meshed(scene, body, panels):
+    return meshed(body, None, not stands_on_bed(scene, body), panels=panels)
 
 
 def _fine_enough(scene, body):
     """A mesh of a body with the panels for the tolerance, or more so that there are `PER_WAVE` along every wave."""
-    wave = scene.shortest_wave
-    least = _wetted_area(body) / (wave / PER_WAVE) ** 2  # no panel is larger than the square of its edge
-    mesh = None if least > MOST_PANELS else meshed(body, fine_counts(body, scene.accuracy, wave / PER_WAVE))
+    wave, bottom = scene.shortest_wave, not stands_on_bed(scene, body)
+    least = _wetted_area(scene, body) / (wave / PER_WAVE) ** 2  # no panel is larger than the square of its edge
+    many = least > MOST_PANELS
+    mesh = None if many else meshed(body, fine_counts(body, scene.accuracy, wave / PER_WAVE, bottom), bottom)
     if mesh is None or mesh.total > MOST_PANELS:
         raise SceneError(
             f"tolerance {scene.accuracy:g} and the shortest wave {wave:.3g} m ask for "
@@ -248,10 +257,11 @@ def _fine_enough(scene, body):
     return mesh
 
 
-def _wetted_area(body):
+def _wetted_area(scene, body):
+    bottom = not stands_on_bed(scene, body)
     if body.shape != "buoy":
-        return body.length * body.beam + 2 * (body.length + body.beam) * body.draft
-    return math.pi * body.radius * (body.radius + 2 * body.draft)
+        return body.length * body.beam * bottom + 2 * (body.length + body.beam) * body.draft
+    return math.pi * body.radius * (body.radius * bottom + 2 * body.draft)
 
 
 def _usable(scene, mesh):

@@ -44,9 +44,13 @@ def panels_for(body, tolerance):
     return math.ceil(most * (0.01 / tolerance) ** (1 / ERROR_ORDER))
 
 
-def fine_counts(body, tolerance, longest):
-    """Counts for a tolerance with no edge above `longest` (m), and in no direction below `LEAST`"""
-    counts = MAKERS[body.shape][1](*sizes(body), panels=panels_for(body, tolerance), longest=longest)
+def fine_counts(body, tolerance, longest, bottom=True):
+    """Counts for a tolerance with no edge above `longest` (m), and in no direction below `LEAST`
+
+    bottom : False for a box or buoy that stands on the bed
+    """
+    more = {"panels": panels_for(body, tolerance), "longest": longest}
+    counts = MAKERS[body.shape][1](*sizes(body), **more, **_walls_only(bottom))
     return tuple(max(pair) for pair in zip(counts, LEAST[body.shape], strict=True))
 
 
@@ -74,14 +78,18 @@ def counts_of(body, mesh):
     if body.shape == "box":
         return tuple(levels)
     rim = int(np.sum(mesh.points[:, 2] > -1e-6 * body.draft)) - 1
-    return rim, len(mesh) // rim - levels[2], levels[2]
+    return rim, len(mesh) // rim - levels[2] or LEAST["buoy"][1], levels[2]
 
 
-def meshed(body, counts, **panels):
-    """PanelMesh with these counts, or for None with `panels` panels"""
+def meshed(body, counts, bottom=True, **panels):
+    """PanelMesh with these counts, or for None with `panels` panels; bottom : as of `fine_counts`"""
     keys = ("block", "bow", "stern", "waterplane") if body.shape == "ship" else ()
     form = {key: getattr(body, key) for key in keys}
-    return MAKERS[body.shape][0](*sizes(body), **form, counts=counts, **panels)
+    return MAKERS[body.shape][0](*sizes(body), **form, counts=counts, **panels, **_walls_only(bottom))
+
+
+def _walls_only(bottom):
+    return {} if bottom else {"bottom": False}
 
 
 def sizes(body):

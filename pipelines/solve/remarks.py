@@ -57,7 +57,7 @@ def _gravity_remarks(gravity):
 
 def _motion_remarks(scene):
     """Results that known inertia would add"""
-    if scene.motions_known:
+    if scene.motions_known or scene.held:
         return
     wanted = names_given(scene, expand(scene.want, motions_known=True), ())
     lacking = [name for name in NEEDS_MOTION if name in wanted]

@@ -189,8 +189,9 @@ def _body_rows(db):
     else:
         yield "rotation center", _point(db.rotation_center), "m"
     yield "waterplane", f"{db.waterplane_area:.6g}", "m²"
-    yield "GM transverse", f"{db.transverse_metacentric_height:.4g}", "m"
-    yield "GM longitudinal", f"{db.longitudinal_metacentric_height:.4g}", "m"
+    fixed = bool(db.bodies) and db.database.bodies[db.number].fixed
+    for way in ("transverse", "longitudinal"):
+        yield f"GM {way}", "–" if fixed else f"{getattr(db, f'{way}_metacentric_height'):.4g}", "m"
     yield from _free_periods(db)
 
 

@@ -18,9 +18,9 @@ import numpy as np
 from bench.random_bodies import asked, between
 
 from hakobune.bem.contour.accuracy import KAPPA, PLAN, accuracy, height
+from hakobune.bem.contour.body import ContourBody
 from hakobune.bem.contour.plan.circle import Circle
 from hakobune.bem.contour.plan.rectangle import Rectangle
-from hakobune.bem.contour.solver import ContourBody
 
 GRAVITY, BEAM = 9.80665, 50.0
 DIGITS, FLOOR = 6.5, 1e-7

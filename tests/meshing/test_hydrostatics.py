@@ -3,7 +3,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from hakobune.meshing.hydrostatics import hydrostatics, inertia_matrix
+from hakobune.meshing.hydrostatics import hydrostatics, inertia_matrix, stands, waterplane_area
 from hakobune.meshing.panels import SYMMETRIES, joined, structured
 from hakobune.meshing.shapes import box, buoy
 
@@ -179,3 +179,25 @@ def test_inertia_is_that_of_masses_on_sticks():
         expected += mass / 6 * move.T @ move
     gyration = np.sqrt(np.array([b * b + c * c, a * a + c * c, a * a + b * b]) / 3)
     np.testing.assert_allclose(inertia_matrix(mass, com, gyration, about), expected, atol=1e-12)
+
+
+@pytest.mark.parametrize("symmetry", ["xy", "x", ""])
+def test_walls_on_the_bed_are_closed_by_it(symmetry):
+    """A caisson, moved and turned: volume, centres, waterplane and stiffness as with its bottom, and its own area"""
+    walls = box(12, 8, 5, counts=(3, 2, 3), bottom=False, symmetry=symmetry)
+    with_bottom = box(12, 8, 5, counts=(3, 2, 3), symmetry=symmetry)
+    if symmetry == "":
+        walls, with_bottom = (one.rotated(0.4).moved(30.0, -7.0) for one in (walls, with_bottom))
+    found, known = hydrostatics(walls, depth=5.0), hydrostatics(with_bottom)
+    for name in ("volume", "center_of_buoyancy", "waterplane_area", "waterplane_moments", "stiffness"):
+        assert getattr(found, name) == pytest.approx(getattr(known, name), rel=1e-9, abs=1e-3), name
+    assert found.wetted_area == pytest.approx(2 * (12 + 8) * 5) and walls.volume == pytest.approx(480)
+    assert with_bottom.foot is None and waterplane_area(walls) == pytest.approx(96)
+    assert not stands(walls, 5.1) and not stands(walls, np.inf) and stands(walls, 5.0)
+    with pytest.raises(ValueError, match="not closed"):
+        hydrostatics(walls, depth=6.0)
+
+
+def test_walls_around_a_shaft_are_closed_without_it():
+    ring = joined([buoy(10, 6, bottom=False).whole(), buoy(4, 6, bottom=False).whole().flipped()])
+    assert hydrostatics(ring, depth=6.0).volume == pytest.approx(np.pi * (100 - 16) * 6)

@@ -43,7 +43,7 @@ class SharedFrequency(ContourFrequency):
 
 @dataclass(frozen=True, eq=False)
 class HullPoints:
-    """Points on the hull of a `bem.contour.solver.ContourBody` for waves up to k rad/m"""
+    """Points on the hull of a `bem.contour.body.ContourBody` for waves up to k rad/m"""
 
     body: object
     k: float

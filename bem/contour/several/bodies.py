@@ -1,6 +1,6 @@
 """Boxes and vertical cylinders side by side by domain decomposition: each body's own gap, one plane problem around all.
 
-Under each body and in its gap the equations are those of `solver.ContourBody`.  The maps outside become those of all
+Under each body and in its gap the equations are those of `body.ContourBody`.  The maps outside become those of all
 plans together (`exterior`), and the functions ψ, the nodes and the table in κ are as fine as the water between the
 bodies requires.  Errors are estimated from finer bodies, as for one body.
 """
@@ -16,11 +16,12 @@ import numpy as np
 from ...kernels.threads import blas_threads
 from ...modes import reference_change, turned, with_net_flux
 from ...waves import wavenumber
+from ..body import SMALL, memoised
 from ..modal_sums import ChebyshevNodes, contracted
 from ..one_frequency import degrees
 from ..plan.circle import Circle
 from ..plan.maps import CLASSES, area_moment
-from ..solver import SMALL, memoised, prepare_box, prepare_cylinder
+from ..solver import prepare_box, prepare_cylinder
 from .exterior import REACH, Exterior
 from .fixed import Fixed
 from .one_frequency import SeveralFrequency
@@ -113,7 +114,7 @@ def _distance(one, other):
 
 @dataclass(frozen=True, eq=False)
 class SeveralBodies:
-    """Several `solver.ContourBody` in one water.
+    """Several `body.ContourBody` in one water.
 
     places : `exterior.Place` of the middle of each; gaps : m, from each to the nearest other one
     """
@@ -173,7 +174,9 @@ class SeveralBodies:
         """
         if which not in ("zero", "infinity"):
             raise ValueError(f"limit is {which!r}; allowed: 'zero', 'infinity'")
-        area = [area_moment(body.plan.polynomial_contour(body.plan.degree(0.0, 1.0)), 0, 0) for body in self.bodies]
+        contours = [body.plan.polynomial_contour(body.plan.degree(0.0, 1.0)) for body in self.bodies]
+        afloat = [body.depth > body.draft for body in self.bodies]
+        area = [floats * area_moment(contour, 0, 0) for floats, contour in zip(afloat, contours, strict=True)]
         flux = np.kron(area, [0, 0, which == "zero", 0, 0, 0]).astype(float)
         with blas_threads(SMALL):
             return self._limit(which == "zero"), self.to_scene @ flux
@@ -248,7 +251,7 @@ class SeveralBodies:
         return [body.profiles.gap.outer_modes(omega, count, gravity) for body in self._first_of_kinds]
 
     def resolution(self, omega, gravity=9.80665):
-        """As of `solver.ContourBody`"""
+        """As of `body.ContourBody`"""
         k = float(wavenumber(omega, self.depth, gravity))
         return (*self.degrees(k), self.exterior(k, self.degrees(k)[0]).size)
 

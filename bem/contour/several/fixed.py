@@ -43,7 +43,7 @@ class Fixed:
             block = (block + np.multiply.outer(np.multiply.outer(rows[a], rows[b]), single[i, j])).transpose(0, 2, 1, 3)
             for to, left in ((gaps[a], block[:-2]), (sides[a], block[-2:])):
                 for of, part in ((gaps[b], left[:, :, :-2]), (sides[b], left[:, :, -2:])):
-                    out[to, of] = part.reshape(to.stop - to.start, -1)
+                    out[to, of] = part.reshape(to.stop - to.start, of.stop - of.start)
         return out
 
     def solved(self, outside, incident):
@@ -53,7 +53,7 @@ class Fixed:
         right = np.hstack([self.driven + outside[:m, m:] @ self.side.T, incident[:m]])
         right = np.vstack([right, np.hstack([self.volume.T, np.zeros((B, incident.shape[1]))])])
         x = np.linalg.solve(matrix, right)
-        scale = np.maximum(np.abs(right).max(axis=0), 1e-300)
+        scale = np.abs(right).max(axis=0, initial=1e-300)
         return x[:m], x[m:], float(np.max(np.abs(matrix @ x - right) / scale, initial=0.0))
 
     def loads(self, outside, velocity, constant, incident):
@@ -69,9 +69,10 @@ def _of_body(body, degree, top):
     """Terms of one body with its classes one after the other in the functions of each profile"""
     e, counts = len(body.profiles.mean), [len(body.plan.subset(cls, degree, top)) for cls in CLASSES]
     n, at = sum(counts), _slices(np.cumsum([0, *counts]))
+    water = int(e > 0)  # a body on the bed has none under it, whose volume would be conserved
     out = {name: np.zeros(shape) for name, shape in {
-        "beneath": (e, n, e, n), "side": (6, 2, n), "driven": (e, n, 6), "carried": (6, e, n), "volume": (6, 1),
-        "own": (6, 6), "net": (e, n, 1)}.items()}  # fmt: skip
+        "beneath": (e, n, e, n), "side": (6, 2, n), "driven": (e, n, 6), "carried": (6, e, n), "volume": (6, water),
+        "own": (6, 6), "net": (e, n, water)}.items()}  # fmt: skip
     for cls, own in zip(CLASSES, at, strict=True):
         dofs = [d for d in range(6) if class_of(d, "xy") == cls]
         one, c = body.fixed_terms(cls, degree, top, tuple(dofs)), own.stop - own.start
@@ -88,7 +89,7 @@ def _of_body(body, degree, top):
         "side": (6, 2 * n),
         "driven": (e * n, 6),
         "carried": (6, e * n),
-        "net": (e * n, 1),
+        "net": (e * n, water),
     }
     return {name: value.reshape(flat.get(name, value.shape)) for name, value in out.items()} | {"n": n}
 

@@ -73,8 +73,8 @@ class SeveralFrequency:
         velocity, out = self.flow[0], []
         d = self.fixed.side.shape[0]
         for rows, gap, side in zip(self.wave_rows, *self.fixed.layout, strict=True):
-            one = np.tensordot(rows[:-2], velocity[gap].reshape(len(rows) - 2, -1, velocity.shape[1]), 1)
-            first = side.start - self.fixed.gaps
+            n, first = (side.stop - side.start) // 2, side.start - self.fixed.gaps
+            one = np.tensordot(rows[:-2], velocity[gap].reshape(len(rows) - 2, n, velocity.shape[1]), 1)
             own = self.fixed.side[:, first : first + side.stop - side.start].reshape(d, 2, -1)
             one[:, :d] += np.tensordot(rows[-2:], own, (0, 1)).T
             out.append(one)

@@ -22,6 +22,8 @@ BYTES_PER_AXISYMMETRIC_PAIR = 100  # row of a sector, node and class: Rankine ro
 BYTES_PER_DOUBLING = 3.4e3
 # evaluations of G and ∇G, or the equivalent time; fitted to 5 000, 20 000 and 50 000 panels
 EVALUATIONS_PER_DOUBLING = 600
+# bytes per node of the Rankine parts that they keep, and most nodes with which they do (`compressed.operator`)
+BYTES_KEPT, MOST_KEEPING = 1.44e4, 22_000
 RANK = 600  # assumed rank of the wave matrices, on the high side (`bem.panels.band.low_rank_waves`)
 
 
@@ -62,7 +64,8 @@ def memory_alone(prepared):
     """
     if prepared.compressed and not prepared.axisymmetric_geometry.sectors:
         n = len(prepared.geometry.elements.nodes)
-        return BYTES_PER_DOUBLING * n * np.log2(n) + BYTES_OF_PROGRAM
+        kept = BYTES_KEPT * n * (n < MOST_KEEPING)
+        return BYTES_PER_DOUBLING * n * np.log2(n) + kept + BYTES_OF_PROGRAM
     by_classes = prepared.problem.zero_draft  # the plate is solved by symmetry classes, axisymmetric or not
     g = prepared.geometry if by_classes else prepared.axisymmetric_geometry
     nodes = float(len(g.elements.nodes))

@@ -44,7 +44,7 @@ def _cycle(equations, precondition, columns, sides, wanted):
                 w -= part @ own
                 H[c, : k + 1, k] += part
             H[c, k + 1, k] = np.linalg.norm(w)
-            basis[c, k + 1] = w / max(H[c, k + 1, k].real, 1e-300)
+            basis[c, k + 1] = w / max(H[c, k + 1, k].real, 1e-30)  # in single precision 1e-300 is 0
             right = np.zeros(k + 2, complex)
             right[0] = start[c]
             y[c] = np.linalg.lstsq(H[c, : k + 2, : k + 1], right)[0]

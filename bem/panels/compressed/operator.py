@@ -17,6 +17,8 @@ from ..wave_influence import Sources as Nodes
 from .clusters import Clusters
 from .far_blocks import DOUBLE, SINGLE, Sources, Water, low_rank_blocks
 
+# most entries of near blocks whose Rankine parts are kept for other frequencies, 8 bytes each: a tenth of their time
+MOST_KEPT = 40_000_000
 PARTS = 16  # groups of blocks whose sums are added in a fixed order, for any number of threads
 
 
@@ -39,6 +41,9 @@ class Tree:
         self.hull = self.nodes < g.hull
         self.per_panel = per_panel
         self.far, self.near = self.clusters.pairs(g.images, g.depth)
+        counts = per_panel * (self.clusters.end - self.clusters.first)
+        few = counts[self.near[:, 0]] @ counts[self.near[:, 1]] <= MOST_KEPT
+        self.kept = [None] * len(self.clusters.leaves) if few else None
 
     def span(self, cluster):
         """slice of the nodes of a cluster"""
@@ -75,6 +80,33 @@ class Tree:
                 found.append((m, np.concatenate(ranges)))
             out.append((leaf, found))
         return out
+
+    def near_rankine(self, number):
+        """[(S, D)] (points, nodes) of 1/r + 1/r₂ + 1/r₁ with each image in `neighbours[number]`, in single precision"""
+        if self.kept is None or self.kept[number] is None:
+            leaf, neighbours = self.neighbours[number]
+            at = self.elements.nodes[self.span(leaf)]
+            every = [self.rankine(at, m, panels)[:2] for m, panels in neighbours]
+            found = [tuple(part.astype(np.float32) for part in both) for both in every]
+            if self.kept is None:
+                return found
+            self.kept[number] = found
+        return self.kept[number]
+
+    def rankine(self, at, m, panels):
+        """`bem.panels.influence.Geometry.rankine_rows` of one image of some panels, (points, nodes)"""
+        g = self.geometry
+        image, one = g.images[m : m + 1], np.ones((1, 1))
+        return tuple(a[0] for a in rankine_of_panels(at, self.elements_of(panels), image, one, g.depth))
+
+    def elements_of(self, panels):
+        """`Elements` of some panels, in their order"""
+        nodes = self.nodes_of(panels)
+        return Elements(*(a[panels if len(a) == len(self.clusters.order) else nodes] for a in self.elements))
+
+    def nodes_of(self, panels):
+        """(nodes,) numbers in the tree"""
+        return (panels[:, None] * self.per_panel + np.arange(self.per_panel)).ravel()
 
 
 class Columns(NamedTuple):
@@ -161,38 +193,38 @@ class CompressedEquations:
 
         def work(low, high):
             for i in range(low, high):
-                found[i] = self._near_block(*leaves[i], images, sides)
+                found[i] = self._near_block(i, images, sides)
 
         parallel_rows(work, len(leaves), len(self.tree.nodes) ** 2)
         return found
 
-    def _near_block(self, leaf, neighbours, images, sides):
-        """The block of one leaf of targets and its [(image, (panels,))]"""
-        tree, K = self.tree, self.arguments[0].K
-        n, count = len(tree.nodes), np.arange(tree.per_panel)
-        span, matrices, places = tree.span(leaf), [], []
+    def _near_block(self, number, images, sides):
+        """The block of one leaf of targets and its neighbours"""
+        tree, K, mirror = self.tree, self.arguments[0].K, self.arguments[1]
+        leaf, neighbours = tree.neighbours[number]
+        n, span, matrices, places = len(tree.nodes), tree.span(leaf), [], []
         at = tree.elements.nodes[span]
-        for m, panels in neighbours:
-            nodes = (panels[:, None] * tree.per_panel + count).ravel()
-            S, D = self._exact(at, m, panels, nodes)
+        known = tree.near_rankine(number) if mirror == 1 else [tree.rankine(at, *one) for one in neighbours]
+        for (m, panels), rankine in zip(neighbours, known, strict=True):
+            nodes = tree.nodes_of(panels)
+            S, D = self._waves(at, m, panels)
+            S, D = S + rankine[0], D + rankine[1]
+            if mirror != 1:
+                S, D = S + (mirror - 1) * rankine[2], D + (mirror - 1) * rankine[3]
             hull = tree.hull[nodes]
             sides[span] += S[:, hull] @ images[m][nodes[hull]]
             matrices.append(np.where(hull, D, K * S).astype(self.KEPT))
             places.append(m * n + nodes)
         return span, np.concatenate(places), np.concatenate(matrices, axis=1)
 
-    def _exact(self, at, m, panels, nodes):
-        """S and D (points, nodes) of one image of some panels"""
-        tree, g, (table, mirror, depth_values) = self.tree, self.tree.geometry, self.arguments
-        image, one = g.images[m : m + 1], np.ones((1, 1))
-        e = Elements(*(a[panels if len(a) == len(tree.clusters.order) else nodes] for a in tree.elements))
-        p = tree.per_panel
+    def _waves(self, at, m, panels):
+        """Wave part of S and D (points, nodes) of one image of some panels"""
+        tree, g, (table, _, depth_values) = self.tree, self.tree.geometry, self.arguments
+        image, one, e, p = g.images[m : m + 1], np.ones((1, 1)), tree.elements_of(panels), tree.per_panel
         sources = Nodes(np.arange(len(panels)), p * np.arange(len(panels) + 1), np.tile(np.arange(p), len(panels)))
         quadrature = tree.quadrature._make(a[panels] for a in tree.quadrature)
         pairs = Pairs(at, sources, e.axes[:, 2].copy(), e.origins, e.sizes, quadrature, image, one, g.depth)
-        s, d, s1, d1 = (a[0] for a in rankine_of_panels(at, e, image, one, g.depth))
-        S, D = (a[0] for a in pairs.blocks(table, depth_values))
-        return S + s + (mirror - 1) * s1, D + d + (mirror - 1) * d1
+        return (a[0] for a in pairs.blocks(table, depth_values))
 
     def _by_cells(self):
         """([(near blocks, far targets)] of cells without common nodes, far targets of more than a cell)"""

@@ -5,7 +5,9 @@ Its natural frequency, from the mass of the water and of the water below that mo
     gap of width b between hulls of draft d and width B in all     ω² = g / (d + b/π (3/2 + ln(B/2b)))     Molin (2001)
     moonpool of area S                                             ω² = g / (d + 0.41 √S)                 Fukuda (1977)
 
-The first formula is for two dimensions and deep water; in water twice as deep as the draft it is 5 % too high.
+The first formula is for two dimensions and deep water; in water twice as deep as the draft it is 5 % too high, in less
+10 %.  Around its frequency two equal rectangles are solved (`bem.sections.side_by_side`): they give the period,
+and how far the water rises between long hulls.  Before a wall the gap counts twice, with the image of the hull.
 """
 
 import math
@@ -16,33 +18,71 @@ from hakobune.meshing.surface.patches import moonpools
 
 NARROW = 1.0  # width over the draft above which a gap does not trap its water
 SPREAD = 1.15  # largest ratio of the frequency by the formulas to the true one
+AROUND = np.linspace(0.8, 1.1, 9)  # frequencies over that of the formula in which the peak is looked for
+REFINED = np.linspace(-0.9, 0.9, 7)  # of its steps, around the largest
 
 
 def resonant_water(scene, mesh, gaps=()):
     """Messages on the gaps and moonpools of a scene without damping lids whose resonance is among its waves.
 
-    gaps : [(names of two bodies, m between them, m of draft, m of width of both and of the gap)]
+    gaps : [(names of two bodies, m between them, m of draft, m of width of both and of the gap, whether one stands on
+        the bed: then draft and width of the other)]
     """
     if scene.damping_lids:
         return ()
     g, said = scene.water.gravity, []
-    for names, gap, draft, width in gaps:
+    for names, gap, draft, width, wall in gaps:
         if gap <= NARROW * draft:
-            own = math.sqrt(g / (draft + gap / math.pi * (1.5 + math.log(width / (2 * gap)))))
-            said.append((f"the water between {names}, {gap:.3g} m wide,", own))
+            clear, whole = (2 * gap, 2 * width + 2 * gap) if wall else (gap, width)
+            own = math.sqrt(g / (draft + clear / math.pi * (1.5 + math.log(whole / (2 * clear)))))
+            sizes = clear, draft, (whole - clear) / 2
+            said.append((f"the water between {names}, {gap:.3g} m wide,", own, sizes))
     for corners in _moonpools(mesh) if mesh.bodies == 1 else ():
         x, y = corners[:, 0], corners[:, 1]
         area = 0.5 * abs(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)))
-        said.append(
-            (f"the water of the moonpool of {area:.3g} m²", math.sqrt(g / (mesh.draft + 0.41 * math.sqrt(area))))
-        )
+        own = math.sqrt(g / (mesh.draft + 0.41 * math.sqrt(area)))
+        said.append((f"the water of the moonpool of {area:.3g} m²", own, None))
     omegas = scene.omegas()
     return tuple(
-        f"{water} resonates near T = {2 * math.pi / own:.3g} s; without losses its elevation and its forces are "
-        "several times too large; give [[damping_lids]] with damping 0.02 to 0.07 for the loss in eddies"
-        for water, own in said
+        _message(water, own, sizes, scene)
+        for water, own, sizes in said
         if omegas[0] / SPREAD <= own <= omegas[-1] * SPREAD
     )
+
+
+def _message(water, own, sizes, scene):
+    found = None if sizes is None else peak(*sizes, scene.water.depth, own, scene.water.gravity)
+    omega, rise = (own, "") if found is None else (found[0], f", as long hulls {found[1]:.2g} times the wave")
+    return (
+        f"{water} resonates near T = {2 * math.pi / omega:.3g} s; without losses its elevation and its forces are "
+        f"several times too large{rise}; give [[damping_lids]] with damping 0.02 to 0.07 for the loss in eddies"
+    )
+
+
+def peak(gap, draft, width, depth, near, gravity):
+    """(rad/s, m per m) of the largest rise of the water between two equal rectangles, None if they cannot be solved
+
+    gap, draft, width, depth : m; near : rad/s, by a formula
+    """
+    from hakobune.bem.sections.outline import rectangle
+    from hakobune.bem.sections.side_by_side import side_by_side
+
+    section, depth = rectangle(width, 2 * draft).wetted(draft), min(depth, 2 * math.pi * gravity / near**2)
+    if depth <= draft:
+        return None
+    pair = [(section, -(width + gap) / 2), (section, (width + gap) / 2)]
+
+    def largest(omegas):
+        gains = [side_by_side(pair, depth, w, gravity=gravity, tolerance=1e-2).gains[0] for w in omegas]
+        return omegas[int(np.argmax(gains))], max(gains)
+
+    try:
+        omega, _ = largest(near * AROUND)
+        for step in near * (AROUND[1] - AROUND[0]) * np.array([1.0, 0.3, 0.1]):
+            omega, gain = largest(omega + step * REFINED)
+    except ValueError:
+        return None
+    return float(omega), float(gain)
 
 
 def _moonpools(mesh):

@@ -56,3 +56,12 @@ def test_a_class_has_the_headings_whose_waves_have_a_part_of_its_symmetry():
     parts = {(1, 1): np.array([[-3.0, -2.0j], [-1.0, 0.0]]), (1, -1): np.array([[1e-13, -1e-13], [0.0, -1j]])}
     run = SimpleNamespace(incident=[{cls: (None, velocity) for cls, velocity in parts.items()}])
     assert PanelRun.incident_headings.fget(run) == {(1, 1): [0, 1], (1, -1): [1]}
+
+
+def test_a_motion_that_drives_no_water_has_no_flow(equations):
+    """Heave of a body on the bed beside others: a side of zeros stays zero, and the others have their solutions"""
+    equations.sides[:, 1] = 0.0
+    columns = Columns(np.zeros((SIZE, SIDES)), 1)
+    found, left = gmres(equations, lambda values, signs: values, columns, 1e-10, 40)
+    assert left < 1e-10 and not found[:, 1].any()
+    assert found[:, 0] == pytest.approx(np.linalg.solve(equations.matrix, equations.sides[:, 0]), rel=1e-8)

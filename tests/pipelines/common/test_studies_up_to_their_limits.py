@@ -105,7 +105,6 @@ ROWS = [
     ("passage", "track.lengths", 20.0, 20.1, "track.lengths is 20.1; allowed: 0.5 to 20"),
     ("passage", "water.depth", math.inf, 0.0, "water.depth is 0 m; allowed: above 0, or inf"),
     ("passage", "wall", -40.0, math.inf, "wall is inf m; allowed: finite"),
-    ("scene", "bodies.0.fixed", True, "both", "all bodies are fixed; allowed: at least one that moves"),
     ("scene", "bodies", [BOX], {"barge": BOX}, "bodies is {'barge': "),
     ("one", "viscous", LAW, {**LAW, "wave_height": 0.0}, "viscous.wave_height is 0 m; allowed: above 0, finite"),
     ("one", "viscous", LAW, {**LAW, "wave_height": math.inf}, "viscous.wave_height is inf m; allowed: above 0, finite"),
@@ -141,8 +140,6 @@ def test_a_study_is_taken_up_to_its_limits_and_refused_beyond(kind, path, good, 
     make, name = KINDS[kind]
     raw = tomllib.loads((SCENES / f"{name}.toml").read_text(encoding="utf-8"))
     make(changed(raw, path, good))
-    if bad == "both":
-        raw, path, bad = changed(raw, "bodies.0.fixed", True), "bodies.1.fixed", True
     with pytest.raises((StudyError, SceneError, ValueError)) as refused:
         make(changed(raw, path, bad))
     assert says in str(refused.value)

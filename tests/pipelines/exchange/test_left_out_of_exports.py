@@ -78,5 +78,5 @@ def test_an_export_to_wamit_has_its_hull_where_it_is_known_and_pairs(monkeypatch
     db.bodies = ("one", "two")
     if to == "wamit":
         command.export(tmp_path / "a.h5", to, tmp_path / "a", True)
-    with pytest.raises(ValueError, match=r"a.h5 contains 2 bodies, which --to hams cannot write; allowed: --to"):
-        command.export(tmp_path / "a.h5", "hams", tmp_path / "new", True)
+    with pytest.raises(ValueError, match=r"a.h5 contains 2 bodies, which --to orcaflex cannot write; allowed: --to"):
+        command.export(tmp_path / "a.h5", "orcaflex", tmp_path / "new.yml", True)

@@ -10,7 +10,7 @@ from hakobune.meshing.shapes import box
 from hakobune.meshing.surface.patches import moonpools
 from hakobune.pipelines.scene.scene import SceneError, make_scene
 from hakobune.pipelines.solve.gaps.damping_lids import damping_lids_of
-from hakobune.pipelines.solve.gaps.resonant_water import resonant_water
+from hakobune.pipelines.solve.gaps.resonant_water import peak, resonant_water
 from hakobune.pipelines.solve.hull import make_hull
 from hakobune.pipelines.solve.result import solve
 
@@ -83,10 +83,10 @@ def test_a_waterline_that_does_not_close_is_left_to_the_findings_of_the_mesh():
 
 @pytest.mark.parametrize(("omegas", "named"), [((1.0, 2.5), True), ((0.3, 0.9), False)])
 def test_a_gap_without_a_lid_is_named_where_its_resonance_is_among_the_waves(omegas, named):
-    """b = 1, d = 1.5, B = 11 m: ω² = g/(1.5 + (1.5 + ln 5.5)/π) → T = 3.19 s"""
+    """b = 1, d = 1.5, B = 11 m: 3.19 s by ω² = g/(1.5 + (1.5 + ln 5.5)/π) of deep water, 3.31 s by two sections"""
     said = [line for line in make_hull(make_scene(tables(None, omegas=omegas))).findings if "resonates" in line]
     assert bool(said) == named
-    assert not named or said[0].startswith("the water between a and b, 1 m wide, resonates near T = 3.19 s")
+    assert not named or said[0].startswith("the water between a and b, 1 m wide, resonates near T = 3.31 s")
 
 
 MOONPOOL = """
@@ -102,3 +102,25 @@ center = [0, 0, 0]
 size = [4, 3, 8]
 cut = true
 """
+
+
+def test_the_gap_of_saitoh_is_named_with_its_period_and_rise():
+    """Two sections of 0.5 × 0.252 m, 0.05 m apart in 0.5 m of water: kh 1.571 and 18.0 times the wave without losses"""
+    omega, rise = peak(0.05, 0.252, 0.5, 0.5, 5.6, 9.81)
+    kh = 1.571
+    assert omega == pytest.approx(np.sqrt(9.81 * kh / 0.5 * np.tanh(kh)), rel=1e-3)
+    assert rise == pytest.approx(18.0, rel=0.01)
+    assert peak(0.05, 0.252, 0.5, 0.25, 5.6, 9.81) is None
+
+
+def test_before_a_caisson_the_gap_counts_twice():
+    """with the image of the barge in its wall"""
+    raft = {"length": 12.0, "beam": 5.0, "draft": 2.0, "gyration": [1, 3, 3]}
+    place = {"name": "raft", "place": [0.0, 3.0, 0.0]}, {"name": "wall", "place": [0.0, -4.5, 0.0]}
+    caisson = {"length": 30.0, "beam": 9.0, "draft": 8.0, "fixed": True}
+    both = [raft | place[0], caisson | place[1]]
+    tables = {"water": {"depth": 8.0}, "bodies": both, "waves": {"omegas": [1.0, 2.5]}, "panels": 300}
+    (said,) = [text for text in make_hull(make_scene(tables)).findings if "resonates" in text]
+    omega, rise = peak(1.0, 2.0, 5.0, 8.0, 1.8, 9.80665)
+    assert said.startswith(f"the water between raft and wall, 0.5 m wide, resonates near T = {2 * np.pi / omega:.3g} s")
+    assert f"as long hulls {rise:.2g} times the wave" in said

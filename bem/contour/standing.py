@@ -1,0 +1,115 @@
+"""Box or vertical cylinder that stands on the bed: no water under it, eigenfunctions of depth and the plan alone.
+
+With N the maps of the plan outside, φ = φ₀ + Σ Zₙ N(kₙ) ⟨v, Zₙ⟩ / ⟨Zₙ, Zₙ⟩ for the velocity v of the wall; of a
+cylinder held in a wave this is the solution of R. C. MacCamy and R. A. Fuchs (1954).  In the equations of `matching` it
+has no velocities in a gap, and of its motions heave makes no waves.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from ..depth_modes.gap import Gap, rounded
+from ..froude_krylov import side_integrals
+from ..waves import wavenumber
+from .accuracy import DIGIT, accuracy, finer
+from .body import MARGIN, TOLERANCES, ContourBody, memoised
+from .matching import FixedTerms
+from .rigid_motions import side
+
+GAP = 0.01  # of the scale of the plan: gap by whose formulas the accuracy of plan and modes is chosen
+
+
+def standing(plan, depth, tolerance):
+    """`StandingBody` of a plan `Circle` or `Rectangle` in water of a depth, m"""
+    fine = accuracy(MARGIN - np.log10(tolerance), depth, GAP * plan.scale, plan.scale)
+    return StandingBody(plan.to(fine), depth, depth, fine)
+
+
+@dataclass(frozen=True)
+class NoGap(Gap):
+    """Rows of the wall alone, 1 and z over the whole depth: the f functions of a `Gap` are none"""
+
+    def cosine_moments(self, l):
+        """(0, l)"""
+        return np.zeros((0, len(l)))
+
+    def wave_moments(self, k):
+        """(0,)"""
+        return np.zeros(0)
+
+    @property
+    def outer_decays(self):
+        return np.array([2.0, 2.0])
+
+    def mode_count(self, k, modes, shortest=np.inf, further=8):
+        """As of `Gap`"""
+        return rounded(max(modes * self.depth / min(self.depth, shortest), 8) + 4 * k * self.depth)
+
+
+@dataclass(frozen=True)
+class WallProfiles:
+    """`gap_profiles.Profiles` without profiles: the rows 1 and z of the wall"""
+
+    gap: NoGap
+    smallest: float = 0.0
+
+    @property
+    def combinations(self):
+        """(2, 2)"""
+        return np.eye(2)
+
+    @property
+    def mean(self):
+        """(0,)"""
+        return np.zeros(0)
+
+    def products(self, values):
+        """(2, 2, c)"""
+        return values
+
+
+@dataclass(frozen=True, eq=False)
+class StandingBody(ContourBody):
+    """A `ContourBody` that stands on the bed; motions are about the middle of its waterplane"""
+
+    def froude_krylov(self, omega, headings, dofs=range(6), density=1025.0, gravity=9.80665):
+        """As of `ContourBody`, on the wall alone"""
+        force = super().froude_krylov(omega, headings, range(6), density, gravity)
+        force[:, 2] = 0.0
+        plain, moment = side_integrals(self.depth, self.depth, float(wavenumber(omega, self.depth, gravity)))
+        force[:, 3], force[:, 4] = -moment / plain * force[:, 1], moment / plain * force[:, 0]
+        return np.where(np.isin(np.arange(6), dofs), force, 0)
+
+    @cached_property
+    def finer(self):
+        """As of `ContourBody`"""
+        return self._to(finer(self.accuracy, self.draft, GAP * self.plan.scale, self.plan.scale))
+
+    @cached_property
+    def sharper(self):
+        """As of `ContourBody`"""
+        digits = self.accuracy.digits + DIGIT
+        if digits > MARGIN - np.log10(TOLERANCES[0]) + 1e-9:
+            return None
+        return self._to(accuracy(digits, self.draft, GAP * self.plan.scale, self.plan.scale))
+
+    def _to(self, fine):
+        return replace(self, plan=self.plan.to(fine), accuracy=fine, cache={})
+
+    @cached_property
+    def profiles(self):
+        """`WallProfiles`"""
+        return WallProfiles(NoGap(self.draft, self.depth, 0))
+
+    @memoised
+    def fixed_terms(self, cls, degree, top, dofs):
+        """`bem.contour.matching.FixedTerms` without a gap; arguments as of `ContourBody`"""
+        own, d = self.plan.subset(cls, degree, top), len(dofs)
+        contour = self.plan.polynomial_contour(top)
+        sides = [side(dof, contour, self.plan.basis(cls, top, contour))[:, own] for dof in dofs]
+        side_velocity, none = np.reshape(sides, (d, 2 * len(own))), np.zeros((0, d))
+        return FixedTerms(np.zeros((0, 0)), None, side_velocity, none, none.T, np.zeros(d), np.zeros((d, d)))

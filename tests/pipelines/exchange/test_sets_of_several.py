@@ -1,0 +1,70 @@
+"""Two floating bodies and a fixed one in the files of WAMIT, Nemoh and HAMS-MREL, and two of them back again."""
+
+import numpy as np
+import pytest
+
+from hakobune.bem.database import open_database
+from hakobune.bem.formats import hams, nemoh, wamit
+from hakobune.bem.formats.values import about, values_of
+from hakobune.pipelines.cli import main
+from hakobune.pipelines.scene.scene import make_scene
+from hakobune.pipelines.solve.run import solve
+
+SCENE = {
+    "water": {"depth": 12.0},
+    "panels": 240,
+    "want": ["radiation", "limits", "diffraction", "motions"],
+    "bodies": [
+        {"name": "barge", "length": 10.0, "beam": 6.0, "draft": 3.0, "place": [0.0, 5.0, 30.0],
+         "gyration": [2.0, 3.0, 3.0], "rotation_center": [1.0, 0.0, -1.0]},
+        {"name": "spar", "shape": "buoy", "radius": 2.5, "draft": 6.0, "place": [4.0, -6.0, 0.0],
+         "gyration": [2.0, 2.0, 1.5], "center_of_gravity": [0.0, 0.0, -4.0]},
+    ],
+    "waves": {"omegas": {"from": 0.8, "to": 1.2, "count": 3}, "headings_deg": [0.0, 45.0, 90.0]},
+}  # fmt: skip
+PIER = {"name": "pier", "length": 4.0, "beam": 4.0, "draft": 12.0, "place": [-12.0, 0.0, 0.0], "fixed": True}
+PLACES = {"wamit": "set.1", "nemoh": "set", "hams": "set"}
+WATER = ["--density", "1025", "--gravity", "9.80665"]
+
+
+@pytest.fixture(scope="module")
+def two(tmp_path_factory):
+    path = tmp_path_factory.mktemp("two") / "two.h5"
+    assert solve(make_scene(SCENE), path).exit_status == 0
+    return path
+
+
+@pytest.mark.parametrize("kind", PLACES)
+def test_a_set_of_two_bodies_comes_back_by_the_names_of_the_bodies_alone(kind, two, tmp_path, capsys):
+    """Hulls, points, depth and all couplings are in the files: written along the axes of the scene"""
+    place, out = tmp_path / PLACES[kind], tmp_path / "back.h5"
+    assert main(["export", str(two), "--to", kind, "--output", str(place)]) == 0
+    assert "all bodies along the axes of the scene" in capsys.readouterr().err
+    water = WATER if kind != "nemoh" else []
+    words = ["import", str(place), "--from", kind, "--bodies", "barge,spar", "--output", str(out), *water]
+    assert main([*words, "--gyration", "2,3,3;2,2,1.5", "--center-of-gravity", "0,5,0;4,-6,-4"]) == 0
+    back, there = open_database(out), values_of(open_database(two), several=True)
+    assert [body.name for body in back.bodies] == ["barge", "spar"]
+    for body, known in zip(back.bodies, there.bodies, strict=True):
+        assert body.rotation_center == pytest.approx(known.rotation_center, abs=1e-5)
+    for name in ("added_mass", "radiation_damping", "excitation_force"):
+        assert np.abs(back[name] - there.get(name)).max() < 2e-5 * np.abs(there.get(name)).max(), name
+    assert back["displaced_volume"] == pytest.approx([180.0, np.pi * 2.5**2 * 6], rel=1e-5)
+
+
+def test_beside_a_fixed_body_columns_are_of_the_bodies_that_move(tmp_path):
+    """The barge is second here: its columns are the first, its rows the last"""
+    scene, path = SCENE | {"bodies": [PIER, *SCENE["bodies"][:1]]}, tmp_path / "pier.h5"
+    assert solve(make_scene(scene), path).exit_status == 0
+    values = values_of(open_database(path), several=True)
+    for kind, module in (("nemoh", nemoh), ("hams", hams), ("wamit", wamit)):
+        place = tmp_path / kind / PLACES[kind]
+        place.parent.mkdir()
+        assert main(["export", str(path), "--to", kind, "--output", str(place)]) == 0
+        known = {"density": 1025.0, "gravity": 9.80665, "body": 2}
+        found = module.read(place, known)
+        assert about(found, values.bodies[1].rotation_center).get("added_mass") == pytest.approx(
+            values.get("added_mass")[:, 6:], rel=1e-5, abs=1.0
+        )
+    pressed = nemoh.read(tmp_path / "nemoh" / "set", {"body": 1}).get("excitation_force")
+    assert pressed == pytest.approx(values.get("excitation_force")[..., :6], rel=1e-5, abs=1.0)
