@@ -8,6 +8,7 @@
     WWM             AC(ocean_time, ndir, nfreq, nbstation) m² s²/rad, action: spsig times it is energy by spsig rad/s
                     and spdir rad, anticlockwise from east, towards
     wavespectra     efth(…, freq, dir) m² s/degree, directions from
+    MetOcean        specden(time, site, freq, dir) in bytes, plus 127 and times factor(time, site) m² s/degree, from
     Sofar           variance_density(time, frequency) m² s, moments a1, b1, a2, b2 anticlockwise from east, towards
     NDBC            spectral_wave_density(time, frequency) m²/Hz, mean_wave_dir, principal_wave_dir, wave_spectrum_r1,
                     wave_spectrum_r2
@@ -22,7 +23,7 @@ import numpy as np
 from ..environment.tables import TableError
 from . import buoys, directions
 
-DENSITIES = ("efth", "d2fd", "density", "spectral_wave_density", "AC", "variance_density", "energy_1d")
+DENSITIES = ("efth", "d2fd", "density", "spectral_wave_density", "AC", "variance_density", "energy_1d", "specden")
 AXES = dict.fromkeys(("frequency", "freq", "frequencyNumber", "nfreq"), "f") | dict.fromkeys(
     ("direction", "dir", "directionNumber", "ndir"), "d"
 )
@@ -127,6 +128,9 @@ def _renamed(path, data, name, more=()):
     if name == "AC":
         sigma = np.asarray(data["spsig"], float)
         return values.transpose(..., "f") * (2 * np.pi * sigma), sigma / (2 * np.pi), old
+    if name == "specden" and "factor" in data:
+        packed = (values.astype(float) + 127) * data["factor"]
+        return packed * np.degrees(1.0), np.asarray(data[old["f"]], float), old
     unit = np.degrees(1.0) if "d" in values.dims and "deg" in str(data[name].attrs.get("units", "")) else 1.0
     return values * unit, np.asarray(data[old["f"]], float), old
 
