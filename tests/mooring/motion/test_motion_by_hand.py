@@ -20,7 +20,7 @@ from hakobune.mooring.motion.extremes import beyond, median_extreme, rare, share
 from hakobune.mooring.motion.given_forces import GivenForce, read_force, sampled
 from hakobune.mooring.motion.line_loads import REACH
 from hakobune.mooring.motion.simulation.expected import expected_motion
-from hakobune.mooring.motion.simulation.failures import failure
+from hakobune.mooring.motion.simulation.failures import Overload, stopped
 from hakobune.mooring.motion.simulation.loads import frequency_of_coefficients, mean_frequency, wave_components
 from hakobune.mooring.motion.simulation.memory import fitted_memory
 from hakobune.mooring.motion.simulation.realisation import Doubt, doubt_of, with_error
@@ -604,5 +604,7 @@ def test_a_run_that_ends_names_time_place_part_and_the_way_out(state, changes, w
     moored = SimpleNamespace(system=system, buoy=None, berth=berth, reader=reader)
     state_of_body = np.concatenate([[3.0, 4.0], np.zeros(BLOCK - 2)])
     clock = SimpleNamespace(now=np.array([130.0]), y=state_of_body, scale=np.ones((1, 12)))
-    said = failure(getattr(integrator, state), clock, SimpleNamespace(ramp=30.0), scene, moored, None, 1)
+    error = stopped(getattr(integrator, state), clock, SimpleNamespace(ramp=30.0), scene, moored, None, 1)
+    said = str(error)
+    assert isinstance(error, Overload) == ("beyond its table, which ends at 0.3" in said or "would part" in said)
     assert said.startswith("at 100 s after the ramp, the body 5 m from its place: ") and words in said
