@@ -9,9 +9,9 @@ with H a thousandth off, the water at the hull is at most 0.009 m/m off (k times
 at once it was 0.015, and stepped by 0.014 from one frequency to the next (0.001 now).  Waves that stand within one
 curve alone send nothing away near their resonance, and a fit to it moves the water at the hull by metres (4.3 m/m at
 the bow of a box of 100 × 50 m in 20 m of water at 0.8325 rad/s, waves 60° off the bow, where it is 1.25): the few
-sources of the second, deeper one have other resonances.  Beyond the circle about the body the fit is as good as H; within it, beside a
-long body, detail finer than half a wave length is smoothed. Waves that decay over the depth, like exp(−πr/h), are left
-out. Unit of H: m per m of wave amplitude or of motion (`bem.kochin`).
+sources of the second, deeper one have other resonances.  Beyond the circle about the body the fit is as good as H;
+within it, beside a long body, detail finer than half a wave length is smoothed. Waves that decay over the depth, like
+exp(−πr/h), are left out. Unit of H: m per m of wave amplitude or of motion (`bem.kochin`).
 """
 
 from __future__ import annotations

@@ -48,7 +48,8 @@ def test_bytes_of_metocean_are_unpacked_by_the_factor_of_their_time_and_site():
     values, frequency, old = netcdf._renamed(PATH, data, "specden", ("time", "site"))
     expected = 180 / math.pi * np.array([[0.0, 2.0], [63.5, 127.0]])
     assert values.transpose("time", "site", "f", "d").values[0, :, :, 0] == pytest.approx(expected)
-    assert frequency.tolist() == [0.1, 0.2] and netcdf._towards(data, "specden", old["d"]) == pytest.approx(1.5 * math.pi)
+    assert frequency.tolist() == [0.1, 0.2]
+    assert netcdf._towards(data, "specden", old["d"]) == pytest.approx(1.5 * math.pi)
 
 
 def test_a_plane_of_era5_is_a_logarithm_at_its_own_frequencies_and_directions():
