@@ -167,8 +167,15 @@ def test_the_best_of_what_was_tried_is_told(monkeypatch):
     offs = iter([0.5, 0.2, 0.3])
     monkeypatch.setattr(module, "fitted", lambda s, wanted, poles, weight: (None, next(offs)))
     wanted, none = np.ones((4, 1, 1), complex), np.zeros((4, 1))
-    with pytest.raises(ValueError, match=r"the memory of sway has an error of 0\.2 with the best system tried; the"):
+    with pytest.raises(
+        ValueError, match=r"the memory of sway has an error of 0\.2 with the best system tried; the"
+    ) as one:
         module._fitted(np.arange(1.0, 5), wanted, np.ones(1), (1,), 0.01, none, ("surge", "sway"))
+    assert one.value.within == pytest.approx(0.2 / 8)  # beyond eight times a tolerance no modes are moved
+    offs, many = iter([0.5, 0.2, 0.3]), np.ones((4, 4, 4), complex)
+    with pytest.raises(module.FitError) as one:
+        module._fitted(np.arange(1.0, 5), many, np.ones(4), (0, 1, 2, 3), 0.01, np.zeros((4, 4)), "abcd")
+    assert one.value.within == pytest.approx(0.1)  # of four motions none are moved at all
     tried = []
 
     class Whole:

@@ -8,6 +8,7 @@ import pytest
 from scipy.interpolate import PchipInterpolator
 
 from hakobune.bem.modes import words_of
+from hakobune.bem.time_domain.memory import FitError
 from hakobune.mooring.environment.gusts import davenport, gust_components
 from hakobune.mooring.environment.sea import Components, Sea
 from hakobune.mooring.environment.spectra import issc
@@ -573,6 +574,22 @@ def test_a_memory_is_fitted_to_the_smallest_tolerance_it_allows(monkeypatch):
     tried.clear()
     fitted_memory(body)
     assert tried == [3e-3]
+
+
+def test_tolerances_that_the_best_system_is_far_from_are_not_tried(monkeypatch):
+    """Of a band that contradicts itself each would take a search of its own; one is tried that may be met"""
+    tried = []
+    plain = SimpleNamespace(held_added_mass=lambda omega: np.eye(6)[None])
+
+    def fit(body, tolerance, motions):
+        tried.append(tolerance)
+        if tolerance < 0.02:
+            raise FitError(f"not to {tolerance:g}", min(0.01, 7 * tolerance))
+        return SimpleNamespace(error=np.array([0.02]))
+
+    monkeypatch.setattr("hakobune.mooring.motion.simulation.memory.memory_of_database", fit)
+    (said,) = fitted_memory(plain)[1]
+    assert tried == [3e-4, 3e-3, 1e-2, 3e-2] and "fitted to 0.02 of its largest value" in said
 
 
 @pytest.mark.parametrize(
