@@ -112,6 +112,12 @@ def planes_of(path, location):
 def _density(path, data):
     name = next((name for name in DENSITIES if name in data and set(data[name].dims) & set(AXES)), None)
     if name is None:
+        other = next((one for one in data if {AXES.get(axis) for axis in data[one].dims} >= {"f", "d"}), None)
+        if other is not None:
+            raise TableError(
+                f"{path}: {other} has frequencies and directions, but of no layout known here that gives its unit "
+                "and whether waves come from there; rename it efth and give it units and its directions a standard_name"
+            )
         raise TableError(f"{path} has no spectrum ({', '.join(DENSITIES)}){_integrals(data)}")
     return name
 

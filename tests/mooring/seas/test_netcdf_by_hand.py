@@ -36,6 +36,15 @@ def test_densities_per_degree_are_turned_to_radians(units, factor):
     assert netcdf._renamed(PATH, dataset(name, (f, "station"), np.ones((3, 2)), {f: [1, 2, 3]}), name, ("station",))
 
 
+def test_a_plane_of_an_unknown_layout_is_refused_with_its_name():
+    """Its unit and the sense of its directions are nowhere; a spectrum of frequency alone is none of these"""
+    data = dataset("spectral_density", ("time_index", "frequency", "direction"), np.ones((1, 2, 2)))
+    with pytest.raises(TableError, match="spectral_density has frequencies and directions, but of no layout known"):
+        netcdf._density(PATH, data)
+    with pytest.raises(TableError, match=r"x\.nc has no spectrum"):
+        netcdf._density(PATH, dataset("spectral_density", ("time_index", "frequency"), np.ones((1, 2))))
+
+
 def test_bytes_of_metocean_are_unpacked_by_the_factor_of_their_time_and_site():
     """(byte + 127) factor, m² s/degree; nothing at −127"""
     packed = np.array([-127, -126, 0, 127], np.int8).reshape(1, 2, 2, 1)
