@@ -123,7 +123,7 @@ class Study(Table):
                 raise StudyError(f"hull.{key} is missing and the database does not contain it; give it, m, above 0")
             if own is not None and stored is not None and not math.isclose(own, stored, rel_tol=1e-6):
                 raise StudyError(
-                    f"hull.{key} is {own:g} m, the database is for {stored:g} m; change it, or give the database of this hull"
+                    f"hull.{key} is {own:g} m, the database is for {stored:g} m; change it, or give another database"
                 )
             sizes[key] = positive(f"hull.{key}", stored if own is None else own)
         if given.freeboard is None and self.wind is not None:

@@ -78,7 +78,7 @@ def check_database(study, db):
         own, stored = getattr(hull, key), db.dimensions.get(key)
         if stored is not None and not math.isclose(own, stored, rel_tol=SAME):
             raise StudyError(
-                f"hull.{key} is {own:g} m, the database is for {stored:g} m; change it, or give the database of this hull"
+                f"hull.{key} is {own:g} m, the database is for {stored:g} m; change it, or give another database"
             )
 
 
