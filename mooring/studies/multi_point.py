@@ -270,8 +270,8 @@ def _check(db, system, hulls, allowable):
     depth = system.depth
     if np.isfinite(db.water_depth) and not abs(depth - db.water_depth) <= 1e-6 * depth:
         raise ValueError(
-            f"the study is for {depth:g} m of water, its database for {db.water_depth:g} m; change water.depth, or solve "
-            "the body in that depth"
+            f"the study is for {depth:g} m of water, its database for {db.water_depth:g} m; change water.depth, or "
+            "solve the body in that depth"
         )
     if not 0 < allowable <= 1:
         raise ValueError(f"allowable fraction is {allowable:g}; allowed: above 0, at most 1")
