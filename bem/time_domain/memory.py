@@ -50,6 +50,7 @@ CLOSE = (0.03, 0.1)  # deviation of the fitted transform from the database: abov
 ANSWERED, NEARER = 2.0, 8.0  # times sensitivity and number of coupled motions: the factor by which memory is nearer,
 # and the largest one.  Free decay of boxes and a buoy is then within 8e-5 of its start for a tolerance of 3e-4
 LESS = (1.0, 0.5, 0.0)  # powers of that factor, tried one after the other
+PATIENCE = 6  # passive fits in a row that are no nearer than one before; then more states of a system do not help
 COARSER = 2.0  # error of the best system over the smallest tolerance that can be met, where no modes are moved
 
 
@@ -373,11 +374,17 @@ def _fitted(omega, wanted, size, group, tolerance, answered, words):
                 continue
             whole = balanced(system)
             fewest = max(4, len(group) + 1, int(np.sum(whole.values > tolerance)))
+            nearest, tried = np.inf, 0
             for states in range(fewest, min(most, len(whole.values)) + 1, max(1, len(group) - 1)):
                 made, error = passive_fit(*whole.reduced(states)[:2], s, wanted, 0.99 * tolerance, weight)
                 best = min(best, error)
                 if error <= tolerance:
                     return made
+                if made is not None:
+                    tried = 0 if error < nearest else tried + 1
+                    nearest = min(nearest, error)
+                    if tried == PATIENCE:
+                        break
     raise FitError(
         f"the memory of {', '.join(words[i] for i in group)} has an error of {best:.2g} with the best system tried; "
         f"the tolerance is {tolerance:g}: allow a larger one, or solve the database to a smaller tolerance",
