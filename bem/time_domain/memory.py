@@ -30,7 +30,7 @@ from ..kernels.in_memory import in_memory
 from ..kernels.threads import blas_threads
 from ..modes import words_of
 from .kept_fits import kept_fit
-from .passive_fit import MOVED, passive_fit
+from .passive_fit import MOVABLE, MOVED, passive_fit
 from .rational import balanced, fitted
 from .sensitivity import sensitivity
 from .whole_axis import Causal, WholeAxis, ends_of, whole_axis, without_negative
@@ -48,6 +48,8 @@ CLOSE = (0.03, 0.1)  # deviation of the fitted transform from the database: abov
 ANSWERED, NEARER = 2.0, 8.0  # times sensitivity and number of coupled motions: the factor by which memory is nearer,
 # and the largest one.  Free decay of boxes and a buoy is then within 8e-5 of its start for a tolerance of 3e-4
 LESS = (1.0, 0.5, 0.0)  # powers of that factor, tried one after the other
+PATIENCE = 6  # passive fits in a row that are no nearer than one before; then more states of a system do not help
+COARSER = 2.0  # error of the best system over the smallest tolerance that can be met, where no modes are moved
 
 
 @in_memory
@@ -143,13 +145,21 @@ class _Goal(NamedTuple):
     damping: np.ndarray
 
 
+class FitError(ValueError):
+    """A tolerance that is not met; within : tolerances below this are not met either"""
+
+    def __init__(self, message, within):
+        super().__init__(message)
+        self.within = within
+
+
 def memory_of_database(db, tolerance=1e-3, motions=None):
     """`Memory` of a `bem.database.Database` or `Reader`, with the fewest states found within tolerance.
 
     tolerance : of the transform, relative to the largest of each motion, 1e-5 to 0.1
     motions : indices of those of a study, None for all; the others are neither read nor fitted
     raises : ValueError if damping or added mass are unknown for these, at too few frequencies, or contradict
-    each other because the band is too short; and if the tolerance is not reached
+    each other because the band is too short; FitError if the tolerance is not reached
     """
     if not 1e-5 <= tolerance <= 0.1:
         raise ValueError(f"tolerance of the memory is {tolerance:g}; allowed: 1e-5 to 0.1")
@@ -362,14 +372,21 @@ def _fitted(omega, wanted, size, group, tolerance, answered, words):
                 continue
             whole = balanced(system)
             fewest = max(4, len(group) + 1, int(np.sum(whole.values > tolerance)))
+            nearest, tried = np.inf, 0
             for states in range(fewest, min(most, len(whole.values)) + 1, max(1, len(group) - 1)):
                 made, error = passive_fit(*whole.reduced(states)[:2], s, wanted, 0.99 * tolerance, weight)
                 best = min(best, error)
                 if error <= tolerance:
                     return made
-    raise ValueError(
+                if made is not None:
+                    tried = 0 if error < nearest else tried + 1
+                    nearest = min(nearest, error)
+                    if tried == PATIENCE:
+                        break
+    raise FitError(
         f"the memory of {', '.join(words[i] for i in group)} has an error of {best:.2g} with the best system tried; "
-        f"the tolerance is {tolerance:g}: allow a larger one, or solve the database to a smaller tolerance"
+        f"the tolerance is {tolerance:g}: allow a larger one, or solve the database to a smaller tolerance",
+        best / (MOVABLE if len(group) <= MOVED else COARSER),
     )
 
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from .sources import FEWEST, PER_WAVE, Sources, contour, directions, incident, perimeter, regular_inverse, waves
 
-ARRIVING = 1e-3  # smallest singular value of plane waves on the contour
+ARRIVING = 1e-3  # singular value, over the largest, below which plane waves on the contour fade out
 
 
 class Field(NamedTuple):

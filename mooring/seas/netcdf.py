@@ -8,6 +8,7 @@
     WWM             AC(ocean_time, ndir, nfreq, nbstation) m² s²/rad, action: spsig times it is energy by spsig rad/s
                     and spdir rad, anticlockwise from east, towards
     wavespectra     efth(…, freq, dir) m² s/degree, directions from
+    MetOcean        specden(time, site, freq, dir) in bytes, plus 127 and times factor(time, site) m² s/degree, from
     Sofar           variance_density(time, frequency) m² s, moments a1, b1, a2, b2 anticlockwise from east, towards
     NDBC            spectral_wave_density(time, frequency) m²/Hz, mean_wave_dir, principal_wave_dir, wave_spectrum_r1,
                     wave_spectrum_r2
@@ -20,7 +21,7 @@ import numpy as np
 from ..environment.tables import TableError
 from . import buoys, directions
 
-DENSITIES = ("efth", "d2fd", "density", "spectral_wave_density", "AC", "variance_density", "energy_1d")
+DENSITIES = ("efth", "d2fd", "density", "spectral_wave_density", "AC", "variance_density", "energy_1d", "specden")
 AXES = dict.fromkeys(("frequency", "freq", "frequencyNumber", "nfreq"), "f") | dict.fromkeys(
     ("direction", "dir", "directionNumber", "ndir"), "d"
 )
@@ -109,6 +110,12 @@ def planes_of(path, location):
 def _density(path, data):
     name = next((name for name in DENSITIES if name in data and set(data[name].dims) & set(AXES)), None)
     if name is None:
+        other = next((one for one in data if {AXES.get(axis) for axis in data[one].dims} >= {"f", "d"}), None)
+        if other is not None:
+            raise TableError(
+                f"{path}: {other} has frequencies and directions, but of no layout known here that gives its unit "
+                "and whether waves come from there; rename it efth and give it units and its directions a standard_name"
+            )
         raise TableError(f"{path} has no spectrum ({', '.join(DENSITIES)}){_integrals(data)}")
     return name
 
@@ -125,6 +132,9 @@ def _renamed(path, data, name, more=()):
     if name == "AC":
         sigma = np.asarray(data["spsig"], float)
         return values.transpose(..., "f") * (2 * np.pi * sigma), sigma / (2 * np.pi), old
+    if name == "specden" and "factor" in data:
+        packed = (values.astype(float) + 127) * data["factor"]
+        return packed * np.degrees(1.0), np.asarray(data[old["f"]], float), old
     unit = np.degrees(1.0) if "d" in values.dims and "deg" in str(data[name].attrs.get("units", "")) else 1.0
     return values * unit, np.asarray(data[old["f"]], float), old
 

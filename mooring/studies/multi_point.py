@@ -272,7 +272,10 @@ def _check(db, system, hulls, allowable):
                 raise ValueError(f"hull {name} is {getattr(one.box, name):g} m; allowed: above 0")
     depth = system.depth
     if np.isfinite(db.water_depth) and not abs(depth - db.water_depth) <= 1e-6 * depth:
-        raise ValueError(f"the study is for {depth:g} m of water, its database for {db.water_depth:g} m")
+        raise ValueError(
+            f"the study is for {depth:g} m of water, its database for {db.water_depth:g} m; change water.depth, or "
+            "solve the body in that depth"
+        )
     if not 0 < allowable <= 1:
         raise ValueError(f"allowable fraction is {allowable:g}; allowed: above 0, at most 1")
     if db.inertia_matrix is None or db.hydrostatic_stiffness is None:

@@ -124,8 +124,8 @@ def limiting(result, number, axes):
     axes.figure.colorbar(filled, ax=axes, shrink=0.75, label="significant height, m")
     name = result.labels["operation"].values[number]
     axes.set_title(
-        f"{name}: limiting sea\nradius: period, s; angle: the direction that waves come from; white: not "
-        f"reached, or unknown",
+        f"{name}: limiting sea\nradius: period, s; angle: the direction that waves come from\n"
+        "white: not reached, or unknown",
         fontsize="medium",
     )
 

@@ -153,9 +153,10 @@ def _viscous(read, db):
     if read.body.viscous is not None:
         raise StudyError("body.viscous is linearised in one sea; give damping_ratio for a record over years")
     if db.has_viscous_motions:
+        lacking = "motions near resonance are too large; give body.damping_ratio"
         yield (
-            "the viscous damping of the database's scene is not included, since each hour would need its own "
-            "value: motions near resonance are too large; give body.damping_ratio"
+            "the viscous damping of the database's scene is not included, since each hour would need its own value: "
+            + ("body.damping_ratio takes its place" if read.body.damping_ratio else lacking)
         )
 
 

@@ -10,6 +10,7 @@ import numpy as np
 from hakobune.meshing.text_files import read_text
 from hakobune.mooring.downtime.interpolant import fitted, where_it_may_change
 from hakobune.mooring.downtime.representative import features, most_dissimilar
+from hakobune.mooring.motion.simulation import Overload
 
 from ..common.interrupt import ctrl_c
 from ..common.quantities import StudyError
@@ -24,6 +25,7 @@ from .study import STREAMS
 from .tables import WavesColumns
 
 QUIET = 0.05  # m, height of a calm hour in a simulation
+OVERLOADED = 1.5  # at least, utilisation of a state whose fender or line gives way: beyond every limit
 REALISED = 19  # seed of the random course of stopped hours whose windows are counted
 
 
@@ -109,7 +111,9 @@ def simulated(read, record, limits, ready, path, executor, say):
         chosen += more
     each = _each(limits, x, height, at, used[sound])
     verdicts = _verdicts(limits, hindcast, rows, exact, fits, each, read)
-    failed = tuple((int(r), there[r]["failed"]) for r in rows[chosen] if "failed" in there[r])
+    failed = tuple(
+        (int(r), f"{there[r]['failed']}; {_counted(there[r])}") for r in rows[chosen] if "failed" in there[r]
+    )
     said = tuple(
         f"{one.name}: the interpolation over {len(at)} states is uncertain by ± {NORMAL * one.error:.3g} h a "
         f"year, tolerance {table.tolerance_hours:g} h; raise most_states"
@@ -122,6 +126,11 @@ def simulated(read, record, limits, ready, path, executor, say):
     )
     hours = YEAR * verdicts.chance.sum(axis=0) / np.maximum(verdicts.known.sum(axis=0), 1)
     return Simulated(rows[at], hours, used[sound], verdicts, error, sea, failed, said, rows, fits, each)
+
+
+def _counted(row):
+    """How a state that failed enters the hours"""
+    return "counted as beyond all limits" if row.get("overload") else "left out, its hour follows from other states"
 
 
 def _features(hindcast, rows):
@@ -199,6 +208,7 @@ def _run(read, record, ready, path, executor, say, there, rows):
             row = {"hour": todo[place]}
             if isinstance(result, Exception):
                 row["failed"] = " ".join(str(result).split())[:300] or type(result).__name__
+                row["overload"] = isinstance(result, Overload)
             else:
                 row["seeds"] = result
             states_file.append(path, row)
@@ -210,7 +220,10 @@ def _run(read, record, ready, path, executor, say, there, rows):
 
 
 def _used(limits, there, rows, seeds):
-    """(s, seeds, l) of simulated limits, nan for others and for states without a result"""
+    """(s, seeds, l) of simulated limits, nan for others and for states without a result
+
+    A state whose fender or line gives way is beyond every limit, as far as the worst of the others and OVERLOADED.
+    """
     out = np.full((len(rows), seeds, len(limits)), np.nan)
     for s, row in enumerate(rows):
         for k, values in enumerate(there[row].get("seeds", ())):
@@ -222,6 +235,10 @@ def _used(limits, there, rows, seeds):
                     )
                     value = value[statistic] if isinstance(value, dict) else value
                     out[s, k, i] = one.criterion.utilisation(value)
+    moored = [i for i, one in enumerate(limits) if one.kind == SIMULATED]
+    over = [s for s, row in enumerate(rows) if there[row].get("overload")]
+    for i in moored if over else ():
+        out[over, :, i] = np.nanmax(np.append(out[..., i], OVERLOADED))
     return out
 
 

@@ -39,6 +39,7 @@ def animate(
     from hakobune.bem.database.results import check_any_version, has_schema, schema_of
 
     from ..printing.verdict import tell
+    from ..results.heard import heard
     from ..results.writing import schema
     from ..simulate.file import is_run
 
@@ -62,7 +63,8 @@ def animate(
         from .of_run import film_of_run
 
         _check_none(regular, "a database", file, "a simulation")
-        frames = film_of_run(file, output, **_given(of_run))
+        with heard() as findings:
+            frames = film_of_run(file, output, **_given(of_run))
     else:
         from hakobune.bem.database import open_database
 

@@ -5,6 +5,7 @@ undisturbed waves of the seed.
 """
 
 import tomllib
+import warnings
 from functools import partial
 from types import SimpleNamespace
 
@@ -15,7 +16,7 @@ from hakobune.mooring.lines.system.bodies import rotation
 
 from ..moor.study import make_study
 from ..results.heard import heard
-from ..simulate.file import bodies_of, opened, whole_rows
+from ..simulate.file import bodies_of, database_path, opened, whole_rows
 from ..simulate.study import plan_of
 from .gif import check_count, check_film, write_film
 from .stage import POINTS, Hull, Scene, Stage, frames, moved, straight
@@ -101,15 +102,16 @@ def _scene(file):
 def _waves(file, seed):
     """Components of the undisturbed waves of a seed, wavenumbers and the time offset of their phases, s
 
-    None if the database no longer exists, or without waves
+    None without waves, or if the database is no longer there, which a warning says
     """
     from hakobune.bem.database import open_database
     from hakobune.bem.waves import wavenumber
     from hakobune.mooring.motion.simulation import wave_components
 
     try:
-        reader = open_database(file.attrs["database"]).bodies_reader
-    except ValueError:
+        reader = open_database(database_path(file)).bodies_reader
+    except ValueError as error:
+        warnings.warn(f"the surface is drawn flat, since waves need the database of the run: {error}", stacklevel=2)
         return None
     study, duration = make_study(tomllib.loads(file.attrs["study"])), float(file.attrs["duration"])
     plan = plan_of(study, reader.omega, None, duration, words=reader.words)

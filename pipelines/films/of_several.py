@@ -10,6 +10,7 @@ from hakobune.bem.database import open_database
 from hakobune.mooring.lines.system.bodies import rotation
 
 from ..moor.study import box_of, make_study
+from ..simulate.file import database_path
 from .stage import POINTS, Hull, Scene, Stage, straight
 
 AROUND = 1.5  # of the largest hull, of the picture beyond the places of the bodies
@@ -56,7 +57,7 @@ class Moored(NamedTuple):
 
 def scene_of_several(file):
     """`Scene` of an open file of runs.  Raises ValueError where its database is not there any more."""
-    db, study = open_database(file.attrs["database"]), make_study(tomllib.loads(file.attrs["study"]))
+    db, study = open_database(database_path(file)), make_study(tomllib.loads(file.attrs["study"]))
     hulls = study.hulls_of(db)
     berth, system = study.berth_of(db, hulls), study.system_of(db, hulls, in_time=True)
     at_rest = db.bodies_reader.axes_at_rest

@@ -9,7 +9,7 @@ from hakobune.mooring.lines.system.bodies import rotation
 
 from .gif import BED, HULL, SEA, new_plotter
 
-GRID, WIDTH = 50, 1.6  # points and width of the surface, the width in spans of the lines
+GRID, WIDTH = 80, 1.6  # points and width of the surface, the width in spans of the lines
 POINTS = 40  # points drawn on a line
 FENDER, BUOY = "#c07020", "#d0a000"
 OF_SPAN = 0.01  # radius of a drawn buoy, for visibility
@@ -78,7 +78,8 @@ def frames(stage, at, poses, threads=None, heights=None, buoys=None):
     sea = pyvista.StructuredGrid(*(grid.reshape(GRID, GRID, 1) for grid in (x, y, np.zeros_like(x))))
     bed = pyvista.Plane(center=(0, 0, -stage.depth), i_size=WIDTH * stage.span, j_size=WIDTH * stage.span)
     plotter.add_mesh(bed, color=BED)
-    plotter.add_mesh(sea, color=SEA, opacity=0.45)
+    rise = None if heights is None else heights(*sea.points[:, :2].T)
+    plotter.add_mesh(sea, opacity=0.45, **_colours(sea, rise, at[0]))
     for made in hulls:
         plotter.add_mesh(made, color=HULL)
     if lines is not None:
@@ -92,7 +93,6 @@ def frames(stage, at, poses, threads=None, heights=None, buoys=None):
         round_, ball.points = ball.points.copy(), ball.points + buoys[0]
         plotter.add_mesh(ball, color=BUOY)
     plotter.camera_position = [(0.25 * stage.span, -1.0 * stage.span, 0.4 * stage.span), (0, 0, 0), (0, 0, 1)]
-    rise = None if heights is None else heights(*sea.points[:, :2].T)
     label = plotter.add_text("", font_size=9, color="black")
     try:
         for i, (t, pose) in enumerate(zip(at, poses, strict=True)):
@@ -105,7 +105,8 @@ def frames(stage, at, poses, threads=None, heights=None, buoys=None):
             if ball is not None:
                 ball.points = round_ + buoys[i]
             if rise is not None:
-                sea.points = np.column_stack([*sea.points[:, :2].T, rise(t)])
+                sea["m"] = rise(t)
+                sea.points = np.column_stack([*sea.points[:, :2].T, sea["m"]])
             label.set_text("upper_left", f"{t:.1f} s")
             plotter.render()
             yield plotter.screenshot(return_img=True)
@@ -121,6 +122,16 @@ def carried(stage, fenders):
             own = rotation(*stage.rest[hull, 3:])
             found.append((made, (np.array(made.points) - stage.rest[hull, :3]) @ own, hull))
     return found
+
+
+def _colours(sea, rise, t):
+    """Words of `add_mesh` for a surface by its height, from dark troughs to light crests; flat without waves"""
+    if rise is None:
+        return {"color": SEA}
+    sea["m"] = rise(t)
+    swing = max(float(np.abs(sea["m"]).max()), 1e-6)
+    return {"scalars": "m", "cmap": "ocean", "clim": (-1.6 * swing, 1.6 * swing), "show_scalar_bar": False,
+            "smooth_shading": True}  # fmt: skip
 
 
 def _polylines(points):

@@ -120,7 +120,9 @@ class Study(Table):
             if own is None and stored is None:
                 raise StudyError(f"hull.{key} is missing and the database does not contain it; give it, m, above 0")
             if own is not None and stored is not None and not math.isclose(own, stored, rel_tol=1e-6):
-                raise StudyError(f"hull.{key} is {own:g} m, the database is for {stored:g} m")
+                raise StudyError(
+                    f"hull.{key} is {own:g} m, the database is for {stored:g} m; change it, or give another database"
+                )
             sizes[key] = positive(f"hull.{key}", stored if own is None else own)
         if given.freeboard is None and self.wind is not None:
             raise StudyError("hull.freeboard is missing and there is wind; give it, m, above 0")

@@ -225,6 +225,13 @@ def _row_crc(file, row):
     return crc(*(np.asarray(value) for value in row_values(file, row).values()))
 
 
+def database_path(file):
+    """Path of the database of a run's file: as it was given, or beside the file"""
+    given = Path(file.attrs["database"])
+    near = Path(file.filename).parent / given.name
+    return near if near.exists() and not given.exists() else given
+
+
 def whole_rows(file):
     """(seeds,) whether a row is stored and unchanged"""
     marks = file["stored"][()]

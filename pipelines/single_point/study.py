@@ -77,7 +77,9 @@ def check_database(study, db):
     for key in ("length", "beam", "draft"):
         own, stored = getattr(hull, key), db.dimensions.get(key)
         if stored is not None and not math.isclose(own, stored, rel_tol=SAME):
-            raise StudyError(f"hull.{key} is {own:g} m, the database is for {stored:g} m")
+            raise StudyError(
+                f"hull.{key} is {own:g} m, the database is for {stored:g} m; change it, or give another database"
+            )
 
 
 def _mass(study, db, density):

@@ -80,4 +80,7 @@ def _fill(axis, panel):
     for level in panel.levels:
         axis.axhline(level, color="0.5", linewidth=0.9, linestyle=":")
     axis.set(title=panel.title, **(panel.axes or {}))
+    if "xticks" in (panel.axes or {}):  # on a logarithmic axis plain numbers, and none between
+        axis.set_xticks(panel.axes["xticks"], [f"{x:g}" for x in panel.axes["xticks"]])
+        axis.minorticks_off()
     axis.grid(True, color="0.9", linewidth=0.6)

@@ -1,6 +1,6 @@
 """A moored body in time: `moored` prepares the parts common to all weather, then `simulate` runs one seed."""
 
-from .failures import SimulationError
+from .failures import Overload, SimulationError
 from .loads import wave_components
 from .moored_body import Moored, moored, with_memory
 from .realisation import Realisation
@@ -10,6 +10,7 @@ from .trial import Choice, able_to_move
 __all__ = [
     "Choice",
     "Moored",
+    "Overload",
     "Realisation",
     "SimulationError",
     "able_to_move",

@@ -12,6 +12,16 @@ class SimulationError(ValueError):
     """A run that cannot start or continue: the message names the time, the number and a remedy."""
 
 
+class Overload(SimulationError):
+    """A run in which a fender is compressed beyond its table, or a line pulls more than its breaking load."""
+
+
+def stopped(state, clock, settings, scene, moored, hung, stuck):
+    """The error of a run that stops, an `Overload` or another `SimulationError`"""
+    broken = state == integrator.BEYOND or _parting(state, scene, moored) is not None
+    return (Overload if broken else SimulationError)(failure(state, clock, settings, scene, moored, hung, stuck))
+
+
 def failure(state, clock, settings, scene, moored, hung, stuck):
     t, names = clock.now[integrator.TIME], [one.name for one in getattr(moored.reader, "bodies", ()) if not one.fixed]
     places = blocks(clock.y, len(clock.scale))
@@ -35,7 +45,7 @@ def failure(state, clock, settings, scene, moored, hung, stuck):
     if moored.buoy is not None and state in (integrator.NO_LINE, integrator.TOO_SHORT):
         return f"{where}: {_of_buoy(state, clock, hung[1])}"
     name, tension = _tightest(scene.line_work, moored)
-    if state == integrator.NO_LINE and tension > (load := moored.system.breaking_load[_number(moored, name)]):
+    if (load := _parting(state, scene, moored)) is not None:
         return (
             f"{where}: line {name} pulls {tension:.3g} N, {tension / load:.2g} times its breaking load, and "
             "would part: use a stronger line, or reduce the loads"
@@ -52,6 +62,15 @@ def failure(state, clock, settings, scene, moored, hung, stuck):
         pulled = f"line {name} pulls {tension:.3g} N; {way}" if name else "check inertia, damping and stiffness"
         return f"{where}: steps below {integrator.SHORTEST:g} s are required; {pulled}"
     return f"{where}: the motion is not finite; check inertia, damping and stiffness"
+
+
+def _parting(state, scene, moored):
+    """Breaking load N of the line with the largest pull, if that pull is above it and lines have no solution"""
+    if state != integrator.NO_LINE or moored.buoy is not None:
+        return None
+    name, tension = _tightest(scene.line_work, moored)
+    load = moored.system.breaking_load[_number(moored, name)]
+    return load if tension > load else None
 
 
 def _of_buoy(state, clock, work):

@@ -15,16 +15,20 @@ def fitted_memory(body, motions=None):
 
     motions : numbers of its motions, None for all
     raises : ValueError where no tolerance is met
+    A band that contradicts itself has no near fit: tolerances that the best system tried is far from are left out.
     """
     A = body.held_added_mass(0.0)[0]
     A = A if motions is None else A[np.ix_(motions, motions)]
     size = np.sqrt(np.diag(A))
     coupled = np.count_nonzero(np.abs(A) > COUPLED * np.outer(size, size)) - len(A)
+    within = 0.0
     for tolerance in TOLERANCES[2 * (coupled > ONE_PLANE) :]:
+        if tolerance < within:
+            continue
         try:
             memory = memory_of_database(body, tolerance, motions)
         except ValueError as error:
-            refused = error
+            refused, within = error, getattr(error, "within", 0.0)
             continue
         if tolerance <= WANTED:
             return memory, ()

@@ -22,7 +22,7 @@ from ..tables.hull_water import NO_HULL_WATER
 from ..wave_loads import Waves, no_waves, wave_table, waves_of
 from .body import body_of
 from .expected import expected_motion
-from .failures import SimulationError, failure
+from .failures import SimulationError, stopped
 from .linked import begin_together
 from .loads import frequency_of_coefficients, streams, wave_components
 from .realisation import Course, doubt_of, motion_of, poses_of, realisation_of, with_error
@@ -190,7 +190,7 @@ def _followed(moored, settings, begun, progress):
             return Course(states, buoy, clock, pulls, hung, held, *bent.swapaxes(0, 1))
         if state != integrator.RUNNING:
             stuck = -1 if pair is None else int(pair[1].stuck[0])
-            raise SimulationError(failure(state, clock, settings, scene, moored, hung, stuck))
+            raise stopped(state, clock, settings, scene, moored, hung, stuck)
 
 
 def begin(moored, offset=(0.0,)):

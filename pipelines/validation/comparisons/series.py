@@ -88,7 +88,8 @@ class Sections:
         for i, (name, values) in enumerate(_titled(ratios(boxes, strips)).items()):
             curves = [Curve(f"ξ_B {xi:g}", LENGTH_BEAM, values[:, j], {"color": colors[j], "marker": "."})
                       for j, xi in enumerate(strips.xi)]  # fmt: skip
-            panels.append(Panel(f"Fig. 2.1.5.{91 + i}  {name}", curves, (1.0,), {"xlabel": "L/B", "xscale": "log"}))
+            axes = {"xlabel": "L/B", "xscale": "log", "xticks": LENGTH_BEAM}
+            panels.append(Panel(f"Fig. 2.1.5.{91 + i}  {name}", curves, (1.0,), axes))
         return {"ratios": ("Three-dimensional over two-dimensional, H/d = 2, B/d = 5, beam waves", panels, 3)}
 
     def summary(self, results):

@@ -167,8 +167,15 @@ def test_the_best_of_what_was_tried_is_told(monkeypatch):
     offs = iter([0.5, 0.2, 0.3])
     monkeypatch.setattr(module, "fitted", lambda s, wanted, poles, weight: (None, next(offs)))
     wanted, none = np.ones((4, 1, 1), complex), np.zeros((4, 1))
-    with pytest.raises(ValueError, match=r"the memory of sway has an error of 0\.2 with the best system tried; the"):
+    with pytest.raises(
+        ValueError, match=r"the memory of sway has an error of 0\.2 with the best system tried; the"
+    ) as one:
         module._fitted(np.arange(1.0, 5), wanted, np.ones(1), (1,), 0.01, none, ("surge", "sway"))
+    assert one.value.within == pytest.approx(0.2 / 8)  # beyond eight times a tolerance no modes are moved
+    offs, many = iter([0.5, 0.2, 0.3]), np.ones((4, 4, 4), complex)
+    with pytest.raises(module.FitError) as one:
+        module._fitted(np.arange(1.0, 5), many, np.ones(4), (0, 1, 2, 3), 0.01, np.zeros((4, 4)), "abcd")
+    assert one.value.within == pytest.approx(0.1)  # of four motions none are moved at all
     tried = []
 
     class Whole:
@@ -188,3 +195,28 @@ def test_the_best_of_what_was_tried_is_told(monkeypatch):
     assert tried == [6, 7]  # as many as values above the tolerance, and more
     errors[7] = 0.01
     assert module._fitted(np.arange(1.0, 5), wanted, np.ones(1), (1,), 0.01, none, ("a", "b")) == pytest.approx(0.0099)
+
+
+def test_more_states_are_not_tried_where_six_fits_in_a_row_came_no_nearer(monkeypatch):
+    """Of each number of poles: errors fall for three fits, then stay; outputs without a passive fit do not count"""
+    tried, values = [], np.geomspace(1.0, 1e-3, 60)
+
+    class Whole:
+        def __init__(self):
+            self.values = values
+
+        def reduced(self, states):
+            tried.append(states)
+            return "a", "b", None
+
+    errors = {30: (None, 0.9), 31: ("made", 0.4), 32: ("made", 0.3), 33: ("made", 0.2)}
+    monkeypatch.setattr(module, "fitted", lambda s, wanted, poles, weight: (None, 1e-3))
+    monkeypatch.setattr(module, "balanced", lambda system: Whole())
+    monkeypatch.setattr(module, "passive_fit", lambda *_: errors.get(tried[-1], ("made", 0.25)))
+    monkeypatch.setattr(module, "POLES", (8, 9))
+    wanted = np.ones((4, 1, 1), complex)
+    fewest = int(np.sum(values > 0.03))
+    assert fewest == 30
+    with pytest.raises(module.FitError, match=r"an error of 0\.2 with the best"):
+        module._fitted(np.arange(1.0, 5), wanted, np.ones(1), (0,), 0.03, np.zeros((4, 1)), ("surge",))
+    assert tried == 2 * list(range(30, 34 + module.PATIENCE))

@@ -17,6 +17,7 @@ from hakobune.bem.wave_field.sources import (
     contour,
     covers,
     directions,
+    incident,
     perimeter,
     rectangle,
     regular_inverse,
@@ -190,15 +191,35 @@ def test_sources_stand_a_tenth_of_the_half_breadth_within_the_plan_eight_in_a_wa
     assert np.sum(np.isclose(np.abs(long[:, 0]), 50.0)) == 4  # two at each end
 
 
-def test_combinations_that_send_less_than_a_thousandth_are_left_out():
+def test_combinations_that_send_little_fade_out():
+    """s/(s² + ε²) of each singular value s, the largest 1"""
     rng = np.random.default_rng(2)
     left, _ = np.linalg.qr(rng.normal(size=(9, 3)) + 1j * rng.normal(size=(9, 3)))
     right, _ = np.linalg.qr(rng.normal(size=(3, 3)) + 1j * rng.normal(size=(3, 3)))
-    for least, kept in ((1.1e-3, 3), (0.9e-3, 2)):
-        size = np.array([2.0, 1.0, 2.0 * least])
-        found = regular_inverse((left * size) @ right.conj().T, 1e-3)
-        expected = (right[:, :kept] / size[:kept]) @ left[:, :kept].conj().T
+    for least in (1e-1, 1e-3, 1e-5):
+        size = np.array([1.0, 0.5, least])
+        found = regular_inverse((2.0 * left * size) @ right.conj().T, 1e-3)
+        kept = size / (size**2 + 1e-6) / 2.0
+        expected = (right * kept) @ left.conj().T
         assert found == pytest.approx(expected, abs=1e-6 * np.abs(expected).max())
+
+
+def test_water_at_a_hull_does_not_step_between_frequencies():
+    """Of a far field a thousandth off, around a cylinder of 10 m: 0.0013 m/m (0.014 where singular values were cut at
+    once), its error at most 0.009 (0.015)
+    """
+    a, beta, errors = 10.0, 0.3, []
+    turn = np.arange(24) * (2 * np.pi / 24)
+    plan, places = a * directions(turn), a * directions(turn[::2] + 0.05)
+    theta = np.arange(180) * (2 * np.pi / 180)
+    noise = 1 + 1e-3 * np.random.default_rng(0).normal(size=180)
+    for k in np.linspace(0.3, 0.36, 13):
+        sources = Sources(plan, k, theta)
+        H = of_cylinder(k, a, np.array([beta]), theta)[0]
+        exact = of_cylinders(k, a, np.zeros((1, 2)), beta, places) - incident(k, np.array([beta]), places)[0]
+        errors.append(sources.elevation(sources.strengths(H * noise)[0], places) - exact)
+    assert np.abs(errors).max() < 0.02
+    assert np.abs(np.diff(errors, axis=0)).max() < 2e-3
 
 
 def test_slopes_of_waves_are_their_difference_quotients_and_none_at_a_source():

@@ -8,6 +8,7 @@ import pytest
 from scipy.interpolate import PchipInterpolator
 
 from hakobune.bem.modes import words_of
+from hakobune.bem.time_domain.memory import FitError
 from hakobune.mooring.environment.gusts import davenport, gust_components
 from hakobune.mooring.environment.sea import Components, Sea
 from hakobune.mooring.environment.spectra import issc
@@ -20,7 +21,7 @@ from hakobune.mooring.motion.extremes import beyond, median_extreme, rare, share
 from hakobune.mooring.motion.given_forces import GivenForce, read_force, sampled
 from hakobune.mooring.motion.line_loads import REACH
 from hakobune.mooring.motion.simulation.expected import expected_motion
-from hakobune.mooring.motion.simulation.failures import failure
+from hakobune.mooring.motion.simulation.failures import Overload, stopped
 from hakobune.mooring.motion.simulation.loads import frequency_of_coefficients, mean_frequency, wave_components
 from hakobune.mooring.motion.simulation.memory import fitted_memory
 from hakobune.mooring.motion.simulation.realisation import Doubt, doubt_of, with_error
@@ -575,6 +576,22 @@ def test_a_memory_is_fitted_to_the_smallest_tolerance_it_allows(monkeypatch):
     assert tried == [3e-3]
 
 
+def test_tolerances_that_the_best_system_is_far_from_are_not_tried(monkeypatch):
+    """Of a band that contradicts itself each would take a search of its own; one is tried that may be met"""
+    tried = []
+    plain = SimpleNamespace(held_added_mass=lambda omega: np.eye(6)[None])
+
+    def fit(body, tolerance, motions):
+        tried.append(tolerance)
+        if tolerance < 0.02:
+            raise FitError(f"not to {tolerance:g}", min(0.01, 7 * tolerance))
+        return SimpleNamespace(error=np.array([0.02]))
+
+    monkeypatch.setattr("hakobune.mooring.motion.simulation.memory.memory_of_database", fit)
+    (said,) = fitted_memory(plain)[1]
+    assert tried == [3e-4, 3e-3, 1e-2, 3e-2] and "fitted to 0.02 of its largest value" in said
+
+
 @pytest.mark.parametrize(
     ("state", "changes", "words"),
     [
@@ -604,5 +621,7 @@ def test_a_run_that_ends_names_time_place_part_and_the_way_out(state, changes, w
     moored = SimpleNamespace(system=system, buoy=None, berth=berth, reader=reader)
     state_of_body = np.concatenate([[3.0, 4.0], np.zeros(BLOCK - 2)])
     clock = SimpleNamespace(now=np.array([130.0]), y=state_of_body, scale=np.ones((1, 12)))
-    said = failure(getattr(integrator, state), clock, SimpleNamespace(ramp=30.0), scene, moored, None, 1)
+    error = stopped(getattr(integrator, state), clock, SimpleNamespace(ramp=30.0), scene, moored, None, 1)
+    said = str(error)
+    assert isinstance(error, Overload) == ("beyond its table, which ends at 0.3" in said or "would part" in said)
     assert said.startswith("at 100 s after the ramp, the body 5 m from its place: ") and words in said

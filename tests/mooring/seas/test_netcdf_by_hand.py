@@ -36,6 +36,31 @@ def test_densities_per_degree_are_turned_to_radians(units, factor):
     assert netcdf._renamed(PATH, dataset(name, (f, "station"), np.ones((3, 2)), {f: [1, 2, 3]}), name, ("station",))
 
 
+def test_a_plane_of_an_unknown_layout_is_refused_with_its_name():
+    """Its unit and the sense of its directions are nowhere; a spectrum of frequency alone is none of these"""
+    data = dataset("spectral_density", ("time_index", "frequency", "direction"), np.ones((1, 2, 2)))
+    with pytest.raises(TableError, match="spectral_density has frequencies and directions, but of no layout known"):
+        netcdf._density(PATH, data)
+    with pytest.raises(TableError, match=r"x\.nc has no spectrum"):
+        netcdf._density(PATH, dataset("spectral_density", ("time_index", "frequency"), np.ones((1, 2))))
+
+
+def test_bytes_of_metocean_are_unpacked_by_the_factor_of_their_time_and_site():
+    """(byte + 127) factor, m² s/degree; nothing at −127"""
+    packed = np.array([-127, -126, 0, 127], np.int8).reshape(1, 2, 2, 1)
+    data = xarray.Dataset(
+        {"specden": (("time", "site", "freq", "dir"), packed, {"units": "norm_byte"}),
+         "factor": (("time", "site"), [[2.0, 0.5]])},
+        {"freq": [0.1, 0.2], "dir": ("dir", [90.0], {"units": "deg from"})},
+    )  # fmt: skip
+    assert netcdf._density(PATH, data) == "specden"
+    values, frequency, old = netcdf._renamed(PATH, data, "specden", ("time", "site"))
+    expected = 180 / math.pi * np.array([[0.0, 2.0], [63.5, 127.0]])
+    assert values.transpose("time", "site", "f", "d").values[0, :, :, 0] == pytest.approx(expected)
+    assert frequency.tolist() == [0.1, 0.2]
+    assert netcdf._towards(data, "specden", old["d"]) == pytest.approx(1.5 * math.pi)
+
+
 def test_a_plane_of_era5_is_a_logarithm_at_its_own_frequencies_and_directions():
     """log₁₀; f₁ qⁿ; sectors from north, clockwise, towards, in their middles"""
     f, d = (next(axis for axis, kind in netcdf.AXES.items() if kind == which and axis.lower().startswith(start))

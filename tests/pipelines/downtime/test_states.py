@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from hakobune.mooring.downtime.interpolant import Interpolant, fitted
+from hakobune.mooring.motion.simulation import Overload
 from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.downtime import simulated as room
 from hakobune.pipelines.downtime import states_file
@@ -28,10 +29,13 @@ def sway(height, seed):
 
 @dataclass
 class StandIn:
-    """In the place of `one_state.state`; ends, fails : numbers of the calls that a kill ends, that fail"""
+    """In the place of `one_state.state`; ends, fails, over : numbers of the calls that a kill ends, that fail, and
+    whose fender is compressed beyond its table
+    """
 
     ends: int = 0
     fails: int = 0
+    over: int = 0
     calls: int = 0
 
     def __call__(self, task, raw, weather, seeds):
@@ -40,6 +44,8 @@ class StandIn:
             raise KeyboardInterrupt
         if self.calls == self.fails:
             raise ValueError("no equilibrium")
+        if self.calls == self.over:
+            raise Overload("at 9 s fender F2 is compressed beyond its table")
         found = []
         for seed in seeds:
             value = sway(weather["waves"]["height"], seed)
@@ -118,7 +124,21 @@ def test_states_go_on_after_a_kill_and_the_file_is_the_same(call, made, tmp_path
 
 def test_a_state_without_an_answer_is_told_and_left_out(made, tmp_path, monkeypatch):
     found, _ = run(made, tmp_path / "s.jsonl", monkeypatch, fails=3)
-    assert [reason for _, reason in found.failed] == ["no equilibrium"] and len(found.rows) == 19
+    left_out = "no equilibrium; left out, its hour follows from other states"
+    assert [reason for _, reason in found.failed] == [left_out] and len(found.rows) == 19
+
+
+def test_a_state_whose_fender_is_beyond_its_table_is_beyond_all_limits(made, tmp_path, monkeypatch):
+    """As far as the worst of the others, 1.5 of the limit at least; the highest hour is simulated first"""
+    found, _ = run(made, tmp_path / "s.jsonl", monkeypatch, over=3)
+    ((row, reason),) = found.failed
+    assert reason == "at 9 s fender F2 is compressed beyond its table; counted as beyond all limits"
+    assert len(found.rows) == 20 and row in found.rows
+    own, others = found.rows == row, found.rows != row
+    for i in (0, 2):
+        largest = max(1.5, found.used[others, :, i].max())
+        assert found.used[own, :, i] == pytest.approx(np.full((1, found.used.shape[1]), largest))
+    assert np.isnan(found.used[own, :, 1]).all()  # of the wind, which is no matter of the run
 
 
 def test_a_file_of_other_states_or_a_damaged_one_is_refused(made, tmp_path, monkeypatch):
