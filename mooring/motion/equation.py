@@ -201,7 +201,7 @@ def add_horizontal(force, y, rate, x, y_force, moment, number):
     rate[FIRST_WORK + number] += x * y[6] + y_force * y[7] + moment * y[11]
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def restore(body, b, y, rate, force, work):
     """Hydrostatic and spring forces on body b and those of the turning axes, whose work is that of the current, if any
 
@@ -234,7 +234,7 @@ def restore(body, b, y, rate, force, work):
     add_horizontal(force, y, rate, (across + water_across) * y[11], -(along + water_along) * y[11], moment, BY_CURRENT)
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def dissipate(body, b, whole, changed, y, rate, force, work):
     """Linear and quadratic damping of body b, and the memory of the water with the rates of its states
 
@@ -259,7 +259,7 @@ def dissipate(body, b, whole, changed, y, rate, force, work):
     give(force, y, rate, work.part, 6, BY_MEMORY)
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def load(scene, hull, b, t, y, rate, force, work):
     """Waves, drift, given forces, wind and current on body b of a `Scene`, each multiplied by the ramp
 
@@ -301,7 +301,7 @@ def load(scene, hull, b, t, y, rate, force, work):
     give(force, y, rate, work.part, 6, BY_CURRENT)
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def of_one(scene, b, t, y, rate):
     """All loads on body b of a `Scene` except its moorings; y, rate : (n,) of all
 
@@ -321,7 +321,7 @@ def give_to(work, b, y, rate, parts, number):
     give(work.force[6 * b : 6 * b + 6], y[first : first + BLOCK], rate[first : first + BLOCK], parts[b], 6, number)
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def move(body, b, y, rate, force):
     """Rates of the motions of body b and of its slow pose, from the forces (6N,) on all; y, rate : (n,) of all"""
     first, c = BLOCK * b, body.filter_rate
@@ -341,7 +341,7 @@ def move(body, b, y, rate, force):
         changed[SLOW_RATE + j] = c * c * (own[at] - own[SLOW + j]) - 2 * c * own[SLOW_RATE + j]
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def of_shapes_on_body(body, b, y, rate, force, work):
     """Restoring forces and damping that shapes exert on body b; y, rate : (n,) of all, force : (6,) of it"""
     count, first = body.heading.size, BLOCK * b
@@ -358,7 +358,7 @@ def of_shapes_on_body(body, b, y, rate, force, work):
     give(force, y[first : first + BLOCK], rate[first : first + BLOCK], work.part, 6, BY_DAMPING)
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def of_group(scene, g, t, y, rate):
     """All that acts on group g of the shapes of a `Scene` but moorings; y, rate : (n,) of all
 
@@ -397,7 +397,7 @@ def of_group(scene, g, t, y, rate):
         give(force, own, done, work.part, 6, BY_WAVES)
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def of_shapes(scene, t, y, rate):
     """All that acts on the shapes of a `Scene`, and what they exert on bodies, but moorings; y, rate : (n,) of all"""
     body, force = scene.body, scene.work.force
@@ -407,7 +407,7 @@ def of_shapes(scene, t, y, rate):
         of_group(scene, g, t, y, rate)
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def of_moorings_on_shapes(scene, y, rate, met):
     """What lines, and fenders and ropes if they are `met`, do to shapes, into the forces and the rates of their work"""
     shapes, count = scene.body.shapes, scene.body.heading.size
@@ -424,7 +424,7 @@ def of_moorings_on_shapes(scene, y, rate, met):
             rate[works + BY_ROPES] += roped * y[at]
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def move_shapes(body, g, y, rate, force):
     """Rates of group g of shapes from the forces (n,) on all motions; y, rate : (n,) of all"""
     count = body.heading.size
@@ -437,7 +437,7 @@ def move_shapes(body, g, y, rate, force):
         rate[at + 6 + i] = total
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def of_moorings(scene, y, rate):
     """Lines, fenders and ropes of a `Scene` on its bodies, into the forces and the rates of their work (n,) of all
 
@@ -466,7 +466,7 @@ def of_moorings(scene, y, rate):
     return good
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def of_links(scene, links, y, rate):
     """Forces of hinges between the bodies of a `Scene` in the state y (n,), added to the forces; the work of dampers
     and springs, in the rates (n,), counts as damping

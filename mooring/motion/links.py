@@ -172,7 +172,7 @@ def springs_at(links, poses):
     return force
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def give_row(links, work, poses, k, m, turns, row):
     """row (12,) of a unit force or moment along m (3,) in space on the second body of link k, and less on the first"""
     f = work.push
@@ -347,7 +347,7 @@ def hold_together(links, work, poses, inverse, force):
     give_rows(links, work, mu, force)
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def give_rows(links, work, mu, force):
     """Add Gᵀμ to forces (6N,)."""
     for k in range(links.ends.shape[0]):

@@ -11,7 +11,7 @@ from .. import integrator, slow_damping
 from ..buoy import buoy_of
 from ..contact_loads import contact_work
 from ..equation import OF_SHAPES, SAMPLED, SLOW, Scene, blocks, buoy_at, memory_at, room, shapes_at
-from ..line_loads import body_lines, line_loads, line_work, with_shapes
+from ..line_loads import body_lines, line_work, loads_at, with_shapes
 from ..links import link_work, links_of, no_links
 from ..moving_lines.at_rest import moving_work, state_pull
 from ..moving_lines.prepare import moving_of
@@ -221,7 +221,7 @@ def _coarse(moored, weather, settings, moving):
     found = [_around(weather, settings)]
     lines, poses = body_lines(moored.system, (), moored.tables), begin(moored)
     static = line_work(lines)
-    line_loads(lines, static, poses, np.zeros((len(poses), 3, 3)), np.zeros_like(poses))
+    loads_at(lines, static, poses, np.zeros((len(poses), 3, 3)), np.zeros_like(poses))
     whole = np.hypot(*static.tension[moving[0].number].T)
     if any(state.position[:, 2].max() > 0 for state in moving[1]):  # out of the water they are heavier, correctly
         moving = moving_of(moored, settings, surface=False)
