@@ -126,10 +126,7 @@ class Work(NamedTuple):
 
 @in_memory
 class Scene(NamedTuple):
-    """All loads on a body, and work arrays: the arguments of `rates` besides time and state
-
-    links : (`links.Links`, LinkWork), empty without links: one version of the kernels serves all cases
-    """
+    """All loads on a body, and work arrays: the arguments of `rates` besides time and state"""
 
     body: Body
     lines: Lines
@@ -140,7 +137,6 @@ class Scene(NamedTuple):
     contact_work: ContactWork
     hull: HullWater
     work: Work
-    links: tuple
 
 
 def room(columns, bodies=1, groups=0):
@@ -472,25 +468,25 @@ def of_links(scene, links, y, rate):
     and springs, in the rates (n,), counts as damping
     """
     held, kept = links
-    if held.ends.shape[0] > 0:
-        for b in range(scene.body.heading.size):
-            for j in range(6):
-                kept.speed[6 * b + j] = y[BLOCK * b + 6 + j]
-        hold_together(held, kept, scene.work.place, scene.body.mass_inverse, scene.work.force)
-        for k in range(held.ends.shape[0]):
-            for e in range(2):
-                b = held.ends[k, e]
-                if b >= 0:
-                    for j in range(6):
-                        power = kept.pull[k] * kept.pulled[k, 6 * e + j] * y[BLOCK * b + 6 + j]
-                        rate[BLOCK * b + FIRST_WORK + BY_DAMPING] += power
+    for b in range(scene.body.heading.size):
+        for j in range(6):
+            kept.speed[6 * b + j] = y[BLOCK * b + 6 + j]
+    hold_together(held, kept, scene.work.place, scene.body.mass_inverse, scene.work.force)
+    for k in range(held.ends.shape[0]):
+        for e in range(2):
+            b = held.ends[k, e]
+            if b >= 0:
+                for j in range(6):
+                    power = kept.pull[k] * kept.pulled[k, 6 * e + j] * y[BLOCK * b + 6 + j]
+                    rate[BLOCK * b + FIRST_WORK + BY_DAMPING] += power
 
 
 @kernel(counted=False)
-def rates(scene, buoy, t, y, rate):
+def rates(scene, buoy, links, t, y, rate):
     """rate (n,) of the state y (n,) of a `Scene` at t s; returns whether every line has a force.
 
-    buoy : (Buoy, BuoyWork), None without one, and then not compiled; it is connected to the first body
+    buoy : (Buoy, BuoyWork) of one connected to the first body; links : (`links.Links`, LinkWork); None without one, and
+        then not compiled
     """
     work, body = scene.work, scene.body
     count = body.heading.size
@@ -509,7 +505,8 @@ def rates(scene, buoy, t, y, rate):
         at, place = (t - work.span[0]) / work.span[1] + EDGE, y[first : first + 6]
         good = buoy_rates(floating, kept, y, place, work.R[0], at, share, grown, rate[first : first + 6]) and good
         give(work.force, y, rate, kept.part, 6, BY_HAWSERS)
-    of_links(scene, scene.links, y, rate)
+    if links is not None:
+        of_links(scene, links, y, rate)
     for b in range(count):
         move(body, b, y, rate, work.force)
     for g in range(body.shapes.owner.size):

@@ -120,15 +120,6 @@ def links_of(reader):
     )  # fmt: skip
 
 
-def no_links(place):
-    """`Links` without any link, for bodies with their axes at place (N, 3) m"""
-    none, of_none = np.zeros((0, 3, 3)), np.zeros(0, np.int64)
-    return Links(
-        np.zeros((0, 2), np.int64), np.zeros((0, 2, 3)), none, none, none, np.zeros(1, np.int64), of_none, place, none,
-        np.zeros((0, 3)), np.zeros((0, 3)), of_none,
-    )  # fmt: skip
-
-
 def link_work(links, states=0, samples=0, groups=0):
     """`LinkWork` of Links, for so many numbers of a state, samples, and groups of shapes of bodies that bend"""
     r, n, k = int(links.first[-1]), len(links.place), len(links.ends)
