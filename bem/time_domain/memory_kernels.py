@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..kernels.jit import kernel
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def memory_rate(memory, states, velocity, rate, body=0):
     """Write ẋ into rate (n,): `Memory.rate`.
 

@@ -94,7 +94,7 @@ def pressed(contacts, work, i, depth):
     return force
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def from_the_body(contacts, work, i, positions, R, v):
     """v (3,) m, from the origin of the axes of its body to a of contact i; work.arm is that from the other body's"""
     b, other = contacts.body[i], contacts.other[i]
@@ -115,7 +115,7 @@ def from_the_body(contacts, work, i, positions, R, v):
             v[j] = apart + positions[other, j] + work.arm[j] - positions[b, j]
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def fender_force(contacts, work, i, R, v, f):
     """f (3,) N in space of fender i on its body, at the arm v (3,) m from the origin of the body's axes"""
     c, start, now, w = contacts.numbers, work.start, work.now, work.shift
@@ -151,7 +151,7 @@ def fender_force(contacts, work, i, R, v, f):
             now[i, SLIP + j] = R[0, j] * x + R[1, j] * y + R[2, j] * z
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def rope_force(contacts, work, i, R, v, f):
     """f (3,) N in space of rope i on its body, at the arm v (3,) m, where it was that to the other end"""
     c, span, w = contacts.numbers, 0.0, work.shift
@@ -184,7 +184,7 @@ def add_to(work, kind, b, positions, v, f):
     give_generalized(positions[b], v, f, work.parts[kind, b])
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def contact_loads(contacts, work, positions, R, v, f):
     """Generalized forces (2, N, 6) of fenders and of ropes, in heading axes, into work.parts; v, f : room (3,)
 

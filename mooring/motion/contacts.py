@@ -283,6 +283,8 @@ def courses(berth, positions, bent=None):
     """
     positions = np.ascontiguousarray(np.reshape(positions, (len(positions), -1, 6)))
     depth, force = (np.zeros((len(positions), len(berth.names))) for _ in range(2))
+    if not berth.names:
+        return depth, force
     room = np.zeros((positions.shape[1], 3, 3)), np.zeros(3), np.zeros(3)
     bent = np.zeros((len(positions), 0)) if bent is None else np.ascontiguousarray(bent)
     contacts_along(berth.arrays, contact_work(berth.arrays), positions, *room, depth, force, bent)

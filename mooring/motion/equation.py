@@ -126,10 +126,7 @@ class Work(NamedTuple):
 
 @in_memory
 class Scene(NamedTuple):
-    """All loads on a body, and work arrays: the arguments of `rates` besides time and state
-
-    links : (`links.Links`, LinkWork), empty without links: one version of the kernels serves all cases
-    """
+    """All loads on a body, and work arrays: the arguments of `rates` besides time and state"""
 
     body: Body
     lines: Lines
@@ -140,7 +137,6 @@ class Scene(NamedTuple):
     contact_work: ContactWork
     hull: HullWater
     work: Work
-    links: tuple
 
 
 def room(columns, bodies=1, groups=0):
@@ -201,7 +197,7 @@ def add_horizontal(force, y, rate, x, y_force, moment, number):
     rate[FIRST_WORK + number] += x * y[6] + y_force * y[7] + moment * y[11]
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def restore(body, b, y, rate, force, work):
     """Hydrostatic and spring forces on body b and those of the turning axes, whose work is that of the current, if any
 
@@ -234,7 +230,7 @@ def restore(body, b, y, rate, force, work):
     add_horizontal(force, y, rate, (across + water_across) * y[11], -(along + water_along) * y[11], moment, BY_CURRENT)
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def dissipate(body, b, whole, changed, y, rate, force, work):
     """Linear and quadratic damping of body b, and the memory of the water with the rates of its states
 
@@ -259,7 +255,7 @@ def dissipate(body, b, whole, changed, y, rate, force, work):
     give(force, y, rate, work.part, 6, BY_MEMORY)
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def load(scene, hull, b, t, y, rate, force, work):
     """Waves, drift, given forces, wind and current on body b of a `Scene`, each multiplied by the ramp
 
@@ -301,7 +297,7 @@ def load(scene, hull, b, t, y, rate, force, work):
     give(force, y, rate, work.part, 6, BY_CURRENT)
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def of_one(scene, b, t, y, rate):
     """All loads on body b of a `Scene` except its moorings; y, rate : (n,) of all
 
@@ -321,7 +317,7 @@ def give_to(work, b, y, rate, parts, number):
     give(work.force[6 * b : 6 * b + 6], y[first : first + BLOCK], rate[first : first + BLOCK], parts[b], 6, number)
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def move(body, b, y, rate, force):
     """Rates of the motions of body b and of its slow pose, from the forces (6N,) on all; y, rate : (n,) of all"""
     first, c = BLOCK * b, body.filter_rate
@@ -341,7 +337,7 @@ def move(body, b, y, rate, force):
         changed[SLOW_RATE + j] = c * c * (own[at] - own[SLOW + j]) - 2 * c * own[SLOW_RATE + j]
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def of_shapes_on_body(body, b, y, rate, force, work):
     """Restoring forces and damping that shapes exert on body b; y, rate : (n,) of all, force : (6,) of it"""
     count, first = body.heading.size, BLOCK * b
@@ -358,7 +354,7 @@ def of_shapes_on_body(body, b, y, rate, force, work):
     give(force, y[first : first + BLOCK], rate[first : first + BLOCK], work.part, 6, BY_DAMPING)
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def of_group(scene, g, t, y, rate):
     """All that acts on group g of the shapes of a `Scene` but moorings; y, rate : (n,) of all
 
@@ -397,7 +393,7 @@ def of_group(scene, g, t, y, rate):
         give(force, own, done, work.part, 6, BY_WAVES)
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def of_shapes(scene, t, y, rate):
     """All that acts on the shapes of a `Scene`, and what they exert on bodies, but moorings; y, rate : (n,) of all"""
     body, force = scene.body, scene.work.force
@@ -407,7 +403,7 @@ def of_shapes(scene, t, y, rate):
         of_group(scene, g, t, y, rate)
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def of_moorings_on_shapes(scene, y, rate, met):
     """What lines, and fenders and ropes if they are `met`, do to shapes, into the forces and the rates of their work"""
     shapes, count = scene.body.shapes, scene.body.heading.size
@@ -424,7 +420,7 @@ def of_moorings_on_shapes(scene, y, rate, met):
             rate[works + BY_ROPES] += roped * y[at]
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def move_shapes(body, g, y, rate, force):
     """Rates of group g of shapes from the forces (n,) on all motions; y, rate : (n,) of all"""
     count = body.heading.size
@@ -437,7 +433,7 @@ def move_shapes(body, g, y, rate, force):
         rate[at + 6 + i] = total
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def of_moorings(scene, y, rate):
     """Lines, fenders and ropes of a `Scene` on its bodies, into the forces and the rates of their work (n,) of all
 
@@ -476,36 +472,36 @@ def of_links_on_shapes(body, held, kept, y):
         kept.amplitude[s], kept.speed[held.shapes[s]] = y[at], y[at + 6]
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def of_links(scene, links, y, rate):
     """Forces of hinges between the bodies of a `Scene` in the state y (n,), added to the forces; the work of dampers
     and springs, in the rates (n,), counts as damping
     """
     held, kept = links
-    if held.ends.shape[0] > 0:
-        for b in range(scene.body.heading.size):
-            for j in range(6):
-                kept.speed[6 * b + j] = y[BLOCK * b + 6 + j]
-        of_links_on_shapes(scene.body, held, kept, y)
-        hold_together(held, kept, scene.work.place, scene.body.mass_inverse, scene.work.force)
-        for k in range(held.ends.shape[0]):
-            for e in range(2):
-                b = held.ends[k, e]
-                if b >= 0:
-                    for j in range(6):
-                        power = kept.pull[k] * kept.pulled[k, 6 * e + j] * y[BLOCK * b + 6 + j]
-                        rate[BLOCK * b + FIRST_WORK + BY_DAMPING] += power
-            for s in range(held.shapes.size):
-                owner = scene.body.shapes.owner[(held.shapes[s] - 6 * scene.body.heading.size) // 6]
-                power = kept.pull[k] * kept.pulled_by[k, s] * kept.speed[held.shapes[s]]
-                rate[BLOCK * owner + FIRST_WORK + BY_DAMPING] += power
+    for b in range(scene.body.heading.size):
+        for j in range(6):
+            kept.speed[6 * b + j] = y[BLOCK * b + 6 + j]
+    of_links_on_shapes(scene.body, held, kept, y)
+    hold_together(held, kept, scene.work.place, scene.body.mass_inverse, scene.work.force)
+    for k in range(held.ends.shape[0]):
+        for e in range(2):
+            b = held.ends[k, e]
+            if b >= 0:
+                for j in range(6):
+                    power = kept.pull[k] * kept.pulled[k, 6 * e + j] * y[BLOCK * b + 6 + j]
+                    rate[BLOCK * b + FIRST_WORK + BY_DAMPING] += power
+        for s in range(held.shapes.size):
+            owner = scene.body.shapes.owner[(held.shapes[s] - 6 * scene.body.heading.size) // 6]
+            power = kept.pull[k] * kept.pulled_by[k, s] * kept.speed[held.shapes[s]]
+            rate[BLOCK * owner + FIRST_WORK + BY_DAMPING] += power
 
 
 @kernel(counted=False)
-def rates(scene, buoy, t, y, rate):
+def rates(scene, buoy, links, t, y, rate):
     """rate (n,) of the state y (n,) of a `Scene` at t s; returns whether every line has a force.
 
-    buoy : (Buoy, BuoyWork), None without one, and then not compiled; it is connected to the first body
+    buoy : (Buoy, BuoyWork) of one connected to the first body; links : (`links.Links`, LinkWork); None without one, and
+        then not compiled
     """
     work, body = scene.work, scene.body
     count = body.heading.size
@@ -524,7 +520,8 @@ def rates(scene, buoy, t, y, rate):
         at, place = (t - work.span[0]) / work.span[1] + EDGE, y[first : first + 6]
         good = buoy_rates(floating, kept, y, place, work.R[0], at, share, grown, rate[first : first + 6]) and good
         give(work.force, y, rate, kept.part, 6, BY_HAWSERS)
-    of_links(scene, scene.links, y, rate)
+    if links is not None:
+        of_links(scene, links, y, rate)
     for b in range(count):
         move(body, b, y, rate, work.force)
     for g in range(body.shapes.owner.size):

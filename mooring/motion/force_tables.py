@@ -257,7 +257,7 @@ def cell_pull(values, dc, dz, s, t):
     return H, V
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def packed_pull(tables, number, x, z):
     """(H, V) N of a table of a `Packed` at a span x and height z; nan above and below it.
 

@@ -1,7 +1,8 @@
 """Forces given as tables in time, in the axes that turn with the body.
 
 Between the rows they follow monotone cubics (Fritsch and Carlson 1980; `scipy.interpolate.PchipInterpolator`), which do
-not overshoot.  Before the first row they are those of the first, grown by the ramp as every load is.
+not overshoot, or cubic splines where they are smooth.  Before the first row they are those of the first, grown by the
+ramp as every load is.
 
 Drift by half waves (`mooring.response.slow_drift.half_wave_drift`; SR179 report (1982), eq. 3.7.1.5) is such a force.
 """
@@ -32,12 +33,14 @@ SURFACE_STEP, PASSING = 0.1, 0.2  # s, of the surface; duration of the transitio
 class GivenForce:
     """times : (n,) s from the end of the ramp, rising; force : (n, 6) N, N m about the rotation centre
 
-    body : number of the loaded body, among the moving ones
+    body : number of the loaded body, among the moving ones; smooth : whether rows follow each other so closely that
+        cubic splines between them do not overshoot
     """
 
     times: np.ndarray
     force: np.ndarray
     body: int = 0
+    smooth: bool = False
 
     def __post_init__(self):
         t, force = np.asarray(self.times, float), np.asarray(self.force, float)
@@ -110,7 +113,7 @@ def sampled(forces, ramp, duration, bodies=1):
     """
     if not forces:
         return np.zeros((6 * bodies, 1)), 1.0
-    from scipy.interpolate import PchipInterpolator
+    from scipy.interpolate import CubicSpline, PchipInterpolator
 
     for one in forces:
         if one.times[0] > 0 or one.times[-1] < duration:
@@ -123,7 +126,6 @@ def sampled(forces, ramp, duration, bodies=1):
     t = step * np.arange(int(np.ceil((ramp + duration) / step)) + 4) - ramp
     total = np.zeros((6 * bodies, len(t)))
     for one in forces:
-        total[6 * one.body : 6 * one.body + 6] += PchipInterpolator(one.times, one.force)(
-            np.clip(t, one.times[0], one.times[-1])
-        ).T
+        between = (CubicSpline if one.smooth else PchipInterpolator)(one.times, one.force)
+        total[6 * one.body : 6 * one.body + 6] += between(np.clip(t, one.times[0], one.times[-1])).T
     return total, step

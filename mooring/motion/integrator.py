@@ -121,12 +121,12 @@ def stage(trial, y, k, h, s):
 
 
 @kernel(counted=False)
-def take_step(scene, buoy, clock, t, h):
+def take_step(scene, buoy, links, clock, t, h):
     """Stages and the trial state after a step; returns its error over the limit, and whether all lines have a force."""
     k, trial, good = clock.stages, clock.trial, True
     for s in range(1, 7):
         stage(trial, clock.y, k, h, s)
-        good = rates(scene, buoy, t + C[s] * h, trial, k[s]) and good
+        good = rates(scene, buoy, links, t + C[s] * h, trial, k[s]) and good
     worst, count = 0.0, clock.scale.shape[0]
     for b in range(count):
         for i in range(12):
@@ -154,7 +154,7 @@ def take_step(scene, buoy, clock, t, h):
 
 
 @kernel(counted=False)
-def take_step_with_lines(scene, buoy, clock, moving, t, h):
+def take_step_with_lines(scene, buoy, links, clock, moving, t, h):
     """`take_step` with moving lines: with the predicted pull, then lines along that course, then again with their pull.
 
     The error includes the deviation of the body from its predicted course, which the lines followed.
@@ -163,8 +163,8 @@ def take_step_with_lines(scene, buoy, clock, moving, t, h):
     work, trial = scene.line_work, clock.trial
     foresee(lines, kept, h, work.given)
     work.span[1], work.span[2] = t, h
-    good = rates(scene, buoy, t, clock.y, clock.stages[0])
-    error, held = take_step(scene, buoy, clock, t, h)
+    good = rates(scene, buoy, links, t, clock.y, clock.stages[0])
+    error, held = take_step(scene, buoy, links, clock, t, h)
     if not (good and held and np.isfinite(error)):
         return error, good and held
     for b in range(clock.scale.shape[0]):
@@ -179,8 +179,8 @@ def take_step_with_lines(scene, buoy, clock, moving, t, h):
     if not advance_lines(lines, kept, work.whole, t, h):
         return np.inf, True
     project(lines, kept, t, h, work.given)
-    good = rates(scene, buoy, t, clock.y, clock.stages[0])
-    error, held = take_step(scene, buoy, clock, t, h)
+    good = rates(scene, buoy, links, t, clock.y, clock.stages[0])
+    error, held = take_step(scene, buoy, links, clock, t, h)
     return max(error, missed_course(scene, clock, moving, h)), good and held
 
 
@@ -305,12 +305,12 @@ def open_window(waves, clock, work, owner):
 
 
 @kernel(counted=False)
-def advance(scene, waves, clock, samples, most, buoy, moving):
+def advance(scene, waves, clock, samples, most, buoy, links, moving):
     """Integrate until the end, or for `most` steps; samples (n, SAMPLED N + 12 G, or 6 more), filled.  Returns why it
     stopped.
 
-    scene : `equation.Scene`; waves : `wave_loads.Waves`; buoy : (Buoy, BuoyWork), None without a buoy, moving :
-    (MovingLines, MovingWork), None without moving lines, and then not compiled
+    scene : `equation.Scene`; waves : `wave_loads.Waves`; buoy, links : as of `rates`; moving : (MovingLines,
+        MovingWork), None without moving lines, and then not compiled
     """
     now, counts, k, fixed = clock.now, clock.counts, clock.stages, clock.fixed_step
     lines, length = scene.lines, waves.table.window
@@ -325,7 +325,7 @@ def advance(scene, waves, clock, samples, most, buoy, moving):
             if buoy is not None:
                 first = BLOCK * clock.scale.shape[0]
                 open_water(waves.table, buoy[0], buoy[1], clock.y[first : first + 3], counts[WINDOWS] - 1, t)
-            rates(scene, buoy, t, clock.y, k[0])
+            rates(scene, buoy, links, t, clock.y, k[0])
         limit = min(now[WINDOW] + length, clock.end, next_break(lines, t))
         h = fixed if fixed > 0.0 else now[STEP]
         cut = t + h >= limit - AT_ONCE
@@ -334,13 +334,13 @@ def advance(scene, waves, clock, samples, most, buoy, moving):
         elif t + 2.0 * h > limit and fixed == 0.0:
             h = 0.5 * (limit - t)
         if moving is None:
-            error, good = take_step(scene, buoy, clock, t, h)
+            error, good = take_step(scene, buoy, links, clock, t, h)
         else:
             ahead = sea_ahead(moving[0].sea)
             if h > ahead:
                 h, cut = ahead, False
             sea_for_step(moving[0], moving[1], t, h)
-            error, good = take_step_with_lines(scene, buoy, clock, moving, t, h)
+            error, good = take_step_with_lines(scene, buoy, links, clock, moving, t, h)
         if again:
             error *= min(1.0, h / (CORNER * now[USUAL]))
         if not np.isfinite(error) or not good:
@@ -362,7 +362,8 @@ def advance(scene, waves, clock, samples, most, buoy, moving):
         later = limit if cut else t + h
         if scene.contact_work.beyond[0] >= 0:
             return BEYOND
-        keep_links(scene, scene.links, buoy, clock, t, h, later)
+        if links is not None:
+            keep_links(scene, buoy, links, clock, t, h, later)
         settle(scene.contact_work)
         first = counts[SAMPLES]
         put_samples(clock, t, h, later, samples)
@@ -383,7 +384,7 @@ def advance(scene, waves, clock, samples, most, buoy, moving):
             return TOO_SHORT
         if later == next_break(lines, t):
             hold(lines, scene.line_work, later)
-            rates(scene, buoy, later, clock.y, k[0])
+            rates(scene, buoy, links, later, clock.y, k[0])
         else:
             for i in range(clock.y.size):
                 k[0, i] = k[6, i]
@@ -411,20 +412,19 @@ def put_samples(clock, t, h, later, samples):
 
 
 @kernel(counted=False)
-def keep_links(scene, links, buoy, clock, t, h, later):
+def keep_links(scene, buoy, links, clock, t, h, later):
     """Forces of links at the samples of the step from t to `later`, s, from the state there; the last as `put_samples`
 
     The history of fenders is then that of the end of the step, as before.
     """
     held, kept = links
-    if held.ends.shape[0] > 0:
-        row, k, n = clock.counts[SAMPLES], clock.stages, 0
-        while row < kept.kept.shape[0] and row * clock.sample_step <= later + ROUNDING * clock.sample_step:
-            s = (row * clock.sample_step - t) / h
-            for i in range(kept.state.size):
-                kept.state[i] = hermite(s, clock.y[i], clock.trial[i], h * k[0, i], h * k[6, i])
-            rates(scene, buoy, t + s * h, kept.state, kept.rate)
-            put_forces(held, kept, scene.work.place, kept.kept[row])
-            row, n = row + 1, n + 1
-        if n > 0:
-            rates(scene, buoy, t + h, clock.trial, kept.rate)
+    row, k, n = clock.counts[SAMPLES], clock.stages, 0
+    while row < kept.kept.shape[0] and row * clock.sample_step <= later + ROUNDING * clock.sample_step:
+        s = (row * clock.sample_step - t) / h
+        for i in range(kept.state.size):
+            kept.state[i] = hermite(s, clock.y[i], clock.trial[i], h * k[0, i], h * k[6, i])
+        rates(scene, buoy, links, t + s * h, kept.state, kept.rate)
+        put_forces(held, kept, scene.work.place, kept.kept[row])
+        row, n = row + 1, n + 1
+    if n > 0:
+        rates(scene, buoy, links, t + h, clock.trial, kept.rate)

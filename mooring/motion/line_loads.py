@@ -324,7 +324,7 @@ def push_shapes(shapes, R, x, y, z, push):
         push[k] += along + z * (R[2, 0] * ux + R[2, 1] * uy + R[2, 2] * uz)
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def line_loads(lines, work, positions, R, out):
     """out (N, 6) generalized forces, in heading axes, of the lines on bodies at `positions` (N, 6)
 
@@ -395,6 +395,12 @@ def line_loads(lines, work, positions, R, out):
         f = work.sums[b]
         generalized(positions[b], f[0], f[1], f[2], f[3], f[4], f[5], out[b])
     return good
+
+
+@kernel(counted=False)
+def loads_at(lines, work, positions, R, out):
+    """`line_loads`, for calls from Python, where it would be compiled a second time"""
+    return line_loads(lines, work, positions, R, out)
 
 
 @kernel()

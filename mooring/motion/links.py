@@ -140,15 +140,6 @@ def links_of(reader):
     )  # fmt: skip
 
 
-def no_links(place):
-    """`Links` without any link, for bodies with their axes at place (N, 3) m"""
-    none, of_none = np.zeros((0, 3, 3)), np.zeros(0, np.int64)
-    return Links(
-        np.zeros((0, 2), np.int64), np.zeros((0, 2, 3)), none, none, none, np.zeros(1, np.int64), of_none, place, none,
-        np.zeros((0, 3)), np.zeros((0, 3)), of_none,
-    )  # fmt: skip
-
-
 def link_work(links, states=0, samples=0, groups=0):
     """`LinkWork` of Links, for so many numbers of a state, samples, and groups of shapes of bodies that bend"""
     r, n, k = int(links.first[-1]), len(links.place), len(links.ends)
@@ -197,7 +188,7 @@ def springs_at(links, poses, bent=0.0):
     return np.append(force[: poses.size], force[links.shapes])
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def give_row(links, work, poses, k, m, turns, row):
     """row (12,) of a unit force or moment along m (3,) in space on the second body of link k, and less on the first"""
     f = work.push
@@ -457,7 +448,7 @@ def hold_together(links, work, poses, inverse, force):
     give_rows(links, work, mu, force)
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def give_rows(links, work, mu, force):
     """Add Gᵀμ to forces (6N,)."""
     for k in range(links.ends.shape[0]):

@@ -80,7 +80,7 @@ def _around():
     return np.arange(RING) * (2 * np.pi / RING)
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def stream_force(stream, body, t, share, moving, weights, out, value):
     """out (6,) N, N m in its axes, on one of the bodies, of a stream that has grown to `share` of its speed.
 

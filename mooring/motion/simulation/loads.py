@@ -109,7 +109,7 @@ def pairs(moored, weather, settings, components):
             heading = at_rest[body, 5] + moored.start[6 * body + 5]
             drift = None if waves.drift is None else drift_of(waves, own, heading)
             t, force = pair_record(of_pairs, own, settings.ramp + settings.duration, drift, met)
-            yield GivenForce(t - settings.ramp, force, body)
+            yield GivenForce(t - settings.ramp, force, body, smooth=True)
 
 
 def half_waves(moored, weather, settings, components):

@@ -18,7 +18,7 @@ from ...response.viscous import in_time, laws_of
 from ...studies.conditions import afloat, alone
 from ..contacts import at_rest, berth_force, berth_stiffness, no_berth, rest_together, stiffness_together, with_shapes
 from ..force_tables import TOLERANCE
-from ..line_loads import body_lines, line_loads, line_work, tables_of
+from ..line_loads import body_lines, line_work, loads_at, tables_of
 from ..line_loads import with_shapes as with_shapes_of_lines
 from ..links import links_of
 from ..wave_loads import WaveForces, wave_forces
@@ -221,7 +221,7 @@ def _but_berth(system, tables, body, spring):
         poses = place[:rigid].reshape(-1, 6).copy()
         poses[:, 5] += headings
         work.bent[:] = place[rigid:]
-        line_loads(lines, work, poses, R, out)
+        loads_at(lines, work, poses, R, out)
         pulls = places_along(poses[:, 5]).T @ (held @ place[:rigid])
         return np.append(out.ravel(), work.push) - body.stiffness @ place - np.append(pulls, of_shapes @ place[rigid:])
 

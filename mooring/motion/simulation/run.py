@@ -11,8 +11,8 @@ from .. import integrator, slow_damping
 from ..buoy import buoy_of
 from ..contact_loads import contact_work
 from ..equation import OF_SHAPES, SAMPLED, SLOW, Scene, blocks, buoy_at, memory_at, room, shapes_at
-from ..line_loads import body_lines, line_loads, line_work, with_shapes
-from ..links import link_work, links_of, no_links
+from ..line_loads import body_lines, line_work, loads_at, with_shapes
+from ..links import link_work, links_of
 from ..moving_lines.at_rest import moving_work, state_pull
 from ..moving_lines.prepare import moving_of
 from ..moving_lines.sea import line_sea
@@ -131,8 +131,7 @@ def _begun(moored, weather, settings, seed):
     hull = NO_HULL_WATER if weather.on_hull is None else weather.on_hull.water
     contacts = moored.berth.arrays
     work = room(table.steps, len(at_rest), groups.count)
-    links = links_of(reader) or no_links(np.ascontiguousarray(at_rest[:, :3]))
-    scene = Scene(body, lines, line_work(lines), *flows, contacts, contact_work(contacts), hull, work, (links, None))
+    scene = Scene(body, lines, line_work(lines), *flows, contacts, contact_work(contacts), hull, work)
     waves = waves_of(table, settings.slow_drift == "mean")
     return Begun(scene, waves, expected_motion(moored, components), moving, findings)
 
@@ -159,12 +158,12 @@ def _followed(moored, settings, begun, progress):
     states[:, 6:12] = velocity
     bent = y[shapes_at(count) :][: OF_SHAPES * groups.count].reshape(-1, 2, 6).swapaxes(0, 1)
     amplitudes = moored.start[rigid:] + of_all(settings.offset, moored.reader)[1]
-    shapes, links = np.array([amplitudes, bending]), scene.links[0]
-    scene = scene._replace(links=(links, link_work(links, len(y), rows, groups.count)))
-    if len(links.ends):
-        moves = np.append(np.arange(rigid), links.shapes)
+    shapes, held = np.array([amplitudes, bending]), links_of(moored.reader)
+    links = None if held is None else (held, link_work(held, len(y), rows, groups.count))
+    if held is not None:
+        moves = np.append(np.arange(rigid), held.shapes)
         inverse = scene.body.mass_inverse[np.ix_(moves, moves)]
-        given = links, inverse, states[:, :6], states[:, 6:12], shapes
+        given = held, inverse, states[:, :6], states[:, 6:12], shapes
         states[:, :6], states[:, 6:12], shapes = begin_together(*given)
     bent[:, groups.place // 6, groups.place % 6] = shapes
     states[:, SLOW : SLOW + 3] = states[:, [0, 1, 5]]
@@ -178,16 +177,17 @@ def _followed(moored, settings, begun, progress):
     hung = None if moored.buoy is None else buoy_of(moored.buoy, begun.waves.table, rows)
     pair = None if moving is None else (moving[0], moving_work(*moving, rows, len(scene.lines.lost), (count, SAMPLED)))
     while True:
-        state = integrator.advance(scene, begun.waves, clock, samples, STEPS_AT_ONCE[pair is not None], hung, pair)
+        most = STEPS_AT_ONCE[pair is not None]
+        state = integrator.advance(scene, begun.waves, clock, samples, most, hung, links, pair)
         if progress is not None:
             progress(min(clock.now[integrator.TIME] / end, 1.0))
         if state == integrator.DONE:
             pulls = {} if pair is None else dict(zip(pair[0].number.tolist(), pair[1].tension.T, strict=True))
             states, bent, buoy = np.split(samples, ends[:2], axis=1)
-            held = scene.links[1].kept if len(links.ends) else None
+            pulled = None if links is None else links[1].kept
             bent = bent.reshape(rows, -1, 2, 6).swapaxes(1, 2).reshape(rows, 2, -1)[:, :, groups.place]
             states, hung = states.reshape(rows, count, SAMPLED), None if hung is None else hung[1].kept
-            return Course(states, buoy, clock, pulls, hung, held, *bent.swapaxes(0, 1))
+            return Course(states, buoy, clock, pulls, hung, pulled, *bent.swapaxes(0, 1))
         if state != integrator.RUNNING:
             stuck = -1 if pair is None else int(pair[1].stuck[0])
             raise stopped(state, clock, settings, scene, moored, hung, stuck)
@@ -222,7 +222,7 @@ def _coarse(moored, weather, settings, moving):
     found = [_around(weather, settings)]
     lines, poses = body_lines(moored.system, (), moored.tables), begin(moored)
     static = line_work(lines)
-    line_loads(lines, static, poses, np.zeros((len(poses), 3, 3)), np.zeros_like(poses))
+    loads_at(lines, static, poses, np.zeros((len(poses), 3, 3)), np.zeros_like(poses))
     whole = np.hypot(*static.tension[moving[0].number].T)
     if any(state.position[:, 2].max() > 0 for state in moving[1]):  # out of the water they are heavier, correctly
         moving = moving_of(moored, settings, surface=False)

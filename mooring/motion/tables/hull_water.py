@@ -77,7 +77,7 @@ def hull_water(table, length, largest, velocity, linear, mass, turning, drift=No
     )  # fmt: skip
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def hull_water_force(hull, share, moving, weights, room, out, drift):
     """out (3,) N, N, N m of the water in the body's axes, drift (3,) of the waves, with loads grown to `share`.
 

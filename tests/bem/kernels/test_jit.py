@@ -1,6 +1,7 @@
 """The cache of kernels: what a kernel is made of changes where it is kept."""
 
 import ast
+import gc
 import os
 import runpy
 import sys
@@ -12,6 +13,7 @@ import numba  # loaded once: a second for each process that begins without it
 import pytest
 
 from hakobune import bem
+from hakobune.bem.kernels.jit import kernel
 from hakobune.bem.kernels.sources import Sources, imported
 
 ROOT = Path(bem.__file__).parents[1]
@@ -232,3 +234,29 @@ def test_a_long_kernel_is_kept_once_and_its_caller_always_fits_it(tmp_path):
     files["outer"].unlink()
     assert kept_after(NOTHING_THERE).keys() == {"inner"}  # the caller of an inner one that is not the one that is kept
     assert kept_after() == files
+
+
+@COMPILED
+def test_python_collects_no_garbage_while_kernels_compile_and_then_as_before():
+    from numba.core import event
+
+    assert adds.called is not None  # numba is loaded
+
+    def compiled(collects):
+        with event.trigger_event("numba:compile"):
+            with event.trigger_event("numba:compile"):
+                pass
+            assert not gc.isenabled()
+        assert gc.isenabled() is collects
+
+    compiled(True)
+    gc.disable()
+    try:
+        compiled(False)
+    finally:
+        gc.enable()
+
+
+@kernel()
+def adds(x):
+    return x + 1.0

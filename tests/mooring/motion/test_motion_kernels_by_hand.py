@@ -34,8 +34,8 @@ from hakobune.mooring.motion.line_loads import (
     fairlead_course,
     generalized,
     give_generalized,
-    line_loads,
     line_work,
+    loads_at,
     rotation_of,
     tensions_along,
 )
@@ -114,7 +114,7 @@ def test_lines_pull_a_body_where_their_fairleads_are():
     R, out, at = np.zeros((1, 3, 3)), np.zeros((1, 6)), STATE[:6].reshape(1, 6).copy()
     lines = body_lines(SYSTEM)
     work = line_work(lines)
-    assert line_loads(lines, work, at, R, out)
+    assert loads_at(lines, work, at, R, out)
     total, tensions = np.zeros(6), []
     for leg, end in zip(LEGS, fairleads(STATE), strict=True):
         away = end - np.array(leg.anchor)

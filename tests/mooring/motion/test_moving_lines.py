@@ -15,7 +15,7 @@ from hakobune.mooring.lines.dynamics.simulation import simulate as drive
 from hakobune.mooring.lines.system.graph import System
 from hakobune.mooring.lines.system.parts import Anchor, Fairlead, LineDynamics, UniformLine
 from hakobune.mooring.motion.equation import SAMPLED
-from hakobune.mooring.motion.line_loads import body_lines, fairlead_course, line_loads, line_work
+from hakobune.mooring.motion.line_loads import body_lines, fairlead_course, line_work, loads_at
 from hakobune.mooring.motion.moving_lines.at_rest import moving_work, state_pull
 from hakobune.mooring.motion.moving_lines.polynomial import TERMS
 from hakobune.mooring.motion.moving_lines.prepare import dynamic_line, moving_of
@@ -93,7 +93,7 @@ def test_slow_lines_pull_as_in_their_static_shape_and_few_elements_are_named(on_
     """At rest in 80 elements; the difference of 10 is told"""
     lines = body_lines(on_lines.system)
     static = line_work(lines)
-    line_loads(lines, static, on_lines.start.reshape(1, 6), np.zeros((1, 3, 3)), np.zeros((1, 6)))
+    loads_at(lines, static, on_lines.start.reshape(1, 6), np.zeros((1, 3, 3)), np.zeros((1, 6)))
     moving, states = moving_of(on_lines, replace(WANTED, dynamic_lines="all", dynamic_elements=80))
     pulls = [np.linalg.norm(state_pull(moving, i, state)) for i, state in enumerate(states)]
     assert np.allclose(pulls, np.hypot(*static.tension.T), rtol=1e-3)

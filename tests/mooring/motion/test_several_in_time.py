@@ -17,7 +17,7 @@ from hakobune.mooring.lines.system.hawser import Hawser, pull_of_points
 from hakobune.mooring.lines.system.moored_body import Leg, moored_bodies
 from hakobune.mooring.lines.system.parts import UniformLine
 from hakobune.mooring.motion.contacts import berth_of
-from hakobune.mooring.motion.line_loads import body_lines, fairlead_course, line_loads, line_work
+from hakobune.mooring.motion.line_loads import body_lines, fairlead_course, line_work, loads_at
 from hakobune.mooring.motion.moving_lines.prepare import dynamic_line
 from hakobune.mooring.motion.simulation import SimulationError, moored, simulate
 from hakobune.mooring.motion.wave_loads import no_wave_forces
@@ -132,7 +132,7 @@ def test_a_hawser_between_two_pulls_both_alike_wherever_they_are():
     rng, work = np.random.default_rng(3), line_work(lines)
     for _ in range(5):
         poses = rng.normal(size=(2, 6)) * [3, 3, 1, 0.2, 0.2, 0.5] + [[0] * 6, [0, 0, 0, 0, 0, np.pi]]
-        assert line_loads(lines, work, poses, np.zeros((2, 3, 3)), np.zeros((2, 6)))
+        assert loads_at(lines, work, poses, np.zeros((2, 3, 3)), np.zeros((2, 6)))
         force, moment = work.sums[:, :3], work.sums[:, 3:]
         assert np.linalg.norm(force[0]) == pytest.approx(np.hypot(*work.tension[0]), rel=1e-12)
         about = moment + np.cross(lines.place + poses[:, :3], force)

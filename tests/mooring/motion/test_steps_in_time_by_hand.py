@@ -29,7 +29,7 @@ class Run:
             y[-6:-3] = 5.0
         self.clock = integrator.clock_at_rest(y, END, sample, fixed, np.full((bodies, 12), tolerance))
         self.scene = SimpleNamespace(
-            lines=SimpleNamespace(lost=np.array(lost)), line_work="line work", links="links",
+            lines=SimpleNamespace(lost=np.array(lost)), line_work="line work",
             work=SimpleNamespace(window=[f"window {b}" for b in range(bodies)], span=np.zeros(2)),
             contact_work=SimpleNamespace(beyond=np.array([-1])),
             body=SimpleNamespace(shapes=SimpleNamespace(owner=np.zeros(0, np.int64))),
@@ -53,7 +53,7 @@ class Run:
     def of(self, name):
         return [given[1:] for given in self.said if given[0] == name]
 
-    def rates(self, scene, buoy, t, y, k):
+    def rates(self, scene, buoy, links, t, y, k):
         self.times.append(t)
         k[:] = 0.0
         for n in [BLOCK * b for b in range(self.bodies)]:
@@ -64,7 +64,7 @@ class Run:
         return self.follows(t)
 
     def __call__(self, most=10_000):
-        return integrator.advance(self.scene, self.waves, self.clock, self.samples, most, self.buoy, None)
+        return integrator.advance(self.scene, self.waves, self.clock, self.samples, most, self.buoy, "links", None)
 
 
 def exact(time, size):
@@ -148,8 +148,8 @@ def test_the_error_of_a_step_is_that_of_both_orders_over_what_is_allowed(monkeyp
     run.clock.scale[1, 9] = 1e-5
     fifth = np.array([35 / 384, 0, 500 / 1113, 125 / 192, -2187 / 6784, 11 / 84, 0])
     fourth = np.array([5179 / 57600, 0, 7571 / 16695, 393 / 640, -92097 / 339200, 187 / 2100, 1 / 40])
-    integrator.rates(run.scene, None, 0.0, run.clock.y, run.clock.stages[0])
-    worst, good = integrator.take_step(run.scene, None, run.clock, 0.0, h)
+    integrator.rates(run.scene, None, None, 0.0, run.clock.y, run.clock.stages[0])
+    worst, good = integrator.take_step(run.scene, None, None, run.clock, 0.0, h)
     off = h * np.tensordot(fifth - fourth, run.clock.stages, 1) / h
     wanted = max(
         np.abs(off[:12]).max() / 1e-3, np.abs(off[BLOCK : BLOCK + 12]).max() / 1e-3, abs(off[BLOCK + 9]) / 1e-5
@@ -164,9 +164,9 @@ def test_a_step_grows_by_its_error_at_most_four_times_and_shrinks_to_a_fifth_at_
     given = iter([0.5, 1e-9, 1e9, 2.0, 0.5])
     seen, whole = [], integrator.take_step
 
-    def step(scene, buoy, clock, t, h):
+    def step(scene, buoy, links, clock, t, h):
         seen.append((t, h))
-        whole(scene, buoy, clock, t, h)
+        whole(scene, buoy, links, clock, t, h)
         return next(given), True
 
     monkeypatch.setattr(integrator, "take_step", step)

@@ -81,7 +81,7 @@ def add_outer(D, w, j, f, a, b):
         store_three(D, w, row, (x + c * b[0], y + c * b[1], z + c * b[2]))
 
 
-@kernel(inline=True, counted=False)
+@kernel(counted=False)
 def bed_forces(s, work, slip, since, cq, cv):
     """Reaction and friction of the bed.
 
