@@ -228,8 +228,8 @@ def test_limits_of_ships_from_both_sides():
 def test_a_waterplane_within_the_limits_of_the_message_is_taken_and_one_beyond_is_refused(block):
     """Allowed is what fullness of 0.3 to 0.97 at keel and waterline gives, entrances of 40 or 50 % of the length.
 
-    ∫ Y dz over B/2 d is m₀ without and m₁ with 1 + z/d of the middle section; C_B = 1 − 2a + 2a {φ_k (m₀ − m₁) + φ_t m₁}
-    for m₀ = 1, and C_WP = 1 − 2a (1 − φ_t)
+    ∫ Y dz over B/2 d is m₀, ∫ Y (1 + z/d) dz is m₁ of the middle section:
+    C_B = m₀ (1 − 2a) + 2a {φ_k (m₀ − m₁) + φ_t m₁}, and C_WP = 1 − 2a (1 − φ_t)
     """
     length, beam, draft, _ = CONTAINER
     with pytest.raises(ValueError, match="allowed with block coefficient") as refused:

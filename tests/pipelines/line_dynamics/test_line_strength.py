@@ -57,6 +57,8 @@ def test_tensions_of_segments_are_those_of_their_elements():
     top = max(np.max(elements[:16]), made.tension_anchor.max())
     lower = Strength((2e5, np.inf), strength.names).most_used(line, made)
     assert (lower.tension, lower.segment) == (top, 0) and lower.share == top / 2e5
+    course = max((made.tension_anchor, *elements[:16]), key=max)
+    assert lower.time == made.time[np.argmax(course)]
     assert Strength((np.inf, np.inf), strength.names).most_used(line, made) is None
 
 
