@@ -233,6 +233,10 @@ def test_failures_that_cases_report_are_told_once_with_how_many_more_have_them()
         "FAILS: line 1 parts; in p, and in 2 more cases", "FAILS: a fender; in s",
     ]  # fmt: skip
     assert list(verdict.broken_in(alike[:2])) == ["FAILS: line 1 parts; in p, and in 1 more case"]
+    both = ran("u", ("FAILS: a fender", "a remark", "FAILS: line 2 parts", "FAILS: an anchor of 3 t"))
+    assert list(verdict.broken_in([alike[0], both])) == [
+        "FAILS: line 1 parts; in p, and in 1 more case", "FAILS: a fender; in u", "FAILS: an anchor of 3 t; in u",
+    ]  # fmt: skip
 
 
 # ------------------------------------------------------------------ words of the report
