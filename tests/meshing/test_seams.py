@@ -145,8 +145,10 @@ def test_a_gdf_is_read_as_fortran_reads_lists(remark, tail, tmp_path):
 
 
 def test_dipole_panels_are_refused_by_name(tmp_path):
-    (tmp_path / "a.gdf").write_text(gdf(buoy(5, 3, panels=40), tail="3 NPAND\n0 0 0 1 0 0 1 1 0 0 1 0"))
-    with pytest.raises(ValueError, match=r"dipole panels \(NPAND\)"):
+    hull = buoy(5, 3, panels=40)
+    (tmp_path / "a.gdf").write_text(gdf(hull, tail="3 NPAND\n0 0 0 1 0 0 1 1 0 0 1 0"))
+    line, count = 5 + 4 * len(hull), len(hull)  # after the header and a line for each corner
+    with pytest.raises(ValueError, match=rf"a.gdf, line {line}: '3 NPAND' after {count} panels: dipole panels \(NPAND"):
         read_mesh(tmp_path / "a.gdf")
 
 
