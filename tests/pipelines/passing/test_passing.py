@@ -90,6 +90,13 @@ def test_a_hull_of_a_file_beside_the_study_is_that_of_its_shape_wherever_it_is_d
         ({"panels": 4}, "panels is 4; allowed: 12 to 2000"),
         ({"moored": BOX | {"mass": 1e6}}, "moored.mass is given; a passage needs the hull only"),
         ({"passing": BOX | {"place": [0.0, 40.0, 0.0]}}, "passing.place is given"),
+        ({"passing": BOX | {"fixed": True}}, "passing.fixed is given; a passage needs the hull only: leave it out"),
+        ({"moored": BOX | {"fixed": True}}, "moored.fixed is given; a passage needs the hull only"),
+        ({"moored": BOX | {"trimmed": True}}, "moored.trimmed is given; a passage needs the hull only"),
+        ({"moored": BOX | {"center_of_gravity": [0.0, 0.0, 1.0]}}, "moored.center_of_gravity is given; a passage"),
+        ({"passing": BOX | {"GM": 1.0}}, "passing.GM is given"),
+        ({"passing": BOX | {"gyration": [5.0, 15.0, 15.0]}}, "passing.gyration is given"),
+        ({"moored": BOX | {"name": "a"}}, "moored.name is given"),
         (
             {"passing": BOX | {"rotation_center": [0.0, 0.0, 1.0]}},
             "passing.rotation_center is given; only the moored ship has one",
