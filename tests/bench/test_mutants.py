@@ -81,6 +81,24 @@ def test_the_nearest_test_is_the_changed_one_and_then_the_one_that_imports_and_m
     assert distances([gusts])[own] == 1
 
 
+def test_a_module_that_a_test_names_in_parts_is_as_near_as_one_that_it_imports(tmp_path):
+    """plain(f"bem.{name}") of names in a list, plain("mooring.a"), and neither of what is only alike"""
+    (tmp_path / "tests").mkdir()
+    for file in ("bem/panels/one.py", "bem/panels/two.py", "bem/other.py", "mooring/a.py"):
+        (tmp_path / file).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / file).write_text("")
+    text = 'one, none = (plain(f"bem.{name}") for name in ("panels.one", "none"))\na, b = plain("mooring.a"), "two"\n'
+    (tmp_path / "tests" / "test_it.py").write_text(text)
+    test = tmp_path / "tests" / "test_it.py"
+    for file, near in (
+        ("bem/panels/one.py", True),
+        ("mooring/a.py", True),
+        ("bem/panels/two.py", False),
+        ("bem/other.py", False),
+    ):
+        assert (distances([tmp_path / file], tmp_path).get(test) == 1) is near, file
+
+
 def test_what_commands_import_is_reached_by_the_tests_of_commands():
     reached = nearest([ROOT / "mooring" / "fenders" / "curves.py"])
     assert ROOT / "tests" / "pipelines" / "fender" / "test_fender_command.py" in reached
