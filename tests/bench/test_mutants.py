@@ -52,15 +52,17 @@ def test_a_fault_changes_the_code_and_leaves_it_one_that_python_reads():
 
 
 def test_the_draw_follows_from_its_seed_and_leaves_out_what_is_known_as_equivalent():
-    first = drawn(7, 5, "meshing", ROOT, {})
-    assert drawn(7, 5, "meshing", ROOT, {}) == first != drawn(8, 5, "meshing", ROOT, {})
-    alone = {key: first[0][key] for key in ("file", "before")} | {"after": first[0]["after"].strip("()")}
-    known = {"mutant": [alone], "files": {first[1]["file"]: "a reason"}}
-    left = drawn(7, 5, "meshing", ROOT, known)
-    assert first[0] not in left and not [row for row in left if row["file"] == first[1]["file"]]
-    for function, drawn_still in ((first[0]["function"], False), ("another", True)):
-        known = {"mutant": [first[0] | {"after": first[0]["after"].strip("()"), "function": function}]}
-        assert (first[0] in drawn(7, 5, "meshing", ROOT, known)) is drawn_still
+    first = drawn(7, 12, "meshing", ROOT, {})
+    assert drawn(7, 12, "meshing", ROOT, {}) == first != drawn(8, 12, "meshing", ROOT, {})
+    file = first[0]["file"]
+    plain, own, kept = [row for row in first if row["file"] != file][:3]
+    known = [
+        {"file": row["file"], "before": row["before"], "after": row["after"].strip("()")} | more
+        for row, more in ((plain, {}), (own, {"function": own["function"]}), (kept, {"function": "of another"}))
+    ]
+    left = drawn(7, 12, "meshing", ROOT, {"mutant": known, "files": {file: "a reason"}})
+    assert [row in left for row in (plain, own, kept)] == [False, False, True]
+    assert not [row for row in left if row["file"] == file]
 
 
 def test_all_that_is_left_out_is_there_and_has_a_reason():

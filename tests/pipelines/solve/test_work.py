@@ -13,7 +13,7 @@ from hakobune.bem.viscous import Quadratic, Viscous
 from hakobune.meshing.lid import lid
 from hakobune.meshing.shapes import box
 from hakobune.pipelines.solve import run
-from hakobune.pipelines.solve.work import solve_one
+from hakobune.pipelines.solve.work import _key, solve_one
 
 
 def moved(mesh):
@@ -81,3 +81,16 @@ def test_what_arrives_within_half_a_second_is_stored_together_and_later_at_once(
         storing.add(8)
         raise KeyboardInterrupt
     assert stored[4:] == [[(7,)], [(8,)]]
+
+
+def test_what_is_kept_of_a_body_knows_kinds_and_nesting_of_what_the_body_is_made_of():
+    """Equal numbers in other brackets, of other kinds, or in another order are other bodies; equal ones are the same"""
+    numbers = np.arange(6.0)
+    values = [
+        (1, 2, 3), (1, (2, 3)), ((1, 2), 3), ((1, 2, 3),), ((1,), 2, 3), (1, 2, 3, ()), [1, 2, 3], (1.0, 2, 3),
+        (3, 2, 1), ("1", 2, 3), {1: 2}, {2: 1}, (1, 2), {1: 2, 3: 4}, {1: 3, 2: 4}, numbers,
+        numbers.reshape(2, 3), numbers.tolist(), numbers.astype(np.float32), (numbers,), Quadratic(1.0), Quadratic(2.0), None, (), [],
+    ]  # fmt: skip
+    keys = [_key(value) for value in values]
+    assert len(set(keys)) == len(keys)
+    assert _key((1, {"a": numbers})) == _key((1, {"a": numbers.copy()}))
