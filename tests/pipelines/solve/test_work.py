@@ -88,8 +88,8 @@ def test_what_is_kept_of_a_body_knows_kinds_and_nesting_of_what_the_body_is_made
     numbers = np.arange(6.0)
     values = [
         (1, 2, 3), (1, (2, 3)), ((1, 2), 3), ((1, 2, 3),), ((1,), 2, 3), (1, 2, 3, ()), [1, 2, 3], (1.0, 2, 3),
-        (3, 2, 1), ("1", 2, 3), {1: 2}, {2: 1}, (1, 2), {1: 2, 3: 4}, {1: 3, 2: 4}, numbers,
-        numbers.reshape(2, 3), numbers.tolist(), numbers.astype(np.float32), (numbers,), Quadratic(1.0), Quadratic(2.0), None, (), [],
+        (3, 2, 1), ("1", 2, 3), {1: 2}, {2: 1}, (1, 2), {1: 2, 3: 4}, {1: 3, 2: 4}, None, (), [], (numbers,),
+        numbers, numbers.reshape(2, 3), numbers.tolist(), numbers.astype(np.float32), Quadratic(1.0), Quadratic(2.0),
     ]  # fmt: skip
     keys = [_key(value) for value in values]
     assert len(set(keys)) == len(keys)
