@@ -81,8 +81,9 @@ def test_modes_of_a_file_are_those_of_one_rigid_body_and_what_is_left_out_is_not
 
 def test_the_one_body_of_a_database_that_bends_has_the_whole_mesh_no_name_and_is_not_fixed():
     """Of several each has its own part of it, under its own name"""
-    one = OneOfSeveral(SimpleNamespace(bodies=(), mesh="hull", modes=("first",)), 0)
-    assert (one.mesh, one.name, one.fixed, one.reader) == ("hull", "", False, None)
+    hull = box(10.0, 4.0, 2.0, panels=20)
+    one = OneOfSeveral(SimpleNamespace(bodies=(), mesh=hull, modes=("first",), path=Path("x/one.h5")), 0)
+    assert one.mesh is hull and (one.name, one.fixed, one.reader) == ("", False, None)
     whole = assembled([box(10.0, 4.0, 2.0, panels=20).whole(), box(8.0, 4.0, 1.0, panels=20).whole().moved(dx=30.0)])
     bodies = (Body("a", (0.0, 0.0, 0.0)), Body("b", (30.0, 0.0, 0.0), fixed=True))
     two = [OneOfSeveral(SimpleNamespace(bodies=bodies, mesh=whole, path=Path("x/two.h5")), i) for i in range(2)]

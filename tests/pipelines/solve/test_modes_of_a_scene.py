@@ -257,8 +257,17 @@ def test_a_shape_that_strains_one_of_its_bodies_is_a_shape(monkeypatch):
         mode = SimpleNamespace(name="m", moves=range(len(shapes)), on=on, in_body=lambda body, p: shapes[body](p))
         bending._check_strained(SimpleNamespace(motions_known=known), [mode], hulls)
 
+    def both(*each):
+        made = [
+            SimpleNamespace(name=name, moves=(0,), on=(), in_body=lambda body, p, one=one: one(p)) for name, one in each
+        ]
+        bending._check_strained(SimpleNamespace(motions_known=True), made, hulls)
+
     check(bent, turned)
     check(turned, bent)
+    both(("first", bent), ("second", bent))
+    with pytest.raises(SceneError, match="^second has no strain"):
+        both(("first", bent), ("second", turned))
     check(turned, turned, known=False)
     rigid, out = "m has no strain: it is a rigid motion, which", "already; leave it out"
     with pytest.raises(
