@@ -266,7 +266,7 @@ def test_a_shape_that_strains_one_of_its_bodies_is_a_shape(monkeypatch):
     check(bent, turned)
     check(turned, bent)
     both(("first", bent), ("second", bent))
-    with pytest.raises(SceneError, match="^second has no strain"):
+    with pytest.raises(SceneError, match=r"^second has no strain"):
         both(("first", bent), ("second", turned))
     check(turned, turned, known=False)
     rigid, out = "m has no strain: it is a rigid motion, which", "already; leave it out"
