@@ -15,6 +15,8 @@ ROOT = Path(__file__).parents[1]
 PACKAGES = ("meshing", "bem", "mooring", "pipelines")
 MIRRORED, NAMED = 3, 2  # imports that these are worth
 NAMES = re.compile(rf'"(?:hakobune\.)?((?:{"|".join(PACKAGES)})\.[\w.]+)"')  # of modules, in texts of tests
+ROOMS = re.compile(rf'f"(?:hakobune\.)?((?:{"|".join(PACKAGES)})(?:\.\w+)*)\.\{{\w+\}}')  # f"bem.panels.{name}"
+WORDS = re.compile(r'"(\w+(?:\.\w+)*)"')
 
 
 @cache
@@ -37,7 +39,12 @@ def _imports(file, root):
     tests = root / "tests"
     both = {*imported(file, root), *imported(file, tests)}
     if tests in file.parents:
-        both |= {module for name in NAMES.findall(file.read_text(encoding="utf-8")) if (module := _module(name, root))}
+        text = file.read_text(encoding="utf-8")
+        names = [
+            *NAMES.findall(text),
+            *(f"{room}.{word}" for room in ROOMS.findall(text) for word in WORDS.findall(text)),
+        ]
+        both |= {module for name in names if (module := _module(name, root))}
         both |= {place / "conftest.py" for place in file.parents if tests == place or tests in place.parents}
     return both - {file}
 

@@ -1,15 +1,19 @@
 """What bodies, limits of the frequency and rows of files may be, from both sides of each limit."""
 
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
-from hakobune.bem.bodies.one_of_several import body_named
+from hakobune.bem.bodies.one_of_several import OneOfSeveral, body_named
 from hakobune.bem.formats.values import FormatError, gridded, table_of
+from hakobune.bem.modes import Body
 from hakobune.bem.panels.frequency_limits import given_at_limit
 from hakobune.bem.sections.outline import OutlineError, _one_chain
 from hakobune.bem.viscous import yamashita_roll
+from hakobune.meshing.panels import assembled
+from hakobune.meshing.shapes import box
 
 
 @pytest.mark.parametrize("ratio, taken", [(4.99, False), (5.0, True), (10.0, True), (10.01, False)])
@@ -73,3 +77,17 @@ def test_modes_of_a_file_are_those_of_one_rigid_body_and_what_is_left_out_is_not
         gridded("a.1", [omega, [1, 3, 1, 7]], values, [range(1, 7)])
     with pytest.raises(FormatError):
         gridded("a.1", [omega, [1, 1, 1, 3]], values, [range(1, 7)])  # a place twice
+
+
+def test_the_one_body_of_a_database_that_bends_has_the_whole_mesh_no_name_and_is_not_fixed():
+    """Of several each has its own part of it, under its own name"""
+    hull = box(10.0, 4.0, 2.0, panels=20)
+    one = OneOfSeveral(SimpleNamespace(bodies=(), mesh=hull, modes=("first",), path=Path("x/one.h5")), 0)
+    assert one.mesh is hull and (one.name, one.fixed, one.reader) == ("", False, None)
+    whole = assembled([box(10.0, 4.0, 2.0, panels=20).whole(), box(8.0, 4.0, 1.0, panels=20).whole().moved(dx=30.0)])
+    bodies = (Body("a", (0.0, 0.0, 0.0)), Body("b", (30.0, 0.0, 0.0), fixed=True))
+    two = [OneOfSeveral(SimpleNamespace(bodies=bodies, mesh=whole, path=Path("x/two.h5")), i) for i in range(2)]
+    assert [(each.name, each.fixed, each.mesh.name) for each in two] == [
+        ("a", False, "a of two"), ("b", True, "b of two"),
+    ]  # fmt: skip
+    assert [np.ptp(each.mesh.points[:, 0]) for each in two] == pytest.approx([10.0, 8.0])

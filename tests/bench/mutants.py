@@ -245,8 +245,17 @@ def drawn(seed, count, package, root, equivalent):
     places = sorted(lines)
     draw.shuffle(places)
     rows = [draw.choice(lines[place]) for place in places]
-    known = {(row["file"], row["before"], row["after"].strip("()")) for row in equivalent.get("mutant", ())}
-    return [row for row in rows if (row["file"], row["before"], row["after"].strip("()")) not in known][:count]
+    known = [(row, row.get("function")) for row in equivalent.get("mutant", ())]
+
+    def changes_nothing(row):
+        return any(
+            (row["file"], row["before"], row["after"].strip("()"))
+            == (one["file"], one["before"], one["after"].strip("()"))
+            and function in (None, row["function"])
+            for one, function in known
+        )
+
+    return [row for row in rows if not changes_nothing(row)][:count]
 
 
 class Clone:

@@ -52,11 +52,16 @@ def test_a_fault_changes_the_code_and_leaves_it_one_that_python_reads():
 
 
 def test_the_draw_follows_from_its_seed_and_leaves_out_what_is_known_as_equivalent():
-    first = drawn(7, 5, "meshing", ROOT, {})
-    assert drawn(7, 5, "meshing", ROOT, {}) == first != drawn(8, 5, "meshing", ROOT, {})
-    known = {"mutant": [first[0] | {"after": first[0]["after"].strip("()")}], "files": {first[1]["file"]: "a reason"}}
-    left = drawn(7, 5, "meshing", ROOT, known)
-    assert first[0] not in left and not [row for row in left if row["file"] == first[1]["file"]]
+    first = drawn(7, 12, "meshing", ROOT, {})
+    assert first != drawn(8, 12, "meshing", ROOT, {})
+    plain, own, kept = first[:3]
+    known = [
+        {"file": row["file"], "before": row["before"], "after": row["after"].strip("()")} | more
+        for row, more in ((plain, {}), (own, {"function": own["function"]}), (kept, {"function": "of another"}))
+    ]
+    assert drawn(7, 10, "meshing", ROOT, {"mutant": known}) == first[2:]
+    left = drawn(7, 12, "meshing", ROOT, {"files": {plain["file"]: "a reason"}})
+    assert len(left) == 12 and not [row for row in left if row["file"] == plain["file"]]
 
 
 def test_all_that_is_left_out_is_there_and_has_a_reason():
@@ -75,6 +80,24 @@ def test_the_nearest_test_is_the_changed_one_and_then_the_one_that_imports_and_m
     assert nearest([gusts])[0] == own
     assert nearest([gusts, other])[:2] == [other, own]
     assert distances([gusts])[own] == 1
+
+
+def test_a_module_that_a_test_names_in_parts_is_as_near_as_one_that_it_imports(tmp_path):
+    """plain(f"bem.{name}") of names in a list, plain("mooring.a"), and neither of what is only alike"""
+    (tmp_path / "tests").mkdir()
+    for file in ("bem/panels/one.py", "bem/panels/two.py", "bem/other.py", "mooring/a.py"):
+        (tmp_path / file).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / file).write_text("")
+    text = 'one, none = (plain(f"bem.{name}") for name in ("panels.one", "none"))\na, b = plain("mooring.a"), "two"\n'
+    (tmp_path / "tests" / "test_it.py").write_text(text)
+    test = tmp_path / "tests" / "test_it.py"
+    for file, near in (
+        ("bem/panels/one.py", True),
+        ("mooring/a.py", True),
+        ("bem/panels/two.py", False),
+        ("bem/other.py", False),
+    ):
+        assert (distances([tmp_path / file], tmp_path).get(test) == 1) is near, file
 
 
 def test_what_commands_import_is_reached_by_the_tests_of_commands():

@@ -244,7 +244,8 @@ def test_symmetries_of_hydrostar_and_aqwa_are_mirror_planes(tmp_path):
     assert read_mesh(tmp_path / "a.hst").symmetry == ""
 
 
-def test_polygons_of_vtk_are_read_and_lines_are_told(tmp_path):
+def test_polygons_of_vtk_are_read_and_lines_are_told(tmp_path, capfd):
+    """In one line of ours: the library itself, which would print many, is kept quiet"""
     pyvista = pytest.importorskip("pyvista")
     points = [[float(word) for word in line.split()[1:]] for line in NODES.splitlines()]
     faces = [number for row in PYRAMID for number in (len(row), *(n - 1 for n in row))]
@@ -258,9 +259,21 @@ def test_polygons_of_vtk_are_read_and_lines_are_told(tmp_path):
     pyvista.Line().save(tmp_path / "line.vtp")
     with pytest.raises(ValueError, match=r"line\.vtp: it has lines, points or strips, but no polygons"):
         read_mesh(tmp_path / "line.vtp")
+    pyvista.PolyData(points).save(tmp_path / "cloud.vtp")
+    with pytest.raises(ValueError, match=r"cloud\.vtp: it has lines, points or strips, but no polygons"):
+        read_mesh(tmp_path / "cloud.vtp")
+    pyvista.PolyData(points, strips=[4, 0, 1, 2, 3]).save(tmp_path / "strip.vtp")
+    with pytest.raises(ValueError, match=r"strip\.vtp: it has lines, points or strips, but no polygons"):
+        read_mesh(tmp_path / "strip.vtp")
+    pyvista.PolyData().save(tmp_path / "none.vtp")
+    with pytest.raises(ValueError, match=r"none\.vtp: it cannot be read, or holds nothing; allowed: polygons"):
+        read_mesh(tmp_path / "none.vtp")
     (tmp_path / "cut.vtp").write_bytes((tmp_path / "a.vtp").read_bytes()[:700])
+    pytest.importorskip("vtkmodules.vtkCommonCore").vtkObject.GlobalWarningDisplayOn()
+    capfd.readouterr()
     with pytest.raises(ValueError, match=r"cut\.vtp"):
         read_mesh(tmp_path / "cut.vtp")
+    assert capfd.readouterr() == ("", "")
 
 
 WRONG = {

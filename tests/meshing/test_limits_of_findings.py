@@ -246,3 +246,15 @@ def test_a_panel_has_an_area_above_a_thousand_millionth_of_the_square_of_its_lon
     assert _reach(sliver(1.0)["mesh"]) == pytest.approx(1e-4)  # m, within which corners of 100 m of hull are one
     line = both("without area", sliver(2.1e-7), sliver(1.9e-7), "error")
     assert "1 of 1 panels without area" in line
+
+
+@pytest.mark.parametrize("more, most", [(0, 3), (1, 4), (2, 5)])
+def test_edges_of_inner_walls_are_counted_with_the_most_panels_that_meet_in_one(more, most):
+    """A bulkhead across a box meets an edge of each side; further walls from there all meet one of the two"""
+    hull = plain(4, 2, 1).whole()
+    foot, top = (0.0, -1.0, -1.0), (0.0, -1.0, 0.0)
+    walls = [PanelMesh([foot, (0.0, 1.0, -1.0), (0.0, 1.0, 0.0), top], [[0, 1, 2, 3]])]
+    for n in range(more):
+        walls.append(PanelMesh([foot, (0.5 + n, -0.5, -1.0), (0.5 + n, -0.5, 0.0), top], [[0, 1, 2, 3]]))
+    (line,) = said("more than two panels", joined([hull, *walls]))
+    assert f"2 edges with more than two panels (up to {most}), the first near" in line and "remove inner" in line

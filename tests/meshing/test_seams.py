@@ -145,8 +145,10 @@ def test_a_gdf_is_read_as_fortran_reads_lists(remark, tail, tmp_path):
 
 
 def test_dipole_panels_are_refused_by_name(tmp_path):
-    (tmp_path / "a.gdf").write_text(gdf(buoy(5, 3, panels=40), tail="3 NPAND\n0 0 0 1 0 0 1 1 0 0 1 0"))
-    with pytest.raises(ValueError, match=r"dipole panels \(NPAND\)"):
+    hull = buoy(5, 3, panels=40)
+    (tmp_path / "a.gdf").write_text(gdf(hull, tail="3 NPAND\n0 0 0 1 0 0 1 1 0 0 1 0"))
+    line, count = 5 + 4 * len(hull), len(hull)  # after the header and a line for each corner
+    with pytest.raises(ValueError, match=rf"a.gdf, line {line}: '3 NPAND' after {count} panels: dipole panels \(NPAND"):
         read_mesh(tmp_path / "a.gdf")
 
 
@@ -227,3 +229,20 @@ def test_a_slit_is_a_tenth_of_the_side_of_the_longer_of_two_rims(size):
         end = np.concatenate([np.roll(np.arange(4), -1), 4 + np.roll(np.arange(8), -1)])
         found = rings(points, start, end)
         assert found.seam.tolist() == [seam] * 2
+
+
+@pytest.mark.parametrize("symmetry, copies", [("", 1), ("x", 2), ("y", 2), ("xy", 4)])
+def test_an_edge_has_an_image_in_each_plane_and_in_both_together(symmetry, copies):
+    """Each mirroring turns its direction round: in both planes it runs as it was"""
+    from hakobune.meshing.quality.seams import _whole
+
+    points = np.array([[1.0, 2.0, 0.0], [3.0, 4.0, -1.0]])
+    x, start, end = _whole(points, np.array([0]), np.array([1]), symmetry)
+    assert len(start) == len(end) == copies and len(x) == 2 * copies
+    found = {(tuple(x[a]), tuple(x[b])) for a, b in zip(start, end, strict=True)}
+    wanted = set()
+    for sx in (1, -1) if "x" in symmetry else (1,):
+        for sy in (1, -1) if "y" in symmetry else (1,):
+            ends = [tuple(point * [sx, sy, 1]) for point in points]
+            wanted.add(tuple(ends if sx * sy > 0 else ends[::-1]))
+    assert found == wanted

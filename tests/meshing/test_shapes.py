@@ -150,3 +150,12 @@ def test_what_rounding_leaves_goes_to_the_direction_that_is_farthest_below_its_w
     2/3 and 1/2 the second is the largest: (5, 4, 2), eleven"""
     assert fitted_counts((9.0, 4.0, 1.0), sum, 10, (1, 1, 1)) == (5, 3, 2)
     assert fitted_counts((9.0, 4.0, 1.0), sum, 11, (1, 1, 1)) == (5, 4, 2)
+
+
+@pytest.mark.parametrize("value", [0, -3.0, float("nan"), float("inf")])
+@pytest.mark.parametrize("name", ["radius", "draft"])
+def test_a_buoy_has_a_positive_radius_and_draft(name, value):
+    with pytest.raises(ValueError, match=f"^{name} is {value} m; allowed: a positive length$"):
+        buoy(**{"radius": 5.0, "draft": 2.0} | {name: value})
+    with pytest.raises(ValueError, match="symmetry is 'z'"):
+        buoy(5.0, 2.0, symmetry="z")

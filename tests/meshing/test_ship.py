@@ -222,3 +222,33 @@ def test_limits_of_ships_from_both_sides():
     ship(*CONTAINER, bow=1 - missing / 0.98, stern=1 - missing / 0.98, counts=(8, 2, 3))
     both = 1 - missing / 1.02
     says("needs an entrance of 51 % of the length; allowed: up to 50 %", *CONTAINER, bow=both, stern=both)
+
+
+@pytest.mark.parametrize("block", [0.55, 0.62, 0.7, 0.83])
+def test_a_waterplane_within_the_limits_of_the_message_is_taken_and_one_beyond_is_refused(block):
+    """Allowed is what fullness of 0.3 to 0.97 at keel and waterline gives, entrances of 40 or 50 % of the length.
+
+    ∫ Y dz over B/2 d is m₀, ∫ Y (1 + z/d) dz is m₁ of the middle section:
+    C_B = m₀ (1 − 2a) + 2a {φ_k (m₀ − m₁) + φ_t m₁}, and C_WP = 1 − 2a (1 − φ_t)
+    """
+    length, beam, draft, _ = CONTAINER
+    with pytest.raises(ValueError, match="allowed with block coefficient") as refused:
+        ship(length, beam, draft, block, waterplane=0.999)
+    low, high = (float(word) for word in str(refused.value).rsplit(": ", 1)[1].split(" to "))
+    r = 0.25 * draft
+    wide, high_up = 2 * r / beam, r / draft
+    m0 = 1 - (1 - np.pi / 4) * wide * high_up
+    m1 = 0.5 - (5 / 6 - np.pi / 4) * wide * high_up**2
+    ends = []
+    for a in (0.4, 0.5):
+        top = [(block - m0 * (1 - 2 * a)) / (2 * a * m1) - keel * (m0 - m1) / m1 for keel in (0.3, 0.97)]
+        ends += [1 - 2 * a * (1 - min(max(one, 0.3), 0.97)) for one in top]
+    assert (low, high) == (pytest.approx(min(ends), abs=1e-3), pytest.approx(max(ends), abs=1e-3))
+    assert min(ends) <= low < high <= max(ends)
+    for waterplane in (low, high):
+        made = hydrostatics(ship(length, beam, draft, block, waterplane=waterplane, panels=3000))
+        assert made.volume == pytest.approx(block * length * beam * draft, rel=1e-9)
+        assert made.waterplane_area == pytest.approx(waterplane * length * beam, rel=5e-3)
+    for waterplane in (low - 0.002, high + 0.002):
+        with pytest.raises(ValueError, match="allowed with block coefficient"):
+            ship(length, beam, draft, block, waterplane=waterplane)

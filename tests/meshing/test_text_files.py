@@ -5,7 +5,7 @@ import os
 
 import pytest
 
-from hakobune.meshing.text_files import numbers_of, read_text
+from hakobune.meshing.text_files import csv_rows, numbers_of, read_text
 
 
 def test_a_byte_order_mark_and_windows_line_ends_are_not_text(tmp_path):
@@ -45,3 +45,8 @@ def test_what_is_packed_in_a_file_is_read_up_to_its_limit_and_refused_beyond(tmp
         else:
             with pytest.raises(KeyError, match="has more than 1 MB unpacked"):
                 read_text(path, KeyError, largest=1)
+
+
+def test_rows_of_a_table_are_its_lines_without_remarks_and_blanks():
+    text = "# made by hand\n\n  \nname,value\n\t\n  # a remark\na,1\n   \nb,2 # not one\n"
+    assert list(csv_rows(text)) == [{"name": "a", "value": "1"}, {"name": "b", "value": "2 # not one"}]

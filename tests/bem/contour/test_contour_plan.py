@@ -239,3 +239,19 @@ def test_waves_in_front_of_walls_are_no_worse_where_they_are_many(waves):
         wall = each.waves([(1, 1)], degree, k, contour, np.radians([20.0]))[1, 1].wall
         walls.append((each.basis((1, 1), degree, contour) * contour.weights[:, None]).T @ wall)
     assert np.abs(walls[0] - walls[1]).max() < 3e-3 * np.abs(walls[1]).max()
+
+
+def test_panels_of_end_and_side_have_their_own_lengths():
+    """From the corner on each at most twice as long as the one before, and as long as allowed on its own side"""
+    panels = quarter_panels(40.0, 9.0, (0.5, 1.5), (2.0, 5.0), 4)
+    for side, extent, first, longest in ((0, 9.0, 0.5, 2.0), (1, 40.0, 1.5, 5.0)):
+        own = panels.normal[:, side] == 1.0
+        length, start = panels.length[own], panels.start[own]
+        assert length.sum() == pytest.approx(extent) and start == pytest.approx(np.cumsum(length) - length)
+        assert (
+            length[0] == first
+            and 0.8 * longest < length.max() <= longest
+            and np.all(length[1:] <= 2.0001 * length[:-1])
+        )
+        assert panels.power[own].tolist() == [3.0] + [1.0] * (own.sum() - 1)
+    assert np.all(np.sum(panels.direction * panels.normal, axis=1) == 0) and np.all(panels.direction.sum(axis=1) == -1)

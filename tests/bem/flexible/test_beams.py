@@ -44,3 +44,21 @@ def test_slopes_are_derivatives(kind):
     for slope in (0, 1, 2):
         rough = (one.along(X + h, slope) - one.along(X - h, slope)) / (2 * h)
         assert one.along(X, slope + 1) == pytest.approx(rough, abs=1e-8)
+
+
+@pytest.mark.parametrize("kind, way, axis", [
+    ("vertical bending", (0, 0, 1), (0, -1, 0)), ("horizontal bending", (0, 1, 0), (0, 0, 1)),
+    ("torsion", (0, 0, 0), (1, 0, 0)),
+])  # fmt: skip
+def test_sections_stay_plane_and_turn_with_the_slope_of_their_axis(kind, way, axis):
+    """u = w ê + ω × (p − p₀), ω = w′ about the axis across, in torsion the twist itself; w′ by differences"""
+    beam, h = Beam(kind, 2, -3.0, 7.0, 0.5, 2.0, 3.0), 1e-5
+    points = np.array([[1.2, 0.8, -2.0], [-2.5, -0.7, 0.9], [6.1, 1.9, 0.5], [0.4, 0.0, 3.0]])
+    x = points[:, 0]
+    w = beam.along(x)
+    turn = w if kind == "torsion" else (beam.along(x + h) - beam.along(x - h)) / (2 * h)
+    arm = points * [0, 1, 1] - [0, 0, 0.5]
+    wanted = np.outer(w, way) + np.cross(np.outer(turn, axis), arm)
+    assert beam.displacement(points) == pytest.approx(wanted, rel=1e-6, abs=1e-8)
+    assert beam.turn(x) == pytest.approx(np.outer(turn, axis), rel=1e-6, abs=1e-8)
+    assert beam.displacement(points.reshape(2, 2, 3)) == pytest.approx(beam.displacement(points).reshape(2, 2, 3))

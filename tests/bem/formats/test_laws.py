@@ -178,3 +178,21 @@ def test_a_factor_of_forces_is_named_within_a_fifth_of_it(factor, words):
     for share, named in ((1.215, True), (1 / 1.215, True), (1.235, False), (1 / 1.235, False)):
         line = laws._factor_of_force(factor * share)
         assert line == (words if named else "units, lengths, or water differ between the two")
+
+
+def test_frequencies_at_which_anything_is_not_finite_are_left_out_of_all_judging():
+    """Whichever quantity it is of; the rest is judged as if they had never been there"""
+    values = body()
+    for name, bad in (("added_mass", 0), ("excitation_force", 7)):
+
+        def spoiled(data, bad=bad):
+            data = data.copy()
+            data[bad].flat[0] = np.nan
+            return data
+
+        kept = np.arange(len(values.omega)) != bad
+        found = laws._finite(changed(values, **{name: spoiled}))
+        assert np.array_equal(found.omega, values.omega[kept]) and said(changed(values, **{name: spoiled})) == ""
+        for quantity, data in found.quantities.items():
+            assert np.array_equal(data, values.quantities[quantity][kept])
+    assert laws._finite(values) is values

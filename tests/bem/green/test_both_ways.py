@@ -39,3 +39,14 @@ def test_derivatives_by_both_depths_are_differences_in_each_zone_of_a_table(dept
             before, after = (at(*(np.array([R, z, zeta]) + side * np.array(step)))[0][0] for side in (-1, 1))
             assert found == pytest.approx((after - before) / (2 * h), abs=2e-4 * size)
     assert len(zones) > 2 or not np.isfinite(depth)
+
+
+@pytest.mark.parametrize("depth", [20.0, 60.0])
+def test_a_pair_by_a_table_is_the_function_without_its_images(depth):
+    """G − 1/r − 1/r₂ − 1/r₃ of source and image above the surface and below the bed, whichever of both is deeper"""
+    table = tables.wave_table(0.9, depth, G, 80.0, 18.0, 1e-6)
+    for R, z, zeta in ((9.0, -6.0, -1.0), (9.0, -1.0, -6.0), (25.0, -15.0, -0.5), (45.0, -3.0, -17.0)):
+        images = sum(1 / math.hypot(R, height) for height in (z - zeta, z + zeta, z + zeta + 2 * depth))
+        assert forms.pair(R, z, zeta, table)[0] == pytest.approx(
+            forms.green(R, z, zeta, 0.9, depth, G)[0].real - images, abs=3e-7
+        )

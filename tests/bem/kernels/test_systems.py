@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from hakobune.bem.kernels.systems import WORTH_REFINING, solved_beside_few, solved_systems
+from hakobune.bem.kernels.systems import WORTH_REFINING, _refined, solved_beside_few, solved_systems
 
 
 def systems(singular):
@@ -70,3 +70,17 @@ def test_matrices_that_single_precision_takes_for_singular_are_factored_in_doubl
     (x,), _ = solved_beside_few((A, np.zeros((1, WORTH_REFINING, 0)), np.zeros((1, WORTH_REFINING, 0)), b), (2,))
     exact = np.linalg.solve(A[0], b[0])
     assert np.abs(x - exact).max() < 1e-6 * np.abs(exact).max()
+
+
+def test_steps_in_single_precision_go_on_until_rounding_is_left():
+    """A step leaves 1e-6 of what was there: two or three to 1e-12; what cannot be solved so keeps what is left"""
+    rng, size = np.random.default_rng(6), 60
+    A = rng.standard_normal((size, size)) / size**0.5 + 2 * np.eye(size)
+    U, V = rng.standard_normal((2, size, 5)) / size**0.5
+    b = rng.standard_normal((size, 3)) + 1j * rng.standard_normal((size, 3))
+    x, left = _refined(A, U, V, b)
+    whole = A + 1j * (U @ V.T)
+    assert left < 1e-12 and np.abs(whole @ x - b).max() < 1e-11 * np.abs(b).max()
+    values = np.linalg.svd(A)
+    nearly = A - values[1][-1] * (1 - 1e-9) * np.outer(values[0][:, -1], values[2][-1])
+    assert not _refined(nearly, U, V, b)[1] < 1e-10

@@ -1,11 +1,13 @@
 """Which pairs of frequencies make a force at which frequency, by counting them."""
 
 from itertools import product
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from hakobune.bem.panels.pressure_drift.turned_loads import products
+from hakobune.bem.second_order.first_order_waves import FirstOrderWaves
 from hakobune.bem.second_order.kinds import DIFFERENCE, SUM
 from hakobune.bem.second_order.rotations import turned_twice
 
@@ -49,3 +51,14 @@ def test_a_rotation_of_second_order_is_half_its_outer_product_less_its_square():
     turn = np.real(alpha * np.exp(-1j * t)[:, None])
     cross = np.array([[[0, -z, y], [z, 0, -x], [-y, x, 0]] for x, y, z in turn])
     assert turned_twice(motion)[0, 0] == pytest.approx(0.5 * np.mean(cross @ cross, axis=0), abs=1e-12)
+
+
+@pytest.mark.parametrize("moving, wanted", [
+    (True, {"excitation_force", "rao", "added_mass", "drift_force"}),
+    (False, {"excitation_force", "drift_force_fixed"}),
+])  # fmt: skip
+def test_the_drift_of_single_waves_is_wanted_where_forces_are_of_differences(moving, wanted):
+    """It is the force of a wave with itself; a moving body needs its motions and added mass for either kind"""
+    for kind, more in ((DIFFERENCE, wanted), (SUM, {name for name in wanted if "drift" not in name})):
+        held = SimpleNamespace(moving=moving, kind=kind)
+        assert FirstOrderWaves.wanted.fget(held) == more

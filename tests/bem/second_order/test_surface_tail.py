@@ -135,3 +135,18 @@ def test_a_pair_has_the_radii_of_its_first_wave_whatever_those_of_others(kind):
             tails.add(pair, out)
             found.append(out[0, 0])
         assert abs(found[0] - found[1]) < 1e-5 * abs(found[1])
+
+
+@pytest.mark.parametrize("kind", [DIFFERENCE, SUM])
+def test_pairs_of_several_frequencies_are_added_as_each_by_itself(kind):
+    """In any order, one of them twice, to what is there"""
+    edges, third = np.array([50.0, 70.0, 90.0, 250.0]), [float(wavenumber(w, DEPTH, G)) for w in (0.2, 1.8)]
+    tails = Tails(WAVES, edges, [1, 0, 0], [3, 3, 3], third, 8.0, G, kind)
+    one, two = np.array([2, 1, 2, 2, 1]), np.array([1, 0, 0, 1, 1])
+    psi = [made_up(kind.of(0.9, 0.7), 0.0)] * 6
+    out = np.full((5, 6), 2.0 + 1j)
+    tails.add(PairsOfOne(psi[0].omega, one, two, None, psi, None), out)
+    for row, i, j in zip(out, one, two, strict=True):
+        alone = np.zeros((1, 6), complex)
+        tails.add(PairsOfOne(psi[0].omega, np.array([i]), np.array([j]), None, psi, None), alone)
+        assert np.abs(alone).min() > 0 and row - (2.0 + 1j) == pytest.approx(alone[0], rel=1e-9)

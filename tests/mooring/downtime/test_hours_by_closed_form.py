@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from hakobune.mooring.downtime import planes
 from hakobune.mooring.downtime.every_hour import Response, Shape, lagrange, moments_of_hours, ring_of
 from hakobune.mooring.downtime.hindcast import WaveHours
 from hakobune.mooring.downtime.largest import drawn_of_years, largest_of_hours, return_values
@@ -121,3 +122,24 @@ def test_years_of_which_hours_are_missing_have_no_maximum():
     year = np.repeat([0, 1], [8766, 5000])
     m0 = np.ones((len(year), 1))
     assert list(drawn_of_years(m0, m0, year, 3600.0)[0]) == [0]
+
+
+@pytest.mark.parametrize("first", [0.0, 20.0, 85.0, 350.0])
+@pytest.mark.parametrize("order", [[0, 1, 2, 3], [2, 0, 3, 1]])
+def test_a_plane_is_straight_between_its_directions_wherever_the_first_is(first, order):
+    """Four directions 90° apart, in any order: 22.5° beyond one it has three quarters of that, a quarter of the next"""
+    angle = np.radians((first + 90.0 * np.array(order)) % 360.0)
+    for number, place in enumerate(order):
+        beta = np.radians(first + 90.0 * place + np.array([0.0, 22.5, 360.0]))
+        following = order.index((place + 1) % 4)
+        wanted = np.zeros((3, 4))
+        wanted[:, number], wanted[1, number], wanted[1, following] = 1.0, 0.75, 0.25
+        assert planes._straight(angle, beta) == pytest.approx(wanted, abs=1e-12)
+
+
+def test_a_sector_of_directions_has_nothing_across_its_gap():
+    """20°, 50° and 80° alone: half of each between them, and of their ends only the ends themselves"""
+    angle, beta = np.radians([20.0, 50.0, 80.0]), np.radians([35.0, 65.0, 20.0, 79.999999, 81.0, 200.0, 19.0])
+    half, none = [0.5, 0.5, 0.0], [0.0] * 3
+    wanted = [half, half[::-1], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0], none, none, none]
+    assert planes._straight(angle, beta) == pytest.approx(np.array(wanted), abs=1e-6)

@@ -62,6 +62,10 @@ def test_windows_end_at_gaps_and_nobody_waits_across_them():
     found = windows(usable, known, slot)
     assert found.first.tolist() == [0, 3, 5] and found.steps.tolist() == [2, 2, 3]
     assert in_windows(found, 8, 3).tolist() == [False] * 5 + [True] * 3
+    assert in_windows(found, 8, 2).tolist() == [True, True, False, True, True, True, True, True]
+    assert in_windows(windows(usable[:5], known[:5], slot[:5]), 5, 2).tolist() == [True, True, False, True, True]
+    alone = windows(np.array([0, 1, 1, 1, 0, 1, 0, 0], bool), known, np.arange(8))
+    assert in_windows(alone, 8, 2).tolist() == [False, True, True, True, False, False, False, False]
     np.testing.assert_array_equal(waiting(found, known, slot, 2), [0, 2, 1, 0, np.nan, 0, 0, np.nan])
     np.testing.assert_array_equal(waiting(found, known, slot, 3)[:5], [np.nan] * 5)
 

@@ -50,6 +50,8 @@ FETCH = (3.5 / 0.13) ** (1 / 0.33) * 25 / 9.80665  # m, of 5 m/s, where f_p U/g 
         (lambda v: kaimal(20, v, 0.1), 0.1, 0.0, "height is 0 m"),
         (lambda v: kaimal(v, 10, 0.1), 0.1, 0.0, "wind speed is 0 m/s"),
         (lambda v: gust_components(WIND, 1, v, 300, 9), 1e-5, 0.0, "lowest frequency of the gusts is 0"),
+        (lambda v: gust_components(WIND, 1, 1e-5, v, 9), 300, math.inf, "highest frequency of the gusts is inf"),
+        (lambda v: gust_components(WIND, 1, 1e-5, v, 9), 300, 0.0, "highest frequency of the gusts is 0"),
         (lambda v: gust_components(WIND, 1, 1e-5, 300, v), 1, 1.5, "number of gust components is 1.5"),
         (lambda v: gust_components(WIND, v, 1e-5, 300, 9), 0, -1, "seed is -1"),
         (lambda v: speed_at(10, v), 200.0, 201.0, "wind speed at 10 m is 201"),

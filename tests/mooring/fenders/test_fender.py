@@ -191,6 +191,12 @@ def test_tables_of_makers_are_read_and_their_faults_named(tmp_path):
     path.write_text("strain,reaction_kN\n0,0\n0.1,much\n")
     with pytest.raises(FenderError, match="row 2: reaction_kN is 'much'"):
         fender_of_file(path, 2.0)
-    path.write_text("x,y\n0,0\n")
-    with pytest.raises(FenderError, match="allowed: strain or deflection_m"):
+    for named in ("x, y", "reaction_tonf, strain", "reaction_kN", "deflection_m, unloading_kN"):
+        path.write_text(f"{named.replace(' ', '')}\n{','.join('0' for _ in named.split(','))}\n")
+        with pytest.raises(
+            FenderError, match=f"has the columns {named}; allowed: strain or deflection_m, reaction_kN,"
+        ):
+            fender_of_file(path, 2.0)
+    path.write_text("")
+    with pytest.raises(FenderError, match="has the columns of an empty file; allowed: strain or deflection_m"):
         fender_of_file(path, 2.0)

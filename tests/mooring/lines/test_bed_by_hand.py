@@ -2,8 +2,10 @@
 
 import numpy as np
 import pytest
+from plain import plain
 
 from hakobune.mooring.lines.multi_segment.bed import Bed
+from hakobune.mooring.lines.multi_segment.line import Segment, StaticLine
 
 X, Y = np.array([0.0, 100.0, 200.0]), np.array([0.0, 30.0, 60.0, 120.0])
 
@@ -80,3 +82,28 @@ def test_beds_at_either_side_of_what_is_allowed():
         Bed(np.array([[0.0, 0.0], [1.0, 1.0], [1.0, 2.0]]))
     with pytest.raises(ValueError, match=r"shape \(1, 2\)"):
         Bed(np.zeros((1, 2)))
+
+
+def test_a_line_that_may_slide_is_told_the_friction_of_its_steepest_facet():
+    """Facets of 0.1, −0.4 and 0.2; a bed that holds the line everywhere has another way out"""
+    points = np.array([[0.0, 0.0], [10.0, 1.0], [20.0, -3.0], [30.0, -1.0]])
+    rope = [Segment(100.0, 10.0, 1e7)]
+    said = StaticLine(rope, [], Bed(points, 0.3))._way_out
+    assert said.startswith(": on its bed, with slopes up to 0.4 and friction 0.3, it may slide; ")
+    assert "give a friction of at least 0.4, a shorter line" in said
+    assert StaticLine(rope, [], Bed(points, 0.41))._way_out.startswith("; give another length, or move the fairlead")
+
+
+@pytest.mark.parametrize("count", [0, 10, 14, 19, 20])
+def test_what_lies_in_a_heap_is_a_piece_of_its_own_however_many_there_are(count):
+    """12 m from 50 m on, without tension, after `count` pieces; where there is no more room nothing is written"""
+    on_bed, data = plain("mooring.lines.multi_segment.on_bed"), plain("mooring.lines.multi_segment.line_data")
+    line = StaticLine([Segment(100.0, 10.0, 1e7)], [], Bed.sloping(0.0, 0.5))._data
+    q, at, rows = np.zeros(data.STATE_ROWS), np.array([0, -1, count]), np.full((20, data.PIECE_COLUMNS), 7.0)
+    q[[data.X, data.S]] = 30.0, 50.0
+    assert on_bed.leave_heap(line, q, np.zeros((data.DERIVATIVE_ROWS, 0)), at, 12.0, 0.1, -1, rows)
+    assert q[data.S] == 38.0 and at.tolist() == [0, -1, min(count + 1, 20)]
+    if count < 20:
+        assert rows[count, :5].tolist() == [1.0, 50.0, 12.0, 30.0, 0.0]
+        assert rows[count, [5, 8, 9]].tolist() == [0.0, on_bed.HEAP, 0.0] and rows[count, 10] == 0.1
+    assert np.all(np.delete(rows, [count] if count < 20 else [19], axis=0) == 7.0)

@@ -2,6 +2,7 @@
 
 import math
 import warnings
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -218,6 +219,21 @@ def test_a_system_is_written_column_by_column():
     )
     again = parse_moordyn(moordyn_text(file))
     assert again.line_types == file.line_types and again.points == file.points and again.lines == file.lines
+
+
+@pytest.mark.parametrize("name, said", [
+    ("chain", "line type 'chain' stands for two types; allowed: one name for each"),
+    ("thin_rope", "two line types have the same name once blanks are replaced"),
+])  # fmt: skip
+def test_two_types_have_two_names(name, said):
+    """Of three lines the second and the last are of two types"""
+    made = two_kinds()
+    other = replace(made.lines[1].type, name=name)
+    first = UniformLine("3", other, 45.0, "clump", "bow", 0.4)
+    with pytest.raises(FormatError, match=said):
+        written(replace(made, lines=(*made.lines[::-1], first)))
+    alike = replace(made.lines[0], name="3")
+    assert len(written(replace(made, lines=(*made.lines, alike))).line_types) == 2
 
 
 def step_of(**changes):

@@ -207,3 +207,16 @@ def test_columns_of_lines_in_another_order_are_known_or_refused(tmp_path):
         FormatError, match="column 'howmany' is unknown and 'unstrlen' is not in its place of version 2"
     ):
         read_moordyn_system(tmp_path / "strange.txt")
+
+
+@pytest.mark.filterwarnings("ignore:.*line cable floats")
+def test_a_model_of_orcaflex_without_water_or_units_has_those_given_and_si(tmp_path):
+    """1025 kg/m³; the depth is given beside the file, which an environment of its own need not repeat"""
+    text = ORCAFLEX.format(**SI)
+    environment, general = "Environment:\n  Density: 1.025\n  WaterDepth: 50\n", "General:\n  UnitsSystem: SI\n"
+    assert environment in text and general in text
+    for left_out, more in ((environment, ""), (environment, "Environment:\n"), (general, "General:\n")):
+        (tmp_path / "a.yml").write_text(text.replace(left_out, more))
+        system = read_system(tmp_path / "a.yml", 50.0)
+        assert (system.depth, system.density) == (50.0, pytest.approx(1025.0))
+        assert system.lines[1].type.axial_stiffness == pytest.approx(854e6)

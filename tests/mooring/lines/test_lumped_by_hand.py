@@ -358,3 +358,37 @@ def test_a_stage_without_drag_is_solved_at_once_and_what_is_no_number_or_beyond_
     status, count = stage.solve_stage(s, room, a, still, taut, 1.0, 1.0, 1e-12, 1e-15)
     assert status == stage.STALLED
     assert 4 < count <= stage.ITERATIONS
+
+
+def test_forces_of_bending_are_the_slope_of_its_energy_with_its_tangent():
+    """V = Σ ½ k |c|², c = d₊/ℓ₊ − d₋/ℓ₋ over inner nodes; elements of unequal lengths, one joint without stiffness"""
+    bending = plain("mooring.lines.dynamics.lumped.bending")
+    rng, length, n = np.random.default_rng(6), np.array([3.0, 2.0, 4.0, 5.0, 1.0]), 5
+    flexure, q, w = np.array([9.0, 40.0, 0.0, 70.0, 30.0]), rng.normal(size=(3, 8)), 8
+
+    def energy(q):
+        d = np.diff(q[:, : n + 1]) / length
+        return 0.5 * np.sum(flexure[1:n] * np.sum(np.diff(d) ** 2, axis=0))
+
+    assert bending.bending_energy(flexure, length, q) == pytest.approx(energy(q), rel=1e-12)
+    assert bending.bending_energy(np.zeros(0), length, q) == 0.0
+    rows, r, D = bending.joints(flexure, length, w), np.zeros((3, w)), np.zeros((9, w))
+    bending.bend(rows, q, r, D, n, 2.0)
+    for i in range(3):
+        for j in range(n + 1):
+            step = np.zeros_like(q)
+            step[i, j] = 1e-3
+            slope = (energy(q + step) - energy(q - step)) / 2e-3
+            assert r[i, j] == pytest.approx(-slope, rel=1e-8, abs=1e-9)
+            curve = (energy(q + step) - 2 * energy(q) + energy(q - step)) / 1e-6
+            assert D[4 * i, j] == pytest.approx(2.0 * curve, rel=1e-4, abs=1e-3)
+            for apart, row in ((1, bending.NEXT), (2, bending.OVERNEXT)):
+                if j + apart <= n:
+                    other = np.zeros_like(q)
+                    other[i, j + apart] = 1e-3
+                    mixed = (
+                        energy(q + step + other) - energy(q + step - other) - energy(q - step + other)
+                        + energy(q - step - other)
+                    ) / 4e-6  # fmt: skip
+                    assert rows[row, j] == pytest.approx(2.0 * mixed, rel=1e-4, abs=1e-3)
+    assert not bending.joints(np.zeros(0), length, w).size and not bending.bends(bending.joints(np.zeros(0), length, w))

@@ -1,6 +1,8 @@
 """The pull on a moving end is that of the closed forms, wherever it comes from and whatever was solved before."""
 
 import numpy as np
+import pytest
+from plain import plain
 
 from hakobune.mooring.lines.catenary.flat_bed import ROW, solve_line
 from hakobune.mooring.lines.catenary.moving_end import pull_of_any, workspace
@@ -34,3 +36,19 @@ def test_a_warm_start_changes_nothing_but_rounding():
             scale = np.hypot(*wanted)
             worst = max(worst, np.abs(np.subtract(found, wanted)).max() / scale)
     assert worst <= 1e-10
+
+
+def test_lines_side_by_side_pull_as_each_alone():
+    """Chains from the bed, from above it and from a deeper place, and one that floats, each with its own numbers"""
+    ends = plain("mooring.lines.catenary.moving_end")
+    x, low = np.array([90.0, 70.0, 40.0, 60.0]), np.array([-50.0, -45.0, -30.0, -20.0])
+    high = np.array([-2.0, -5.0, -1.0, -40.0])
+    lines = np.array([[110.0, 800.0, 1e-8, 0.5], [85.0, 600.0, 2e-8, 0.0], [52.0, 400.0, 0.0, 0.0],
+                      [70.0, -300.0, 1e-8, 0.0]])  # fmt: skip
+    out, (kept, rows) = np.zeros((4, 2)), ends.workspace(4)
+    ends.pulls(kept, rows, x, low, high, -50.0, lines, out)
+    for i in range(4):
+        alone, room = ends.workspace(1)
+        found = ends.pull_of_any(alone[0], room[0], x[i], low[i], high[i], -50.0, *lines[i])
+        assert out[i] == pytest.approx(found, rel=1e-12) and np.array_equal(kept[i], alone[0])
+    assert len(np.unique(np.round(out, 3), axis=0)) == 4 and np.all(np.isfinite(out))

@@ -5,6 +5,7 @@ d(T t)/ds = (0, w), and is as long as 1 + T/EA (or a table) makes it; on the bed
 the line slides up towards the fairlead, down to nothing.  Derivatives of the equations by differences of them.
 """
 
+from types import SimpleNamespace
 from unittest import mock
 
 import numpy as np
@@ -128,3 +129,23 @@ def table(segment):
         *strain,
         strain[-1] + (1e9 - tension[-1]) * (strain[-1] - strain[-2]) / (tension[-1] - tension[-2]),
     )
+
+
+def test_the_first_span_is_sought_between_one_that_clears_the_bed_and_one_that_does_not(monkeypatch):
+    """From H times the least slope to a vertex, less all buoys; up by H and the heaviest segment over the height"""
+    traverse = plain("mooring.lines.multi_segment.traverse")
+    monkeypatch.setattr(traverse, "touching_span", lambda *given: given)
+    q = np.zeros(7)
+    q[[traverse.H, traverse.X, traverse.Z]] = 2e4, 100.0, 50.0
+    made = SimpleNamespace(
+        bed=np.array([[0.0, 0.0, 0.0], [40.0, 38.0, 0.0], [70.0, 44.0, 0.0], [90.0, 49.9, 0.0]]), length=200.0,
+        loads=np.array([[10.0, 500.0, 0.0], [20.0, -300.0, 0.0], [30.0, -200.0, 0.0]]),
+        segments=np.array([[0.0, 400.0], [50.0, 900.0], [80.0, 600.0]]),
+    )  # fmt: skip
+    for facet in range(4):
+        slope = min((50.0 - z) / (100.0 - x) for x, z, _ in made.bed[: facet + 1])
+        low = 2e4 * slope - 500.0
+        high = low + 500.0 + 2e4 + 900.0 * (50.0 + 0.2)
+        line, w, origin, at, *found = traverse.first_span(made, SimpleNamespace(q=q), facet)
+        assert line is made and w.q is q and (origin, at) == (traverse.FROM_FAIRLEAD, facet)
+        assert found == pytest.approx([low - 1e-9 * abs(low), high])

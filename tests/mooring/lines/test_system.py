@@ -355,3 +355,10 @@ def test_a_step_solves_the_stiffness_or_is_as_long_as_allowed(skew):
     raised = r[moving] - 0.5 * (inner + inner.T) @ step[moving]
     assert np.allclose(raised / step[moving], (raised @ step[moving]) / (step @ step), rtol=1e-8)  # m s
     assert step_within(K - 2 * np.trace(K) * np.eye(n), r, unit, moving, radius, step) == INDEFINITE
+
+
+@pytest.mark.parametrize("name", SYSTEMS)
+def test_a_system_that_is_at_rest_takes_no_step_and_others_few(name):
+    """Newton's steps at least halve what is left once they are near: to 1e-12 of it in some tens of them"""
+    found = rest(SYSTEMS[name])
+    assert 0 < found.iterations < 60 and rest(SYSTEMS[name], found.pose).iterations <= 1

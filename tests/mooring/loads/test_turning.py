@@ -150,3 +150,15 @@ def test_boxes_outside_the_tests_are_refused(sizes, message):
 def test_printed_values_out_of_line_are_named():
     assert "2.25" in turning_coefficients(2.25, 10.0, 20.0).notes[0]
     assert turning_coefficients(2.0, 10.0, 3.0).notes == ()
+
+
+@pytest.mark.parametrize(
+    "slender, deep, low, high", [(2.0, 1.3, 9.75, 20.5), (3.0, 8.1, 9.75, 10.25), (1.0, 8.1, 9.75, 10.25)]
+)
+def test_boxes_up_to_the_tested_breadths_are_taken(slender, deep, low, high):
+    """A fortieth beyond B/d = 10 and, for L/B = 2, 20"""
+    for wide in (low, high):
+        turning_coefficients(slender, wide, deep)
+    for wide in (0.999 * low, 1.001 * high):
+        with pytest.raises(ValueError, match=f"B/d = {wide:.4g} is outside the turning tests.* .9.75 to {high:g}"):
+            turning_coefficients(slender, wide, deep)

@@ -391,3 +391,36 @@ def test_water_at_a_buoy_goes_from_that_of_the_begin_of_a_window_to_that_of_its_
     still = SimpleNamespace(window=np.full((buoys.WATER, 1), 9.0))
     buoys.open_water(table, buoy, still, np.zeros(3), 0, 0.0)
     assert np.all(still.window == 9.0)
+
+
+@pytest.mark.parametrize("waves", [True, False])
+def test_a_buoy_is_in_the_water_of_its_window_and_goes_where_all_forces_push_it(waves, monkeypatch):
+    """Water of a cubic in time, none without a window; ẋ = v, v̇ = F/m of lines, hawsers, weight and water together"""
+    made, rng, at, WATER = {}, np.random.default_rng(4), 6.3, 7
+    cubic = rng.normal(size=(WATER, 4))
+    course = np.stack([row @ np.arange(14.0) ** np.arange(4)[:, None] for row in cubic])
+    window = course if waves else np.zeros((WATER, 1))
+    buoy = SimpleNamespace(inverse=np.array([0.5, 0.25, 0.2]), lines="lines")
+    work = SimpleNamespace(window=window, weights=np.zeros(6), water=np.zeros(WATER), pose=np.zeros(6),
+                           R=np.zeros((3, 3)), force=np.full(6, 99.0), lines="line work")  # fmt: skip
+    place, rate = np.array([1.0, 2.0, 3.0, 0.4, 0.5, 0.6]), np.zeros(6)
+
+    def line_loads(lines, of_lines, pose, R, force):
+        made.update(lines=(lines, of_lines, pose[0, :3].tolist()))
+        force[0, :3] = 1.0, 2.0, 3.0
+        return False
+
+    def hawsers(buoy, work, y, place, R):
+        work.force[:] -= 10.0
+
+    def floats(buoy, work, place, share, waves):
+        made.update(floats=(share, waves), water=work.water.copy())
+        work.force[:] += 100.0
+
+    monkeypatch.setattr(buoys, "line_loads", line_loads)
+    monkeypatch.setattr(buoys, "hawsers", hawsers)
+    monkeypatch.setattr(buoys, "floats", floats)
+    assert buoys.buoy_rates(buoy, work, "y", place, "R", at, 0.7, 0.8, rate) is False
+    assert made["lines"] == ("lines", "line work", [1.0, 2.0, 3.0]) and made["floats"] == (0.7, 0.8)
+    assert made["water"] == pytest.approx(cubic @ at ** np.arange(4) if waves else np.zeros(WATER))
+    assert rate.tolist() == pytest.approx([0.4, 0.5, 0.6, 0.5 * 91.0, 0.25 * 92.0, 0.2 * 93.0])

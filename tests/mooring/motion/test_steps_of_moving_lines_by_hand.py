@@ -174,3 +174,19 @@ def test_a_scheme_of_kernels_is_one_of_third_order_beside_second_and_cannot_be_w
     third = b - off
     assert (third.sum(), third @ c, third @ c**2) == pytest.approx((1.0, 0.5, 1 / 3))
     assert not any(part.flags.writeable for part in (a, off, c))
+
+
+def test_the_error_of_a_step_is_the_difference_of_two_formulas_in_all_three_directions(monkeypatch):
+    """step · m Σ db (V + h d K) of every inner node, through the last matrix"""
+    seen, rng = {}, np.random.default_rng(9)
+    n, stages, step, hd = 5, 4, 0.3, 0.07
+    K, V, db, inertia = *rng.normal(size=(2, stages, 3, n + 1)), rng.normal(size=stages), rng.uniform(1, 2, n + 1)
+    node = np.zeros((esdirk.INERTIA + 1, n + 1))
+    node[esdirk.INERTIA] = inertia
+    work = SimpleNamespace(x=np.full((3, n + 1), 7.0), node=node, pivots="pivots", bending="bending")
+    monkeypatch.setattr(esdirk, "substitute_line", lambda *given: seen.update(given=given, x=given[2].copy()))
+    monkeypatch.setattr(esdirk, "spread", lambda work, last: ("spread", last))
+    assert esdirk.error(SimpleNamespace(length=np.ones(n)), work, K, V, db, step, hd) == ("spread", n)
+    wanted = step * inertia * np.einsum("k,kij->ij", db, V + hd * K)
+    assert seen["x"][:, 1:n] == pytest.approx(wanted[:, 1:n]) and np.all(seen["x"][:, [0, n]] == 7.0)
+    assert seen["given"][:2] == ("pivots", "bending") and seen["given"][4] == n and seen["given"][3] is work.x

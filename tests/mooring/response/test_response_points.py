@@ -1,12 +1,14 @@
 """What points of the body feel."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from made_up_body import made_up_body
 
 from hakobune.bem.waves import wavenumber
+from hakobune.mooring.response import points
 from hakobune.mooring.response.points import (
     Point,
     acceleration,
@@ -14,6 +16,7 @@ from hakobune.mooring.response.points import (
     displacement,
     elevations,
     felt_acceleration,
+    of_point,
     transfer_functions,
     velocity,
 )
@@ -100,3 +103,16 @@ def test_corners_of_the_bottom_are_those_of_its_convex_hull():
     angle = np.radians(np.arange(0, 360, 5))
     rim = corners_of_bottom(np.stack([8 * np.cos(angle), 8 * np.sin(angle), np.full(72, -3.0)], axis=1))
     assert len(rim) == 12 and np.allclose(np.hypot(rim[:, 0], rim[:, 1]), 8)
+
+
+def test_a_point_of_a_body_that_bends_is_moved_and_turned_by_its_shapes_too(monkeypatch):
+    """d = x + θ × r + Σ ξ u, θ and half the curl of u added; surge, sway and heave stay those of the body"""
+    rng = np.random.default_rng(3)
+    shifts, turns, motion = rng.normal(size=(3, 2)), rng.normal(size=(3, 2)), rng.normal(size=(4, 1, 8))
+    monkeypatch.setattr(points, "of_shapes", lambda body, one, place: (shifts, turns))
+    body = SimpleNamespace(bodies=(), modes=("first", "second"), rigid=6, rotation_center=np.array([1.0, 0.0, -2.0]))
+    moved, own = of_point(body, motion, Point("P", (11.0, 3.0, 4.0)))
+    arm = np.array([10.0, 3.0, 6.0])
+    for found, turned, X in zip(moved[:, 0], own[:, 0], motion[:, 0], strict=True):
+        assert found == pytest.approx(X[:3] + np.cross(X[3:6], arm) + shifts @ X[6:])
+        assert turned == pytest.approx([*X[:3], *(X[3:6] + turns @ X[6:])])

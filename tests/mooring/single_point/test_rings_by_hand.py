@@ -14,6 +14,7 @@ from hakobune.mooring.single_point.rings import Ring, angles, zeros
     (lambda a: np.sin(a), [0, 180]), (lambda a: np.cos(a) - 3.0 + 2.5, [60, 300]),
     (lambda a: 1.0 - 9.0 * np.cos(a / 2) ** 40, [2 * math.degrees(math.acos(9 ** (-1 / 40))),
                                                360 - 2 * math.degrees(math.acos(9 ** (-1 / 40)))]),
+    (lambda a: np.cos(a - math.radians(0.5)) - math.cos(math.radians(0.25)), [0.25, 0.75]),  # below 0 at every place
     (lambda a: np.cos(a - 1e-4) - math.cos(2e-4), [math.degrees(3e-4), 360 - math.degrees(1e-4)]),
     (lambda a: -1 + 1e-8 - np.cos(3 * a), [60 * k + s * math.degrees(math.acos(1 - 1e-8)) / 3
                                          for k in (1, 3, 5) for s in (-1, 1)]),

@@ -13,6 +13,7 @@ from hakobune.mooring.loads.turning import turning_coefficients
 from hakobune.mooring.motion.wave_loads import HEADINGS, WaveForces
 from hakobune.mooring.on_current.waves import Carrier
 from hakobune.mooring.single_point import runs
+from hakobune.mooring.single_point.body import Hold, SinglePoint
 from hakobune.mooring.single_point.criterion import Lateral, moored_quartic, proportions, slewing
 from hakobune.mooring.single_point.history import cycle, settled_after, watch_circle, wave_deviations
 from hakobune.mooring.single_point.in_time import of_contact
@@ -321,3 +322,9 @@ def test_a_record_of_slow_motion_has_its_wind_and_what_holds_the_body(wind, gust
     assert record.place.tolist() == [[1, 2], [7, 8]] and record.heading.tolist() == [0.3, 0.9]
     assert record.buoy.tolist() == [[2, 3], [8, 9]] and record.hawser[:, 0] == pytest.approx([3.0, 9.0])
     assert seen[0] is None and seen[1].tolist() == [2.0, 3.0]
+
+
+def test_hawsers_that_are_slack_hold_nothing():
+    """Where both have fallen slack no lines are asked for their stiffness"""
+    slack = Hold(np.zeros(3), np.zeros(2), np.zeros(2))
+    assert np.array_equal(SinglePoint.stiffness(None, 0.3, slack), np.zeros((3, 3)))

@@ -6,7 +6,10 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from hakobune.mooring.studies.long_period import _one
+from hakobune.mooring.loads.box_current import current_force
+from hakobune.mooring.studies import long_period as of_long_periods
+from hakobune.mooring.studies.conditions import ExposedBox
+from hakobune.mooring.studies.long_period import _one, long_period
 
 MASS, BAND = 3.0e6, np.array([0.2, 2.0])
 
@@ -85,3 +88,78 @@ def test_damping_is_of_its_own_velocity_and_that_of_the_waves_together():
 @pytest.mark.parametrize("K", [0.0, -10.0])
 def test_nothing_holds_a_motion_without_stiffness(K):
     assert np.isnan(one(body(lambda omega: 1e6), K, 1.0)).all()
+
+
+HULL, MOVED = ExposedBox(100.0, 50.0, 10.0, 10.0), (0, 1, 5)
+MASSES, HELD = np.array([4e7, 6e7, 5e10]), np.array([4e5, 9e5, -1.0])  # kg, kg m²; N/m
+SLOPES, BEYOND = np.array([3e5, 4e5, 5e9]), np.array([2e4, 5e4, 7e9])  # S_F of drift and of the waves, N² s
+SPLIT, GUSTS = 0.35, 1e10
+
+
+@pytest.fixture
+def moored(monkeypatch):
+    """A function (gusts, drift damping) → LongPeriod of a barge in still water, forces as above over every frequency"""
+    inertia = np.zeros((6, 6))
+    inertia[MOVED, MOVED] = MASSES
+    body = SimpleNamespace(
+        inertia=inertia, omega=BAND, held_added_mass=lambda omega: np.zeros((1, 6, 6)),
+        coefficients=lambda omega: (np.zeros((1, 6, 6)), np.zeros((1, 6, 6))),
+    )  # fmt: skip
+    spectrum = SimpleNamespace(quantile=lambda share: SPLIT if share == of_long_periods.LOWEST else None)
+    sea, asked = SimpleNamespace(spectrum=spectrum), {}
+
+    def flat(values):
+        return lambda omega: np.broadcast_to(values, (len(omega), *np.shape(values))).copy()
+
+    def gusty(gusts, mean, omega):
+        asked.update(gusts=gusts, mean=list(mean))
+        return flat(np.full((3, 3), GUSTS))(omega)
+
+    monkeypatch.setattr(of_long_periods, "sea_of", lambda conditions: sea)
+    monkeypatch.setattr(of_long_periods, "on_current", lambda reader, carrier: (reader, carrier))
+    monkeypatch.setattr(of_long_periods, "carrier_of", lambda current: current)
+    monkeypatch.setattr(of_long_periods, "in_sea", lambda one, sea: (body, None) if one == ("reader", None) else None)
+    monkeypatch.setattr(of_long_periods, "drift_of_sea", lambda body, sea: SimpleNamespace(
+        slow_spectrum=flat(np.diag(SLOPES) + 1e5 * (1 - np.eye(3)))))  # fmt: skip
+    monkeypatch.setattr(of_long_periods, "wave_spectrum", lambda body, sea, omega: flat(BEYOND)(omega))
+    monkeypatch.setattr(of_long_periods, "gust_spectrum", gusty)
+
+    def of(gusts, damping):
+        moments = SimpleNamespace(m2=np.array([0.04, 0.09, 9.0, 9.0, 9.0, 1e-6]))
+        state = SimpleNamespace(moments=moments, slow=SimpleNamespace(damping=damping))
+        monkeypatch.setattr(of_long_periods, "sea_state", lambda body, sea, duration: state)
+        stiffness = np.zeros((6, 6))
+        stiffness[MOVED, MOVED] = HELD
+        result = SimpleNamespace(
+            conditions=SimpleNamespace(current=None, duration=3600.0), equilibrium=SimpleNamespace(stiffness=stiffness),
+            loads={"drift": np.array([-8e3, 3e4, 1.0, 2.0, 3.0, 5e5]), "wind": np.arange(6.0)},
+        )  # fmt: skip
+        db = SimpleNamespace(reader="reader", density=1000.0, water_depth=20.0)
+        return long_period(db, HULL, result, gusts), asked
+
+    return of
+
+
+@pytest.mark.parametrize("gusts", [None, "gusts"])
+@pytest.mark.parametrize("damping", [None, np.array([[6e4, 1e9], [1e9, 8e4], [1e9, 1e9]])])
+def test_each_motion_is_an_oscillator_under_drift_gusts_and_waves_below_the_split(gusts, damping, moored):
+    """N = √(8/π) c √(σ_w² + σ_v²) + B of drift; σ² = ∫ S/{(K − mω²)² + (Nω)²} dω up to the split, trapezoidal"""
+    found, asked = moored(gusts, damping)
+    omega = np.linspace(0.0, SPLIT, 2001)[1:]
+    assert found.split == SPLIT and asked.get("mean", [0, 1, 5]) == [0, 1, 5] and ("gusts" in asked) == bool(gusts)
+    assert found.static[:2] == pytest.approx([8e3 / 4e5, 3e4 / 9e5]) and np.isnan(found.static[2])
+    assert np.isnan([found.period[2], found.damping[2], found.quick[2], found.by_spectrum[2]]).all()
+    for j, angle in enumerate((0.0, math.pi / 2)):
+        m, K, waves = MASSES[j], HELD[j], (0.2, 0.3)[j]
+        drag = abs(current_force(1.0, angle, HULL.length, HULL.beam, HULL.draft, 1000.0, None, 20.0)[j])
+        S = SLOPES[j] + BEYOND[j] + (GUSTS if gusts else 0.0)
+        more = 0.0 if damping is None else damping[j, j]
+        speed = 0.0
+        for _ in range(200):
+            N = math.sqrt(8 / math.pi) * drag * math.hypot(waves, speed) + more
+            response = S / ((K - m * omega**2) ** 2 + (N * omega) ** 2)
+            speed = 0.5 * (speed + math.sqrt(np.trapezoid(omega**2 * response, omega)))
+        assert found.period[j] == pytest.approx(2 * math.pi * math.sqrt(m / K))
+        assert found.damping[j] == pytest.approx(N / math.sqrt(m * K), rel=2e-2)  # 24 nodes at the corner of v|v|
+        assert found.by_spectrum[j] == pytest.approx(math.sqrt(np.trapezoid(response, omega)), rel=2e-2)
+        assert found.quick[j] == pytest.approx(found.static[j] / (2 * found.damping[j]))

@@ -375,3 +375,20 @@ def test_best_designs_beside_a_resonance_are_told_with_what_passes_at_the_period
     assert told.startswith("1 of 2 of the best designs are near a resonance, design 2 most")
     assert "K_T is 0.71 at 5.7 s, 1.00 at 6 s, 0.71 at 6.3 s" in told
     assert list(pareto.beside_resonances(changed, front._replace(designs=front.designs[:1]))) == []
+
+
+def test_each_amplitude_has_its_unit_its_words_and_the_table_it_stands_in(tmp_path):
+    """K_T in a table of its own; as a modulus in tables, as a complex number in files alone"""
+    found = found_of(tmp_path)
+    told = {
+        "transmission": ("", "K_T", "transmission"), "reflection": ("", "reflection", ""), "sway": ("m/m", "sway", ""),
+        "heave": ("m/m", "heave", ""), "roll": ("rad/m", "roll", ""),
+        "front.tension": ("N/m2", "front", "tension amplitudes per metre of wave amplitude"),
+        "back.tension": ("N/m2", "back", "tension amplitudes per metre of wave amplitude"),
+    }  # fmt: skip
+    for name, (unit, words, table) in told.items():
+        one, whole = found.quantity(name), found.quantity(f"{name}.complex")
+        assert (one.unit, one.description, one.table, one.record) == (unit, words, table, False), name
+        assert (whole.unit, whole.description, whole.record) == (unit, f"{words}, complex", True), name
+        assert one.axes == whole.axes == ("period", "held" if "." in name else "holding")
+        assert one.values == pytest.approx(abs(whole.values)) and whole.values.dtype == complex

@@ -232,6 +232,68 @@ def test_gaps_below_the_depth_and_far_fields_that_are_missed_are_told():
     assert next(iter(lee._remarks(asked, far, 0.0201))).startswith("the waves close to the body are fitted to 2.0% of")
 
 
+class Waves:
+    """Surface of ½ (1 + y/100) m whatever the wave, nan inside the unit at the origin; 5 % of the far field missed"""
+
+    missed = 0.05
+
+    def elevation(self, places):
+        inside = (abs(places[:, 0]) < L / 2) & (abs(places[:, 1]) < BEAM / 2)
+        return np.where(inside, np.nan, 0.5 * (1 + places[:, 1] / 100)) * np.exp(1j * np.arange(2))[:, None]
+
+
+class Moved(Unit):
+    """A unit that heaves by ω² and sways by 1 m in every wave"""
+
+    def motions(self, omega, betas):
+        return np.tile([0, 1.0, omega[0] ** 2, 0, 0, 0], (1, len(betas), 1))
+
+
+@pytest.mark.parametrize("holding", ["fixed", "free", "elastic"])
+def test_heights_and_tensions_are_root_mean_squares_of_all_waves(holding, monkeypatch):
+    """Two waves with a quarter and three quarters of the energy: η² the same of both, δP² its weighted mean.
+
+    Behind the row, at 5 m and a quarter to twice of its breadth of 130 m, the height is ½ (1 + y/100) all along.
+    """
+    asked, db = [], database()
+    db.reader, db.require = unit(), lambda *names: asked.extend(names)
+    db.reader.between.theta = np.zeros(4)
+    omega, ways = np.array([0.6, 1.2]), np.full((2, 2), 1.4)
+    monkeypatch.setattr(lee, "waves_of", lambda *given: (omega, ways, np.array([0.25, 0.75]), "two waves"))
+    fields = []
+    monkeypatch.setattr(lee, "_field", lambda *given: fields.append(given) or Waves())
+    monkeypatch.setattr(lee, "held", lambda *given: Moved(viscous="some"))
+    study = breakwater(holding)
+    found = lee.lee(study, Row(None, 3, 5.0, points=5), db)
+    assert found.units == pytest.approx(np.array([[-45.0, 0], [0, 0], [45, 0]])) and found.half == pytest.approx(
+        [20, 5]
+    )
+    assert found.waves == "two waves" and (found.x[0], found.y[-1]) == pytest.approx((-0.75 * 130, 1.5 * 130))
+    assert found.ratio.shape == (5, 5) and np.argwhere(np.isnan(found.ratio)).tolist() == [[1, 2]]  # y = 0, x = 0
+    rows = np.repeat(0.5 * (1 + found.y / 100)[:, None], 5, axis=1)
+    assert found.ratio[[0, 2, 3, 4]] == pytest.approx(abs(rows[[0, 2, 3, 4]]))
+    places, heights = zip(*found.behind, strict=True)
+    assert places == pytest.approx([5 + 130 * part for part in (0.25, 0.5, 1.0, 2.0)])
+    assert heights == pytest.approx([0.5 * (1 + y / 100) for y in places])
+    for (reader, moved, w, betas, half, middles), wanted in zip(fields, omega, strict=True):
+        assert reader is db.reader and (moved is None) == (holding == "fixed") and w == wanted
+        assert betas is not ways and betas.tolist() == [1.4, 1.4] and half is found.half and middles is found.units
+    said = found.warned
+    assert "map.gap is 5 m" in said[0] and "fitted to 5.0% of its far field" in said[1]
+    assert len(said) == 2 + (holding != "fixed") and ("viscous damping" in said[-1]) == (holding != "fixed")
+    kinds = {"added_mass", "radiation_damping", "excitation_force"}
+    assert kinds <= set(asked) if holding != "fixed" else not kinds & set(asked) and asked
+    if holding != "elastic":
+        assert found.lines is None and found.tension is None
+        return
+    along, s, c = 1e3 * EA / SPACING / LINE, math.sin(ANGLE), math.cos(ANGLE)
+    front, back = (
+        along * math.sqrt(0.25 * (0.36 * s + side * c) ** 2 + 0.75 * (1.44 * s + side * c) ** 2) for side in (1, -1)
+    )
+    assert found.lines == pytest.approx((np.arange(10) + 0.5) * SPACING - L / 2)
+    assert found.tension == pytest.approx(np.repeat([[front], [back]], 10, axis=1))
+
+
 def test_heights_behind_are_over_leeward_and_the_largest_tension_of_each_line_has_its_place():
     found = SimpleNamespace(
         units=np.zeros((3, 2)), half=np.array([20.0, 5.0]), waves="waves", behind=[(15.0, 0.5), (65.0, 0.75)],

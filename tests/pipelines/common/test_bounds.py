@@ -113,3 +113,17 @@ def test_a_flag_that_is_no_whole_number_is_refused(text):
     with pytest.raises(ValueError, match=r"--count is .*allowed: a whole number from 0"):
         whole_number("count", text)
     assert whole_number("count", "12") == 12 and whole_number("count", None, otherwise=3) == 3
+
+
+def test_little_memory_is_not_asked_for_and_more_than_is_free_is_refused(monkeypatch):
+    """100 MB are little: free memory is not looked at; above, as many bytes as are free are enough"""
+    asked = []
+    monkeypatch.setattr(bounds, "available_memory", lambda: asked.append(1) or 2e8)
+    for needed in (0.0, 1e7, 1e8):
+        check_memory("panels need", needed, "give fewer")
+    assert not asked
+    for needed in (1.01e8, 2e8):
+        check_memory("panels need", needed, "give fewer")
+    assert len(asked) == 2
+    with pytest.raises(TooMuchError, match=r"^panels need about 0.201 GB, and 0.2 GB are free; give fewer$"):
+        check_memory("panels need", 2.01e8, "give fewer")

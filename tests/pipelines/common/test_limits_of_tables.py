@@ -174,6 +174,7 @@ def test_dolphins_carry_one_fender_each_in_series_with_it():
         ([fender(on="E")], [dolphin], "there is no dolphin 'E'; allowed: D"),
         ([fender(on="D"), fender(name="G", on="D")], [dolphin], "carries 2 fenders; allowed: one"),
         ([fender()], [dolphin], "dolphin 'D' carries no fender"),
+        ([fender(on="D")], [dolphin, typed(DolphinTable, {"name": "E", "stiffness": 1.0})], "dolphin 'E' carries no"),
         ([fender(on="D")], [dolphin, dolphin], "two [[dolphin]] have the same name; give each a name of its own"),
         ([fender(on="D", dolphin=5000.0)], [dolphin], "on and dolphin are both given; give one of them"),
     ):
@@ -240,3 +241,15 @@ def test_davenports_gusts_have_their_variance_by_the_drag_of_the_surface():
     made = gusts_of(typed(WindTable, {"speed": 30.0, "gusts": "davenport", "surface_drag": 0.002}))
     omega = np.geomspace(1e-6, 1e4, 200_001)
     assert np.trapezoid(made.density(omega), omega) == pytest.approx(6 * 0.002 * 30.0**2, rel=0.01)
+
+
+LEFT_OUT = {"davenport": {"surface_drag": 0.003}, "npd": {"gust_height": 10.0},
+            "hino": {"surface_drag": 0.003, "gust_height": 10.0, "gust_exponent": 1 / 7},
+            "kaimal": {"gust_height": 10.0, "gust_intensity": 0.12}}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", LEFT_OUT)
+def test_what_a_law_of_gusts_is_not_given_is_that_of_its_page(name):
+    omega = np.array([0.01, 0.1, 1.0])
+    made, wanted = (gusts_of(typed(WindTable, {"speed": 30.0, "gusts": name} | more)) for more in ({}, LEFT_OUT[name]))
+    assert made.density(omega) == pytest.approx(wanted.density(omega), rel=1e-12)

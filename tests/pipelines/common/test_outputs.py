@@ -81,3 +81,25 @@ def test_the_opening_of_a_table_is_its_first_line_and_its_columns(tmp_path):
         path.write_bytes(data)
         assert opening(path) == found
     assert opening(tmp_path / "none") == ("", "")
+
+
+NAMED = ("line-dynamics", "passing", "lines", "moor --database body.h5", "single-point", "breakwater", "site",
+         "sections", "earthquake")  # fmt: skip
+
+
+@pytest.mark.parametrize("command", NAMED)
+def test_where_a_result_goes_is_looked_at_before_the_study(command, tmp_path, monkeypatch, capsys):
+    """Neither read nor replaced: the study cannot be one of these commands, which would be told afterwards"""
+    monkeypatch.chdir(tmp_path)
+    before = {"study.toml": b"nothing = 1\n", "body.h5": b"", "made.csv": b"a,b\n1,2\n"}
+    for name, content in before.items():
+        Path(name).write_bytes(content)
+    words = command.split()
+    for name, said in (
+        ("found.txt", "found.txt has the suffix '.txt'; allowed: "), ("study.toml", "study.toml is an input of the st"),
+        ("made.csv", "made.csv "), ("none/found.h5", "cannot be written: the folder none does not exist"),
+    ):  # fmt: skip
+        assert main([words[0], "study.toml", *words[1:], "--output", name]) == 2
+        told = capsys.readouterr().err
+        assert said in told and "unknown" not in told and "missing" not in told
+        assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == before

@@ -233,6 +233,10 @@ def test_failures_that_cases_report_are_told_once_with_how_many_more_have_them()
         "FAILS: line 1 parts; in p, and in 2 more cases", "FAILS: a fender; in s",
     ]  # fmt: skip
     assert list(verdict.broken_in(alike[:2])) == ["FAILS: line 1 parts; in p, and in 1 more case"]
+    both = ran("u", ("FAILS: a fender", "a remark", "FAILS: line 2 parts", "FAILS: an anchor of 3 t"))
+    assert list(verdict.broken_in([alike[0], both])) == [
+        "FAILS: line 1 parts; in p, and in 1 more case", "FAILS: a fender; in u", "FAILS: an anchor of 3 t; in u",
+    ]  # fmt: skip
 
 
 # ------------------------------------------------------------------ words of the report
@@ -553,3 +557,20 @@ def test_a_rope_pulls_at_its_bollard_along_the_straight_way(monkeypatch):
     held.ropes = [turned, None]
     tension, along, up = in_time._held_rope(held, db, 0, np.array([0, 0, 0, 0, 0, math.pi / 2]))
     assert (tension, along, up) == pytest.approx((30.0, 30.0, 0.0))
+
+
+def test_the_worst_is_what_uses_most_and_a_count_that_is_met_only_if_nothing_else_is_there():
+    """Stable headings have no share of a limit: met they use 0, missed they count as any other"""
+
+    def one(quantity, used, met=True):
+        governing = None if used is None else SimpleNamespace(utilisation=used)
+        return SimpleNamespace(governing=governing, met=met, criterion=SimpleNamespace(quantity=quantity))
+
+    def worst(*judged):
+        return report_words._worst(SimpleNamespace(judged=judged))
+
+    count, missed = one("stable headings", 0.9), one("stable headings", 1.5, met=False)
+    tension, surge, unknown = one("tension", 0.4), one("surge", 0.7), one("sway", None)
+    assert worst(count, tension, surge, unknown) is surge and worst(count, unknown) is count
+    assert worst(missed, surge) is missed and worst(tension, one("yaw", 1.2, met=False)).governing.utilisation == 1.2
+    assert worst(unknown) is None and worst() is None

@@ -13,7 +13,7 @@ from hakobune.mooring.response.points import KeelPoint, Point
 from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.downtime import lee as behind
 from hakobune.pipelines.downtime import moored, passages, result, simulated
-from hakobune.pipelines.downtime.answers import YEAR, Verdicts, answers, judged
+from hakobune.pipelines.downtime.answers import YEAR, Verdicts, _by_year, answers, judged
 from hakobune.pipelines.downtime.limits import Hours, limits_of, used_of, value_of
 from hakobune.pipelines.downtime.one_state import _values
 from hakobune.pipelines.downtime.study import Record as Study
@@ -396,3 +396,17 @@ def test_the_largest_of_years_is_drawn_of_the_law_of_each_hour(monkeypatch):
     assert made["return.value"].unit == ("rad",) and axes["response"].values.tolist() == ["cranes: roll"]
     z = 3.7779  # Φ⁻¹(0.5^(1/8766))
     assert np.median(made["return.maxima"].values) == pytest.approx(np.radians(2 * np.exp(0.1 * z)), rel=0.01)
+
+
+@pytest.mark.parametrize("count", [1, 12, 13])
+def test_shares_of_up_to_twelve_years_are_printed_and_of_more_are_in_files_alone(count):
+    """Two operations in four hours a year, of which one is unknown: 1 of 3 and 0, 1 … of 4"""
+    year = np.repeat(np.arange(2000, 2000 + count), 4)
+    known = np.ones((4 * count, 2), bool)
+    known[::4, 0] = False
+    down = np.zeros((4 * count, 2))
+    down[1::4, 0], down[: 4 * (count // 2), 1] = 1.0, 1.0
+    (found,) = _by_year(down, known, SimpleNamespace(year=year), np.unique(year)).values()
+    assert found.axes == ("year", "operation") and found.share and bool(found.table) is (count <= 12)
+    whole = (np.arange(count) < count // 2).astype(float)
+    assert found.values == pytest.approx(np.stack([np.full(count, 1 / 3), whole], axis=1))

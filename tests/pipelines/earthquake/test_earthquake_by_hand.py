@@ -7,9 +7,11 @@ import numpy as np
 import pytest
 
 import hakobune
+from hakobune.bem.time_domain import memory as of_memory
 from hakobune.mooring.dolphins.earthquake import natural
 from hakobune.mooring.dolphins.methods import stiffnesses
 from hakobune.pipelines.cli import main
+from hakobune.pipelines.earthquake import study as studies
 
 M, A, N, K = 51250.0, 15000.0, 2000.0, 3000.0  # t, t, kN s/m, kN/m: three fenders of 1000 kN/m on each side
 G = 9.80665
@@ -240,3 +242,38 @@ def floating(mass, added):
         return np.atleast_1d(added(omega) + np.zeros(np.shape(omega))), np.zeros(np.size(omega))
 
     return SimpleNamespace(mass=mass, added_mass=float(added(0.0)), water=water)
+
+
+@pytest.mark.parametrize("motion, i", [("surge", 0), ("sway", 1)])
+def test_a_body_of_a_database_has_its_mass_its_added_mass_and_its_memory_in_the_motion_asked_for(
+    motion, i, monkeypatch
+):
+    """(M + A∞) η̈ + c·x, ẋ = a x + b η̇: of states that decay and turn, B + iω (A∞ − A) by its resolvent"""
+    numbers = np.random.default_rng(8)
+    arrays = of_memory.MemoryArrays(
+        np.array([0.3, 0.1, 0.1]), np.array([0.8]), numbers.normal(size=(6, 3)), numbers.normal(size=(6, 3))
+    )
+    asked, infinity, mass = [], np.diag(np.arange(1.0, 7.0)), np.diag(np.arange(10.0, 16.0))
+    memory = SimpleNamespace(matrices=of_memory.Memory.matrices.fget(SimpleNamespace(arrays=arrays, states=3)),
+                             added_mass_infinity=infinity)  # fmt: skip
+    db = SimpleNamespace(reader=SimpleNamespace(floating=lambda: SimpleNamespace(inertia=mass)))
+    monkeypatch.setattr(studies, "database_of", lambda path: db if path == "box.h5" else None)
+    monkeypatch.setattr(of_memory, "memory_of_database", lambda *given: asked.append(given) or memory)
+    fender = {"table": "fender.csv", "height": 2.0, "count": 3}
+    floater = studies._floater(studies.make_study({"motion": motion, "coefficient": 0.1, "fender": fender}), "box.h5")
+    assert asked == [(db, 3e-3, (i,))]
+    assert (floater.mass, floater.added_mass, floater.damping) == (10.0 + i, 1.0 + i, 0.0)
+    into, out, w = arrays.input[i], arrays.output[i], 0.7
+    pair = (w * 1j + 0.1) ** 2 + 0.64
+    x = [into[0] / (w * 1j + 0.3), ((w * 1j + 0.1) * into[1] + 0.8 * into[2]) / pair,
+         ((w * 1j + 0.1) * into[2] - 0.8 * into[1]) / pair]  # fmt: skip
+    added, damping = floater.water(w)
+    assert (damping[0], added[0]) == pytest.approx(((out @ x).real, 1.0 + i + (out @ x).imag / w))
+
+
+@pytest.mark.parametrize("body, database, said", [({"mass": 1.0}, "box.h5", "both are given"), (None, None, "neither")])
+def test_a_body_is_given_once(body, database, said):
+    fender = {"table": "fender.csv", "height": 2.0, "count": 3}
+    raw = {"coefficient": 0.1, "fender": fender} | ({} if body is None else {"body": body})
+    with pytest.raises(studies.StudyError, match=rf"\[body\] and --database: {said}"):
+        studies._floater(studies.make_study(raw), database)

@@ -8,7 +8,9 @@ import numpy as np
 import pytest
 
 from hakobune.bem.database.schema import DOFS
+from hakobune.bem.formats.afloat import Weight
 from hakobune.bem.formats.values import FormatError
+from hakobune.pipelines.cli import main
 from hakobune.pipelines.exchange import importing
 
 SILENT = ("water_depth", "density", "gravity", "length_unit")
@@ -94,3 +96,46 @@ def test_frequencies_with_a_number_that_is_not_finite_are_left_out_everywhere():
     a[0, 0] = np.inf
     with pytest.raises(FormatError, match="every frequency has numbers that are not finite, in a, b"):
         importing._finite(made)
+
+
+@pytest.mark.parametrize("several", [False, True])
+def test_flags_arrive_as_what_they_are(several, monkeypatch):
+    """Mass, centre of gravity, radii, point and unit each in its place; of several bodies one after another"""
+    asked = []
+    monkeypatch.setattr(importing, "import_", lambda *given: asked.append(given) or 0)
+    monkeypatch.setattr("hakobune.pipelines.exchange.several.import_several", lambda *given: asked.append(given) or 0)
+    words = "--depth 20 --density 1010 --gravity 9.7 --length-unit 2 --frequencies 0.2:1.5 --fresh --output o.h5"
+    known = {"water_depth": 20.0, "density": 1010.0, "gravity": 9.7, "length_unit": 2.0, "frequencies": (0.2, 1.5)}
+    if several:
+        words += " --bodies a,b --gyration 1,2,3;4,5,6 --center-of-gravity -7,8,9;0,1,2 --mesh a.gdf,b.gdf --uncoupled"
+        rest = (
+            "wamit",
+            ["a", "b"],
+            [Path("a.gdf"), Path("b.gdf")],
+            known | {"rotation_center": None, "body": None},
+            [Weight(None, (-7, 8, 9), (1, 2, 3)), Weight(None, (0, 1, 2), (4, 5, 6))],
+            Path("o.h5"),
+            True,
+            True,
+        )
+    else:
+        words += " --mass 5e3 --gyration 1,2,3 --center-of-gravity -4,5,6 --about 7,8,9 --body 2 --mesh a.gdf --correct"
+        rest = (
+            "wamit",
+            Path("a.gdf"),
+            known | {"rotation_center": (7, 8, 9), "body": 2},
+            Weight(5e3, (-4, 5, 6), (1, 2, 3)),
+            Path("o.h5"),
+            True,
+            True,
+        )
+    assert main(["import", "x.1", "--from", "wamit", *words.split()]) == 0
+    assert asked == [(Path("x.1"), *rest)]
+
+
+def test_a_weight_arrives_as_what_it_is(monkeypatch):
+    asked = []
+    monkeypatch.setattr("hakobune.pipelines.exchange.weighing.weigh", lambda *given: asked.append(given) or 0)
+    words = "--mass 5e3 --gyration 1,2,3 --center-of-gravity -4,5,6 --frequencies :2 --output o.h5"
+    assert main(["body", "x.h5", *words.split()]) == 0
+    assert asked == [(Path("x.h5"), Weight(5e3, (-4, 5, 6), (1, 2, 3)), (0.0, 2.0), Path("o.h5"))]

@@ -10,7 +10,7 @@ from hakobune.bem.formats.values import Values
 from hakobune.meshing.files import write_mesh
 from hakobune.meshing.shapes import box
 from hakobune.pipelines.cli import main
-from hakobune.pipelines.exchange.several import AROUND, _all_around, _round
+from hakobune.pipelines.exchange.several import AROUND, _all_around, _round, _together
 
 POT = """two
 0.
@@ -106,3 +106,29 @@ def test_round_bodies_have_the_forces_of_one_heading_at_all_others():
     hull = SimpleNamespace(is_round=True, points=np.zeros((4, 3)))
     beside = SimpleNamespace(is_round=True, points=np.ones((4, 3)))
     assert _round([hull, hull]) and not _round([hull, beside])
+
+
+def test_values_of_bodies_are_joined_one_after_another_and_what_one_lacks_is_left_out():
+    """Forces side by side, inertia and stiffness in blocks, masses and centres as rows; the radiation is that of all"""
+    rng = np.random.default_rng(3)
+    each = [rng.normal(size=(2, 3, 6)) for _ in range(4)]
+    inertia = [np.diag(np.arange(1.0, 7.0)), np.full((6, 6), 2.0)]
+    parts = []
+    for i in range(2):
+        forces = {"excitation_force": each[i], "diffraction_force": each[2 + i]}
+        body = {"mass": 10.0 + i, "center_of_mass": np.array([i, 0.0, 1.0]), "inertia_matrix": inertia[i]}
+        parts.append(Values(np.ones(2), np.zeros(3), 20.0, 1000.0, 9.8, forces, body))
+    parts[1].quantities.pop("diffraction_force")
+    radiation = {"added_mass": np.full((2, 12, 12), 7.0)}
+    made = _together(parts, radiation)
+    assert (
+        set(made.quantities) == {"added_mass", "excitation_force"}
+        and made.quantities["added_mass"] is radiation["added_mass"]
+    )
+    assert np.array_equal(made.quantities["excitation_force"], np.concatenate(each[:2], axis=-1))
+    assert made.body["mass"].tolist() == [10.0, 11.0] and made.body["center_of_mass"].tolist() == [[0, 0, 1], [1, 0, 1]]
+    whole = made.body["inertia_matrix"]
+    assert np.array_equal(whole[:6, :6], inertia[0]) and np.array_equal(whole[6:, 6:], inertia[1])
+    assert not whole[:6, 6:].any() and not whole[6:, :6].any()
+    parts[0].body.pop("mass")
+    assert "mass" not in _together(parts, radiation).body

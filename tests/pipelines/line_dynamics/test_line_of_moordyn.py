@@ -136,3 +136,14 @@ def test_a_type_of_a_file_is_a_table_of_a_study_in_kilonewtons(load, kilonewtons
                        ({"weight": -1.0}, "in water is -1 N/m; allowed: above 0")):  # fmt: skip
         with pytest.raises(StudyError, match=says):
             _type(UniformLine("one", replace(kind, **more), 200.0, "a", "b"), "lines.txt")
+
+
+@pytest.mark.parametrize("given, elements", [(0, 4), (3, 4), (4, 4), (7, 7)])
+def test_a_line_of_a_file_has_at_least_four_elements(study, given, elements):
+    """Those of the file; of one that gives none, or fewer, four"""
+    text = (study.parent / "lines.txt").read_text()
+    row = "2    rope      3        2        52        20 "
+    assert row in text
+    (study.parent / "lines.txt").write_text(text.replace(row, row.replace("20 ", f"{given} ")))
+    made = with_moordyn(read_line_dynamics(study)[0], study.parent)
+    assert [segment.elements for segment in made.segments] == [40, elements]

@@ -5,7 +5,10 @@ import pytest
 
 from hakobune.mooring.lines.dynamics.simulation import DynamicLine, DynamicSegment, FairleadMotion, simulate
 from hakobune.mooring.lines.dynamics.strength import Strength
+from hakobune.pipelines.common.quantities import StudyError
+from hakobune.pipelines.line_dynamics.parts import _elongation
 from hakobune.pipelines.line_dynamics.result import line_dynamics
+from hakobune.pipelines.line_dynamics.study import DynamicTypeTable
 
 STUDY = """\
 anchor = [0.0, 0.0, -60.0]
@@ -57,6 +60,8 @@ def test_tensions_of_segments_are_those_of_their_elements():
     top = max(np.max(elements[:16]), made.tension_anchor.max())
     lower = Strength((2e5, np.inf), strength.names).most_used(line, made)
     assert (lower.tension, lower.segment) == (top, 0) and lower.share == top / 2e5
+    course = max((made.tension_anchor, *elements[:16]), key=max)
+    assert lower.time == made.time[np.argmax(course)]
     assert Strength((np.inf, np.inf), strength.names).most_used(line, made) is None
 
 
@@ -74,3 +79,21 @@ def test_what_is_used_is_never_less_than_what_was_simulated_in_any_part_of_the_r
     (tmp_path / "line.toml").write_text(STUDY)
     found = line_dynamics(tmp_path / "line.toml")
     assert found["tension[fairlead].used"] == pytest.approx(0.9, abs=1e-3)
+
+
+@pytest.mark.parametrize("more, says", [
+    ({}, None), ({"tension_tonf": [0.0, 10.0, 40.0], "tension_kN": None}, None),
+    ({"axial_stiffness_kN": 1e5}, "t has both an axial stiffness and a table; give one of them"),
+    ({"axial_stiffness_tonf": 1e4}, "t has both an axial stiffness and a table; give one of them"),
+    ({"tension_kN": [0.0, 100.0]}, "t: elongation_percent has 3 numbers; give the same number in one of tension_t"),
+    ({"tension_kN": None}, "t: elongation_percent has 3 numbers; give the same"),
+    ({"tension_tonf": [0.0, 10.0, 40.0]}, "t: elongation_percent has 3 numbers; give the same"),
+])  # fmt: skip
+def test_a_table_of_elongations_has_tensions_of_one_unit_and_no_stiffness_beside_it(more, says):
+    kind = DynamicTypeTable(**{"elongation_percent": [0.0, 2.0, 5.0], "tension_kN": [0.0, 100.0, 400.0]} | more)
+    if says is None:
+        unit = 9806.65 * 10 if "tension_tonf" in more else 1e5
+        assert np.array(_elongation("t", kind)) == pytest.approx(np.array([[0, 0], [0.02, unit], [0.05, 4 * unit]]))
+        return
+    with pytest.raises(StudyError, match=says):
+        _elongation("t", kind)

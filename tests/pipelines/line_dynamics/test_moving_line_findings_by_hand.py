@@ -5,6 +5,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from hakobune.mooring.lines.catenary.state import LineError
+from hakobune.mooring.lines.dynamics import figures, simulation
 from hakobune.pipelines.line_dynamics.findings import findings
 
 
@@ -59,3 +61,25 @@ def test_a_line_that_parts_is_named_with_its_segment(share, parts):
     if parts:
         assert "the tension of segment 2 (wire) is 2020 kN at t = 3.25 s, 101 % of the breaking load 2000" in lines[0]
         assert "segment" not in said(used)[0]
+
+
+@pytest.mark.parametrize("cycle, begin", [(None, 10.0), (8.0, 22.0)])
+def test_a_line_is_at_rest_at_49_places_of_a_cycle_or_of_the_whole_window(cycle, begin, monkeypatch):
+    """Both ends included; a place without a static shape has no tension, the others have theirs"""
+    asked = []
+
+    def simulate(line, motion, until, current, check_mesh):
+        asked.append((line, motion, current, check_mesh))
+        if len(asked) == 3:
+            raise LineError("too short")
+        return SimpleNamespace(tension_fairlead=[10.0 * len(asked), 0.0], tension_anchor=[1.0 * len(asked), 0.0])
+
+    monkeypatch.setattr(simulation, "simulate", simulate)
+    monkeypatch.setattr(simulation.FairleadMotion, "still", lambda place: tuple(place))
+    course = SimpleNamespace(cycle=cycle, motion=SimpleNamespace(at=lambda t: (np.array([t, 2.0, -t]), None)))
+    found, places = figures.quasi_static("line", course, (10.0, 30.0), "current")
+    assert places.tolist() == [[t, 2.0, -t] for t in np.linspace(begin, 30.0, 49)]
+    assert asked == [("line", tuple(place), "current", False) for place in places]
+    assert np.isnan(found[2]).all() and np.delete(found, 2, axis=0).tolist() == [
+        [10.0 * n, 1.0 * n] for n in range(1, 50) if n != 3
+    ]

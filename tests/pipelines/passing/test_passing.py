@@ -15,6 +15,8 @@ from hakobune.meshing.shapes import box
 from hakobune.mooring.motion.given_forces import read_force
 from hakobune.pipelines.cli import main
 from hakobune.pipelines.passing import result
+from hakobune.pipelines.passing.study import size
+from hakobune.pipelines.scene.tables import BodyTable
 
 SCENE = tomllib.loads((Path(pipelines.__file__).parent / "scenes" / "passing_tanker.toml").read_text(encoding="utf-8"))
 BOX = {"shape": "box", "length": 60.0, "beam": 12.0, "draft": 4.0}
@@ -90,6 +92,13 @@ def test_a_hull_of_a_file_beside_the_study_is_that_of_its_shape_wherever_it_is_d
         ({"panels": 4}, "panels is 4; allowed: 12 to 2000"),
         ({"moored": BOX | {"mass": 1e6}}, "moored.mass is given; a passage needs the hull only"),
         ({"passing": BOX | {"place": [0.0, 40.0, 0.0]}}, "passing.place is given"),
+        ({"passing": BOX | {"fixed": True}}, "passing.fixed is given; a passage needs the hull only: leave it out"),
+        ({"moored": BOX | {"fixed": True}}, "moored.fixed is given; a passage needs the hull only"),
+        ({"moored": BOX | {"trimmed": True}}, "moored.trimmed is given; a passage needs the hull only"),
+        ({"moored": BOX | {"center_of_gravity": [0.0, 0.0, 1.0]}}, "moored.center_of_gravity is given; a passage"),
+        ({"passing": BOX | {"GM": 1.0}}, "passing.GM is given"),
+        ({"passing": BOX | {"gyration": [5.0, 15.0, 15.0]}}, "passing.gyration is given"),
+        ({"moored": BOX | {"name": "a"}}, "moored.name is given"),
         (
             {"passing": BOX | {"rotation_center": [0.0, 0.0, 1.0]}},
             "passing.rotation_center is given; only the moored ship has one",
@@ -149,3 +158,14 @@ def test_a_ship_that_blocks_half_of_the_depth_is_told_to_slender_ships(draft, to
     track = SimpleNamespace(froude=lambda depth: 0.1)
     said = list(result._findings(study, track, SimpleNamespace(left=0.0), None, None))
     assert len(said) == told and all("blocks 50 % of the depth" in line for line in said)
+
+
+def test_sizes_of_a_ship_are_those_given_or_those_of_its_hull():
+    """A buoy is as long and as broad as its diameter; a hull of a file wherever it is drawn"""
+    hull = box(60.0, 12.0, 4.0, panels=24).whole().moved(dx=5.0, dy=-3.0)
+    sizes = {"length": 50.0, "beam": 10.0, "draft": 3.0}
+    for body, wanted in ((BodyTable(shape="buoy", radius=7.0, draft=3.0), (14.0, 14.0, 3.0)),
+                         (BodyTable(shape="box", **sizes), (50.0, 10.0, 3.0)),
+                         (BodyTable(shape="ship", **sizes), (50.0, 10.0, 3.0)),
+                         (BodyTable(shape="mesh", file="hull.msh"), (60.0, 12.0, 4.0))):  # fmt: skip
+        assert size(body, hull) == pytest.approx(wanted)

@@ -143,3 +143,24 @@ def test_a_mesh_file_counts_by_its_content_wherever_it_lies(tmp_path, stored):
         check_same(of_mesh(moved, depth=30.0), of, "hull.h5")
     with pytest.raises(SceneError, match=r"shape was 'mesh', is 'box'; "):
         check_same(scene(), of, "hull.h5")
+
+
+def test_every_body_and_every_number_of_a_scene_counts():
+    """Of two bodies the second alone is moved, or has another draft; of a list in a table the last number differs"""
+    body = {"shape": "box", "length": 40.0, "beam": 20.0, "draft": 5.0}
+
+    def two(**second):
+        bodies = [
+            body | {"name": "a", "place": [0.0, 0.0, 0.0]},
+            body | {"name": "b", "place": [60.0, 0.0, 0.0]} | second,
+        ]
+        return make_scene({"water": {"depth": 20.0}, "bodies": bodies, "waves": {"omegas": [1.0]}})
+
+    of = header(to_toml(two()))
+    check_same(two(), of, "two.h5")
+    for change, words in (({"draft": 6.0}, r"bodies\[1\].draft was 5.0, is 6.0"),
+                          ({"place": [60.0, 1.0, 0.0]}, r"bodies\[1\].place")):  # fmt: skip
+        with pytest.raises(SceneError, match=f"belongs to another scene: {words}"):
+            check_same(two(**change), of, "two.h5")
+    flat = dict(identity._flat({"a": [1, {"b": [2, 3]}], "c": 4}))
+    assert flat == {"a[0]": 1, "a[1].b[0]": 2, "a[1].b[1]": 3, "c": 4}

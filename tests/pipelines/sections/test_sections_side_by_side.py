@@ -40,7 +40,11 @@ SECTION = {"name": "left", "beam": 30.0, "draft": 6.0, "y": -16.5}
 @pytest.mark.parametrize("changes, says", [
     ({"omegas": []}, "omegas has 0 values; allowed: 1 to 1000, rising"),
     ({"omegas": [0.5, 0.5]}, "omegas has 2 values; allowed: 1 to 1000, rising"),
-    ({"damping": 11.0}, "damping is 11; allowed: 0 to 10"),
+    ({"damping": 11.0}, "damping is 11; allowed: 0 to 10"), ({"damping": -0.1}, "damping is -0.1; allowed: 0 to 10"),
+    ({"water": {"depth": -12.0}}, "water.depth is -12; allowed: above 0"),
+    ({"water": {"depth": 12.0, "density": 0.0}}, "water.density is 0; allowed: above 0"),
+    ({"water": {"depth": 12.0, "gravity": float("nan")}}, "water.gravity is nan; allowed: above 0"),
+    ({"omegas": [0.0, 0.5]}, "omegas is 0; allowed: above 0"),
     ({"sections": [SECTION, SECTION], "hinges": []}, "sections has two of the name 'left'"),
     ({"sections": [SECTION | {"draft": 12.0}], "hinges": []}, "sections[0].draft is 12 in water 12 m deep"),
     ({"sections": [SECTION, SECTION | {"name": "b", "y": 0.0}], "hinges": []}, "m; leave a gap between them"),

@@ -288,3 +288,23 @@ def test_workers_are_let_go_without_waiting_whether_runs_are_made_or_not(monkeyp
         with pytest.raises(KeyboardInterrupt):
             result.simulate("a.toml", "a.h5", tmp_path / "run.h5")
     assert said == [{"wait": False, "cancel_futures": True}] * (1 if error else 2)
+
+
+@pytest.mark.parametrize("known", [[1.0, 2.0], [np.nan, 2.0], [np.nan, np.nan]])
+def test_extremes_are_printed_where_one_of_them_is_known(known):
+    """Of the end that is further from 0, upper where both are as far; units of each record, of periods always s"""
+    low, high = [-9.0, 1.0], [3.0, 4.0]
+    rows = []
+    for a, b, one in zip(low, high, known, strict=True):
+        ends = {f"{end}_{part}": size * one for end, size in (("lower", a), ("upper", b)) for part in result.END}
+        rows.append(dict.fromkeys(result.WORDS, 1.0) | ends)
+    made = result._statistics("record", "table", "record", rows, ["m", "rad"])
+    wanted = [a if abs(a * one) > abs(b * one) else b for a, b, one in zip(low, high, known, strict=True)]
+    for part, words in result.END.items():
+        one = made[f"record.extreme_{part}"]
+        assert one.values == pytest.approx(np.multiply(wanted, known), nan_ok=True) and one.description == words
+        assert bool(one.table) != bool(np.isnan(known).all()) and one.unit == ("m", "rad")
+    assert made["record.T_zero"].unit == "s" and made["record.mean"].unit == ("m", "rad")
+    assert [bool(made[f"record.{name}"].table) for name in result.WORDS] == [
+        shown for _, _, shown in result.WORDS.values()
+    ]

@@ -650,3 +650,16 @@ def test_slow_motion_stands_beside_a_run_in_a_sea_alone_and_not_beside_one_of_a_
     assert slow(known) == [1.0, 2.0, 3.0]
     for unknown in (slow(known, sea=None), slow(known, method="regular_wave"), slow(beyond)):
         assert np.isnan(unknown).all()
+
+
+def test_numbers_of_runs_are_told_as_they_are_and_shares_of_a_limit_in_per_cent(folder):
+    simulate()
+    found = read_run("run.h5")
+    shares = {name for name, one in found.quantities.items() if one.share}
+    assert (
+        shares == {name for name in found.quantities if name.endswith(("used", "allowable"))} and "allowable" in shares
+    )
+    for name, unit in (("seeds", ""), ("duration", "s"), ("mean_period", "s"), ("split_frequency", "rad/s")):
+        one = found.quantity(name)
+        assert (one.unit, one.share, one.table) == (unit, False, found.quantity("seeds").table) and one.table
+    assert found["seeds"] == 3 and found["allowable"] == 0.4

@@ -80,6 +80,7 @@ def test_the_file_names_shapes_and_stations(run):
     made, path = run
     words = ["vertical bending 1", "vertical bending 2", "torsion 1"]
     assert made.labels["record"].values[6:9].tolist() == words
+    assert not any("drift forces on the shapes" in line for line in made.first)  # none are asked for
     with h5py.File(path) as file:
         assert file["dof"].asstr()[()][6:].tolist() == ["vertical_bending_1", "vertical_bending_2", "torsion_1"]
         assert file["motion"].shape[2] == 9 and file["slow_dof"].shape == (3,)
@@ -120,6 +121,7 @@ def test_a_shape_alone_swings_freely_at_its_own_frequency(barge, tmp_path):
     with h5py.File(tmp_path / "run.h5") as file:
         t, bent = file["time"][()], file["motion"][0].astype(float)
         assert "fixed at rest, as set by simulation.motions" in file.attrs["told"]
+        assert "drift forces on the shapes" not in file.attrs["told"]  # there are no waves
     exact = 0.02 * np.exp(-d * t) * (np.cos(p * t) + d / p * np.sin(p * t))
     assert np.abs(bent[:, 6] - exact).max() < 1e-4 * 0.02 and p * 12 > 24 and not bent[:, :6].any()
 

@@ -103,3 +103,15 @@ def test_lines_spread_evenly_from_the_first():
     anchors = anchors_of(made)
     at = np.degrees(np.arctan2(anchors[:, 1], anchors[:, 0])) % 360
     assert np.sort(at) == pytest.approx([10, 82, 154, 226, 298])
+
+
+@pytest.mark.parametrize("rise, good", [(0.0, True), (DEPTH - 0.1, True), (DEPTH + 0.1, False)])
+def test_a_bed_of_the_lines_begins_at_the_depth_and_stays_below_still_water(rise, good):
+    bed = {"points": [[0.0, -3.0], [900.0, -3.0], [1000.0, rise - 3.0]]}
+    if good:
+        made = system(mooring__bed=bed)[0]
+        assert anchors_of(made)[:, 2] == pytest.approx(np.full(len(made.lines), -DEPTH))
+        assert made.lines[0].bed.points[-1].tolist() == [1000.0, rise]
+        return
+    with pytest.raises(StudyError, match=rf"mooring.bed.points\[2\] .*0.1 m above still water; .* at z = -{DEPTH:g} m"):
+        system(mooring__bed=bed)

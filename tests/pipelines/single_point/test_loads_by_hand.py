@@ -12,6 +12,7 @@ from test_head_on_by_hand import BEAM, BOW, DRAFT, HEIGHT, LENGTH, STUDY
 from hakobune.mooring.loads.ship_derivatives import clarke
 from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.single_point import loads, maps
+from hakobune.pipelines.single_point import study as studies
 from hakobune.pipelines.single_point.tables import make_study
 
 RHO = 1025.0
@@ -213,3 +214,17 @@ def test_maps_have_ten_thousand_places_at_most(monkeypatch):
     monkeypatch.setattr(maps, "MOST", 5)
     with pytest.raises(StudyError, match=r"maps\[1\] has 6 points; allowed: at most 5"):
         mapped(monkeypatch, {"x": X, "y": Y})
+
+
+@pytest.mark.parametrize("center", [(0.0, 0.0), (4.0, -1.5)])
+def test_hawsers_end_beside_the_attachment_which_is_measured_from_the_centre_of_mass(center):
+    """Two of them half of their spacing to port and to starboard; a buoy at the hull has no length"""
+    at = {"attachment__x": 40.0, "attachment__y": 2.0}
+    one = make_study(raw(**at, hawser={"length": 30.0}))
+    two = make_study(raw(**at, hawser={"length": 30.0, "count": 2, "spacing": 5.0}))
+    none = make_study(raw(**at, hawser=None))
+    middle = np.array([40.0 - center[0], 2.0 - center[1]])
+    for study, ends, lengths in ((one, [middle], [30.0]), (none, [middle], [0.0]),
+                                 (two, [middle + [0, 2.5], middle - [0, 2.5]], [30.0, 30.0])):  # fmt: skip
+        found = studies._hawsers(study, np.array(center))
+        assert found[0] == pytest.approx(np.array(ends)) and found[1].tolist() == lengths

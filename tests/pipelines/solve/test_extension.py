@@ -1,12 +1,15 @@
 """A database that grows, with the real solver: nothing stored is solved again, and the numbers are those of one run."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
 from hakobune.bem.database import open_database
 from hakobune.bem.database.schema import LIMITS, ONLY_BY_NAME, QUANTITIES
 from hakobune.pipelines.executors.choice import Here
-from hakobune.pipelines.scene.scene import make_scene
+from hakobune.pipelines.scene.scene import SceneError, make_scene
+from hakobune.pipelines.solve import plan
 from hakobune.pipelines.solve.run import solve
 from hakobune.pipelines.solve.work import solve_one
 
@@ -150,3 +153,26 @@ def test_errors_of_coefficients_grow_with_the_database_and_are_those_of_one_made
         assert np.isfinite(error).all() and error.max() > 0
         # differences of nearly equal numbers: rounding of these shows in them
         np.testing.assert_allclose(grown[name], error, rtol=1e-6, atol=1e-6 * error.max(), err_msg=name)
+
+
+BARE = {"water": {"depth": 20.0}, "bodies": [{"shape": "box", "length": 40.0, "beam": 20.0, "draft": 5.0}],
+        "waves": {"omegas": [0.5]}}  # fmt: skip
+
+
+@pytest.mark.parametrize("before", ["panel", "contour"])
+def test_a_database_goes_on_by_its_method_where_that_can_and_the_choice_is_left_to_it(before):
+    """With a number of panels the contour method, which has none, cannot go on; a method that is named is kept"""
+    header = SimpleNamespace(attributes={"method": before})
+    for method in ("panel", "contour"):
+        scene = make_scene(BARE | {"method": method})
+        assert plan._by_the_same_method(scene, header, "a.h5") is scene
+    assert plan._by_the_same_method(make_scene(BARE), header, "a.h5").method == before
+    meshed = make_scene(BARE | {"panels": 100})
+    if before == "panel":
+        assert plan._by_the_same_method(meshed, header, "a.h5").method == "panel"
+        return
+    said = (
+        "was solved by method contour so far, and method contour has no panels: leave panels out, or give a tolerance"
+    )
+    with pytest.raises(SceneError, match=f"^a.h5 {said}; give --fresh to replace it or another --output$"):
+        plan._by_the_same_method(meshed, header, "a.h5")

@@ -216,3 +216,22 @@ def test_a_contour_far_more_slender_than_there_is_memory_or_time_for_is_refused(
     with pytest.raises(SceneError, match=r"needs about [0-9.]+ GB, and 1.0 GB are free; give a less slender body"):
         announced(slender, 0, None, omegas=[0.1])
     assert announced(replace(slender, sizes=(100.0, 50.0, 10.0)), 0, None, omegas=[0.1]) is None
+
+
+@pytest.mark.parametrize("symmetry, panels, least", [("xy", 144, 37), ("xy", 236, 18), ("x", 370, 18), ("", 784, 12)])
+def test_many_frequencies_share_their_work_where_it_pays(symmetry, panels, least, monkeypatch):
+    """Frequencies times classes times nodes^1.5, four nodes a panel, above two million"""
+    nodes, classes = 4 * panels, 2 ** len(symmetry)
+    assert least == int(2e6 / (classes * nodes**1.5)) + 1
+    alone = SimpleNamespace(axisymmetric_geometry=SimpleNamespace(sectors=0))
+    monkeypatch.setattr(large, "PanelProblem", lambda *given, **more: SimpleNamespace(prepared=lambda: alone))
+
+    class Mesh(list):
+        pass
+
+    mesh = Mesh([0] * panels)
+    mesh.symmetry = symmetry
+    for count, shared in ((least - 1, None), (least, (0.2, 1.5))):
+        scene = SimpleNamespace(omegas=lambda count=count: np.linspace(0.2, 1.5, count), wall=None,
+                                waves=SimpleNamespace(band=None), water=SimpleNamespace(depth=20.0))  # fmt: skip
+        assert large.shared_band(scene, mesh) == shared

@@ -2,6 +2,7 @@
 
 import math
 import re
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -11,8 +12,10 @@ from hakobune.bem.flexible.beams import Beam
 from hakobune.bem.formats.values import values_of
 from hakobune.bem.motions import response as motions
 from hakobune.bem.stored_laws import broken_laws
+from hakobune.meshing.shapes import box
 from hakobune.mooring.response.points import Point, Station, transfer_functions
 from hakobune.pipelines.scene.scene import SceneError, make_scene
+from hakobune.pipelines.solve.bending import modes as bending
 from hakobune.pipelines.solve.bending.modes import _rigid
 from hakobune.pipelines.solve.run import solve
 from hakobune.pipelines.view.deflection import axis_rise, deflections
@@ -240,3 +243,36 @@ def test_a_hinge_is_no_shape_and_a_beam_not_of_two_bodies(tmp_path):
     np.savetxt(tmp_path / "whole.csv", turn)
     with pytest.raises(SceneError, match=r"turn has no strain: .* join bodies by \[\[hinges\]\] of a study"):
         solve(make_scene(given), tmp_path / "none.h5")
+
+
+def test_a_shape_that_strains_one_of_its_bodies_is_a_shape(monkeypatch):
+    """Whichever of the bodies that is; a rigid motion of each of them is none, and is not looked at without motions"""
+    hulls = [box(10.0, 4.0, 2.0, panels=40), box(8.0, 4.0, 2.0, panels=40)]
+    monkeypatch.setattr(bending, "_body", lambda scene, number: number)
+    monkeypatch.setattr(bending, "_center", lambda scene, number: np.array([0.0, 0.0, -1.0]))
+    turned = lambda p: np.stack([0 * p[:, 0], 0.2 - 0.1 * p[:, 2], 0.1 * p[:, 1]], axis=1)  # noqa: E731
+    bent = lambda p: np.stack([0 * p[:, 0], 0 * p[:, 0], p[:, 0] ** 2], axis=1)  # noqa: E731
+
+    def check(*shapes, known=True, on=(0, 1)):
+        mode = SimpleNamespace(name="m", moves=range(len(shapes)), on=on, in_body=lambda body, p: shapes[body](p))
+        bending._check_strained(SimpleNamespace(motions_known=known), [mode], hulls)
+
+    def both(*each):
+        made = [
+            SimpleNamespace(name=name, moves=(0,), on=(), in_body=lambda body, p, one=one: one(p)) for name, one in each
+        ]
+        bending._check_strained(SimpleNamespace(motions_known=True), made, hulls)
+
+    check(bent, turned)
+    check(turned, bent)
+    both(("first", bent), ("second", bent))
+    with pytest.raises(SceneError, match=r"^second has no strain"):
+        both(("first", bent), ("second", turned))
+    check(turned, turned, known=False)
+    rigid, out = "m has no strain: it is a rigid motion, which", "already; leave it out"
+    with pytest.raises(
+        SceneError, match=rf"^{rigid} each body has {out}, or join bodies by \[\[hinges\]\] of a study$"
+    ):
+        check(turned, turned)
+    with pytest.raises(SceneError, match=f"^{rigid} the body has {out}$"):
+        check(turned, on=())

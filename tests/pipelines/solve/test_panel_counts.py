@@ -139,3 +139,13 @@ def test_the_counts_of_an_asked_number_of_panels_are_those_of_its_mesh():
     mesh = make_hull(scene).mesh
     same = box(100.0, 50.0, 10.0, counts=counts_of(scene.body, mesh))
     np.testing.assert_allclose(np.sort(same.points, axis=0), np.sort(mesh.points, axis=0), atol=1e-6)
+
+
+@pytest.mark.parametrize("breadth, ratio", [(20.0, 1.0), (20.0, 4.0), (60.0, 4.0), (20.0, 9.0), (5.0, 6.0)])
+def test_panels_of_a_box_grow_with_its_length_most_where_it_is_2_3_times_as_broad_as_deep(breadth, ratio):
+    """290 + 50 (L/B − 2)/(1 + {5 log₁₀(B/2.3 d)}²), L/B from 2 to 7, for one per cent; whichever side is the longer"""
+    d = 20.0 / 2.3
+    wanted = 290 + 50 * (min(max(ratio, 2), 7) - 2) / (1 + (5 * np.log10(breadth / (2.3 * d))) ** 2)
+    for sides in ((breadth, ratio * breadth), (ratio * breadth, breadth)):
+        body = scene_of({"shape": "box", "length": sides[0], "beam": sides[1], "draft": d}).body
+        assert panels_for(body, 0.01) == np.ceil(round(wanted, 9))

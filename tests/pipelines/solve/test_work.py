@@ -2,6 +2,7 @@
 
 import pickle
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -11,7 +12,8 @@ from hakobune.bem.methods.shape_problem import ShapeProblem
 from hakobune.bem.viscous import Quadratic, Viscous
 from hakobune.meshing.lid import lid
 from hakobune.meshing.shapes import box
-from hakobune.pipelines.solve.work import solve_one
+from hakobune.pipelines.solve import run
+from hakobune.pipelines.solve.work import _key, solve_one
 
 
 def moved(mesh):
@@ -59,3 +61,36 @@ def test_a_copy_that_came_to_another_process_finds_the_prepared_body(kept, probl
     assert kept(problem) is problem
     FINE.areas.sum()  # what a mesh remembers does not count
     assert kept(pickle.loads(pickle.dumps(problem))) is problem
+
+
+def test_what_arrives_within_half_a_second_is_stored_together_and_later_at_once(monkeypatch):
+    """The first at once; then what came since, once the last storing is half a second ago, and the rest at the end"""
+    now, stored = [100.0], []
+    monkeypatch.setattr(run, "time", SimpleNamespace(perf_counter=lambda: now[0]))
+    monkeypatch.setattr(run.Storing, "__init__", lambda self, file: setattr(self, "waiting", []))
+    monkeypatch.setattr(run.Storing, "add", lambda self, *row: self.waiting.append(row))
+    monkeypatch.setattr(run.Storing, "store", lambda self: stored.append(self.waiting.copy()) or self.waiting.clear())
+    with run._stored_together("file") as storing:
+        for later, number in ((0.0, 1), (0.4, 2), (0.09, 3), (0.02, 4), (0.6, 5), (0.1, 6)):
+            now[0] += later
+            storing.add(number)
+        assert stored == [[(1,)], [(2,), (3,), (4,)], [(5,)]]
+    assert stored[3:] == [[(6,)]]
+    with pytest.raises(KeyboardInterrupt), run._stored_together("file") as storing:
+        storing.add(7)
+        storing.add(8)
+        raise KeyboardInterrupt
+    assert stored[4:] == [[(7,)], [(8,)]]
+
+
+def test_what_is_kept_of_a_body_knows_kinds_and_nesting_of_what_the_body_is_made_of():
+    """Equal numbers in other brackets, of other kinds, or in another order are other bodies; equal ones are the same"""
+    numbers = np.arange(6.0)
+    values = [
+        (1, 2, 3), (1, (2, 3)), ((1, 2), 3), ((1, 2, 3),), ((1,), 2, 3), (1, 2, 3, ()), [1, 2, 3], (1.0, 2, 3),
+        (3, 2, 1), ("1", 2, 3), {1: 2}, {2: 1}, (1, 2), {1: 2, 3: 4}, {1: 3, 2: 4}, None, (), [], (numbers,),
+        numbers, numbers.reshape(2, 3), numbers.tolist(), numbers.astype(np.float32), Quadratic(1.0), Quadratic(2.0),
+    ]  # fmt: skip
+    keys = [_key(value) for value in values]
+    assert len(set(keys)) == len(keys)
+    assert _key((1, {"a": numbers})) == _key((1, {"a": numbers.copy()}))

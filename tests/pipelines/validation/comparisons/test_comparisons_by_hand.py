@@ -150,6 +150,28 @@ def test_roll_with_viscous_damping_is_told_where_it_is_largest_without(monkeypat
     assert second["roll_deg"] == pytest.approx(math.degrees(4.0 * 2.0 * 0.05))
 
 
+def test_a_line_tells_the_roll_of_each_model_by_every_method_and_of_each_height_of_wave(monkeypatch):
+    """Measured 2.07, 1.50 and 1.78 s (table 2.4.4.1); of methods whose period is outside the frequencies nothing"""
+    nan = float("nan")
+    periods = {"M3A_Bd10": {"panel": 2.1, "strip": 2.25}, "M3A_Bd20": {"panel": nan}, "M3B_Bd10": {"contour": 1.8}}
+    rows = [{"model": m, "method": k, "T_roll_s": t} for m, found in periods.items() for k, t in found.items()]
+    monkeypatch.setattr(models, "period_rows", lambda results: rows)
+    monkeypatch.setattr(models, "WAVE_HEIGHTS", {"M3A_Bd10": (0.1,), "M3B_Bd10": (0.1,)})
+    results = [of_model(h, [1.0, 9.0, 2.0], model=m) for m in ("M3A_Bd10", "M3B_Bd10") for h in (0.0, 0.1)]
+    said = list(models.Models().summary(results))
+    assert said[:3] == [
+        "M3A, B/d = 10: roll period 2.07 s measured; panel 2.100, strip 2.250",
+        "M3A, B/d = 20: roll period 1.50 s measured; none lies within the frequencies computed",
+        "M3B, B/d = 10: roll period 1.78 s measured; contour 1.800",
+    ]
+    degrees = f"{math.degrees(9.0 * 2.0 * 0.05):.3g}°"
+    assert said[3:] == [
+        f"{name}: roll in beam waves, ξ_B 0.2, {how}"
+        for name in ("M3A, B/d = 10", "M3B, B/d = 10")
+        for how in ("no viscous damping: 9", f"waves of 10 cm: φ_a/kζ_a = 9, {degrees}")
+    ]
+
+
 def test_a_section_of_the_report_is_told_with_its_table(capsys):
     """Table 2.1.3.1: B/d = 5, H/d = 1.2; deep water and other shapes have none"""
     assert main(["sections", "--beam-draft", "5,6", "--depth-draft", "1.2,inf", "--xi", "0.2,1"]) == 0

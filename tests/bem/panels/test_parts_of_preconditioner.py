@@ -1,0 +1,50 @@
+"""The reduced equations of a preconditioner beside the product of whole matrices, image by image."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from scipy.sparse import csr_matrix
+
+from hakobune.bem.panels.compressed.preconditioner import Preconditioner
+
+CELLS, STARTS = [slice(0, 3), slice(3, 5), slice(5, 9)], [0, 2, 3, 6]  # of nine nodes, six functions
+N, F, IMAGES = 9, 6, 2
+
+
+def by_cells(rng):
+    """P (n, f) and R (f, n), each function on its own cell alone"""
+    P = np.zeros((N, F))
+    for span, low, high in zip(CELLS, STARTS[:-1], STARTS[1:], strict=True):
+        P[span, low:high] = rng.normal(size=(span.stop - span.start, high - low))
+    return csr_matrix(P), csr_matrix(np.where(P.T != 0, rng.normal(size=(F, N)), 0.0))
+
+
+@pytest.mark.parametrize("far", [False, True])
+def test_blocks_near_and_far_are_reduced_to_the_functions_of_their_cells(far):
+    """R M P of each image: near blocks of single nodes, far ones U V of three sources with 2, 1 and 3 columns"""
+    rng = np.random.default_rng(5)
+    draw = lambda *shape: rng.normal(size=shape) + 1j * rng.normal(size=shape)  # noqa: E731
+    P, R = by_cells(rng)
+    M = np.zeros((IMAGES, N, N), complex)
+    near = []
+    for span, places in ((CELLS[0], [0, 1, 2, N + 4, N + 8]), (CELLS[2], [5, 8, 3]), (CELLS[1], [N + 3, N + 0])):
+        matrix = draw(span.stop - span.start, len(places))
+        near.append((span, np.array(places), matrix))
+        for column, place in zip(matrix.T, places, strict=True):
+            M[place // N, span, place % N] += column
+    sources = [(0, CELLS[2], draw(2, 4)), (1, CELLS[0], draw(1, 3)), (1, slice(3, 9), draw(3, 6))]
+    targets = [(CELLS[0], draw(3, 3), np.array([0, 1, 5])), (slice(0, 5), draw(5, 4), np.array([2, 3, 4, 5]))]
+    first = np.cumsum([0, *(len(V) for *_, V in sources)])
+    if far:
+        for span, U, places in targets:
+            for (image, own, V), at in zip(sources, first, strict=False):
+                for column, place in zip(U.T, places, strict=True):
+                    if at <= place < at + len(V):
+                        M[image, span, own] += np.outer(column, V[place - at])
+    tree = SimpleNamespace(nodes=np.arange(N), geometry=SimpleNamespace(images=np.ones((IMAGES, 2))))
+    parts = SimpleNamespace(rank=int(first[-1]), targets=targets if far else [], sources=sources)
+    held = SimpleNamespace(P=P, R=R)
+    found = Preconditioner._reduced(held, SimpleNamespace(tree=tree, near=near, far=parts), CELLS, np.array(STARTS))
+    wanted = np.array([R.toarray() @ one @ P.toarray() for one in M])
+    assert found == pytest.approx(wanted, abs=1e-5 * np.abs(wanted).max())
