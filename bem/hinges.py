@@ -158,8 +158,8 @@ def free_of(rows):
     _, size, vectors = np.linalg.svd(rows)
     if len(size) < len(rows) or size[-1] <= SAME * size[0]:
         raise ValueError(
-            f"hinges and links fix {np.sum(size > SAME * size[0])} motions with {len(rows)} constraints: some repeat "
-            "others; leave out one, or make it a ball"
+            f"hinges and links fix {np.sum(size > SAME * size[0])} motions with {len(rows)} constraints: some "
+            "constraints repeat others; leave out one hinge, or make it a ball"
         )
     return vectors[len(rows) :].T
 

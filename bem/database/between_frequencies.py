@@ -128,7 +128,8 @@ class Between:
             w = omega[outside][0]
             raise BetweenError(
                 f"omega is {w:.6g} rad/s (period {2 * np.pi / w:.4g} s), outside the stored {low:.6g} to {high:.6g} "
-                f"rad/s ({2 * np.pi / high:.4g} to {2 * np.pi / low:.4g} s); add it to the scene and solve again"
+                f"rad/s ({2 * np.pi / high:.4g} to {2 * np.pi / low:.4g} s); add this frequency to the scene and "
+                f"solve again"
             )
         unknown = self.stored(omega) < 0
         if len(self.omega) < FEWEST and unknown.any():

@@ -185,7 +185,7 @@ def _reason(error):
     if error.errno in (11, 35) or "unable to lock" in str(error):
         return "another process has opened it"
     if "truncated file" in str(error):
-        return "it is truncated; copy it again, or give another name"
+        return "the file is truncated; copy it again, or give another name"
     return os.strerror(error.errno) if error.errno else str(error).splitlines()[0]
 
 

@@ -78,7 +78,7 @@ def _schema_problems(file):
         coordinates = {axis: _read(file, axis) for axis in (*COORDINATES, *several)}
         lengths = {axis: len(values) for axis, values in coordinates.items()}
     except (TypeError, KeyError):
-        yield "a coordinate is no row of values"
+        yield "a coordinate is not a one-dimensional array"
         return
     yield from _wrong_coordinates(file, coordinates)
     yield from _wrong_scene(file)

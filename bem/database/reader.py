@@ -211,7 +211,8 @@ class Reader:
         C, M = self.stiffness[mode, mode], self.inertia[mode, mode]
         if not C > 0:
             raise ValueError(
-                f"{self.words[mode]} has no restoring force, so that critical damping is not defined; give a matrix"
+                f"{self.words[mode]} has no restoring force, so its critical damping is not defined; give damping as "
+                f"a matrix"
             )
 
         def own(omega):

@@ -138,7 +138,7 @@ def _listing(place, known):
     def one(pattern):
         found = re.search(pattern + r"[\s.]*=\s*(\S+)", text)
         if found is None:
-            raise FormatError(f"{place} does not say {pattern!r}; allowed: the listing of a run of AQWA-LINE")
+            raise FormatError(f"{place} does not contain {pattern!r}; allowed: the listing of a run of AQWA-LINE")
         return float(found[1])
 
     water = Water(one(r"WATER\s+DEPTH"), one(r"DENSITY\s+OF\s+WATER"), one(r"ACCELERATION\s+DUE\s+TO\s+GRAVITY"))
@@ -160,7 +160,7 @@ def _listing(place, known):
             if len(table) == 6:
                 tables[words].setdefault(at, table)
     if center is None:
-        raise FormatError(f"{place} does not say the centre of gravity of structure {which + 1}")
+        raise FormatError(f"{place} does not give the centre of gravity of structure {which + 1}")
     A, B = tables["ADDED MASS"], tables["DAMPING"]
     omega = [at for at in A if at in B and not isinstance(at, str)]
     if not omega:

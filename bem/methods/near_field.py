@@ -46,7 +46,9 @@ def near_field_error(run, moving):
     """
     method, radius, draft = _method(run, moving), run.prepared.radius, run.prepared.draft
     if run.errors is None:
-        raise ValueError("error of the near field of panels without an estimate of theirs; allowed: with a coarse mesh")
+        raise ValueError(
+            "near-field drift by panels has an error only if the panels have one; allowed: a run with a coarse mesh"
+        )
     rho, g = run.problem.density, run.problem.gravity
     motions, lever = np.abs(_motions(run, moving)), np.hypot(radius, draft)
     vertical = motions @ [0, 0, 1, radius, radius, 0]
@@ -73,7 +75,9 @@ def _method(run, moving):
 
         return panel_drift
     if run.problem.shapes:
-        raise ValueError("near-field drift of several bodies by contours; allowed: of one, or by panels")
+        raise ValueError(
+            "near-field drift of several bodies by the contour method; allowed: one body, or the panel method"
+        )
     if run.problem.method != "contour":
         raise ValueError(f"near-field drift by method {run.problem.method}; allowed: panel, contour")
     from ..contour import pressure_drift as contour_drift

@@ -56,8 +56,8 @@ def with_damping_lids(problem):
     nodes = len(geometry.elements.nodes)
     if nodes > MOST_NODES:
         raise ValueError(
-            f"hull and lids have {nodes} nodes; allowed with damping lids: {MOST_NODES} in a symmetric part; "
-            "ask for fewer panels"
+            f"hull and lids have {nodes} nodes; allowed with damping lids: {MOST_NODES} in a symmetric part; give "
+            "fewer panels"
         )
     damping = np.repeat([one.damping for one in lids], counts * problem.nodes_per_panel)
     return geometry, damping

@@ -34,7 +34,10 @@ class PanelRun(FrequencyRun):
         super().__init__(prepared, omega, headings, want, theta, dofs)
         self.refined = refined
         if self.far_field and prepared.problem.wall is not None:
-            raise ValueError("a wall leaves no far field all round: no Kochin functions and drift forces beside it")
+            raise ValueError(
+                "beside a wall the far field does not reach all round: there are no Kochin functions and "
+                "no drift forces"
+            )
         self.geometry = prepared.geometry.at(self.omega**2 / prepared.problem.gravity)
         self.whole_field = bool(self.want & {"pressure", POWER, *OF_EACH})
 

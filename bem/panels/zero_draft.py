@@ -76,7 +76,9 @@ def rigid_surface_limit(prepared, which):
     raises : ValueError for ω → ∞, where the equation has no limit
     """
     if which != "zero":
-        raise ValueError("zero draft has no added mass at infinite frequency; a small draft by the panel method has")
+        raise ValueError(
+            "a body of zero draft has no added mass at infinite frequency; give a small draft and use the panel method"
+        )
     g, problem = prepared.geometry, prepared.problem
     table = limit_table(which, problem.depth, g.reach, g.draft)
     velocities = [g.modes[:, g.members(c)].T.astype(complex) for c in g.classes]

@@ -150,9 +150,11 @@ class WavesOfBodies(PanelWaves):
         self, problem, omega, headings, moving, of_force, surface=False, lines=None, swayed=None, kind=DIFFERENCE
     ):
         if surface:
-            raise ValueError("the forcing of the surface around several bodies; allowed: --level body")
+            raise ValueError("the free-surface forcing is not computed for several bodies; give --level body")
         if lines is not None:
-            raise ValueError("wave pairs of several bodies on lines; allowed: floating freely, or --fixed")
+            raise ValueError(
+                "wave pairs of several bodies are not computed with lines; allowed: floating freely, or --fixed"
+            )
         super().__init__(problem, omega, headings, moving, of_force, swayed=swayed, kind=kind)
         self.each, self.free = (
             of_each_body.surfaces_of_each(self.surfaces, self.prepared.geometry.mesh),

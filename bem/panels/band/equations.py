@@ -69,7 +69,7 @@ class BandEquations(NamedTuple):
         known = np.concatenate([low_rank.X, sides[: n + lid, :columns]], axis=1)
         unit_potentials = self.unit_potentials[i] = lu_solve(factors, known[:n], trans=1, check_finite=False)
         if not np.all(np.isfinite(unit_potentials)):
-            raise FloatingPointError(f"class {i} of the mesh: the equations of the hull have no finite solution")
+            raise FloatingPointError(f"the equations of the hull (symmetry class {i}) have no finite solution")
         areas = self.geometry.elements.weights[:n, None] * self.geometry.copies
         self.potentials_at_samples[i] = unit_potentials[low_rank.error_test.samples.on_hull]
         self.integrals[i] = (low_rank.velocities[i] * areas).T @ unit_potentials
