@@ -38,7 +38,7 @@ def lid(mesh, size=None):
     areas = [_area(ring) for ring in rings]
     if sum(areas) <= 0:
         raise ValueError(
-            f"lid: the waterline encloses {sum(areas):.4g} m²; its normals point inward or it is not closed"
+            f"lid: the waterline encloses {sum(areas):.4g} m²; its normals point inward, or it is not closed"
         )
     if size is None:
         size = math.sqrt(sum(areas) / max(1.0, len(mesh) / 3))

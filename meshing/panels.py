@@ -203,7 +203,9 @@ class PanelMesh:
         side = self.vertices[..., "xy".index(axis)]
         reach = SAME_SIDE * np.abs(self.points).max(initial=0.0)
         if axis in self.symmetry or (side.min() < -reach and side.max() > reach):
-            raise ValueError(f"the hull already lies on both sides of {axis} = 0; allowed: one half of it, to mirror")
+            raise ValueError(
+                f"the hull already lies on both sides of {axis} = 0; only one half of a hull can be mirrored"
+            )
         return replace(self, symmetry="".join(sorted(self.symmetry + axis)))
 
     def clipped(self):

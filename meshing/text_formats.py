@@ -51,7 +51,7 @@ def _of_patches(path, lines, patches, kind, unit, symmetry):
         )
     numbers = _all_numbers(path, lines, 5)
     if numbers is None:
-        raise ValueError(f"{path}: what follows line 4 is not numbers alone")
+        raise ValueError(f"{path}: the text after line 4 contains something other than numbers")
     try:
         points, corners = panelled(np.array(numbers), patches)
     except ValueError as error:
@@ -136,7 +136,7 @@ def read_stl(path):
     words = re.findall(r"\bvertex\s+(\S+)\s+(\S+)\s+(\S+)", read_text(path, errors="replace"), re.IGNORECASE)
     wrong = next((word for row in words for word in row if not _is_number(word)), None)
     if wrong is not None:
-        raise ValueError(f"{path}: {_shown(wrong)} of a vertex is no number")
+        raise ValueError(f"{path}: {_shown(wrong)} of a vertex is not a number")
     points = np.array(words, float)
     if not len(points) or len(points) % 3:
         raise ValueError(f"{path}: {len(points)} vertices; allowed: three for each triangle")
@@ -223,8 +223,8 @@ def _panel_by_panel(path, lines, panels):
         while wanted:
             if k >= len(lines):
                 raise ValueError(
-                    f"{path}: {len(values)} coordinates after line 4; {panels} panels have {12 * panels}, and panel "
-                    f"{number} is not whole"
+                    f"{path}: {len(values)} coordinates after line 4; {panels} panels need {12 * panels}, and panel "
+                    f"{number} is incomplete"
                 )
             words, k = lines[k].replace(",", " ").split(), k + 1
             values += [_number(path, k, word) for word in words[:wanted]]

@@ -26,7 +26,7 @@ def write_whole(path, *content):
             for part in parts:
                 file.write(part)
         if partial.stat().st_size != sum(map(len, parts)):
-            raise OSError(0, "a part of it was not written")
+            raise OSError(0, "a part of the file was not written")
 
 
 @contextlib.contextmanager

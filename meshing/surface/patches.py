@@ -43,7 +43,8 @@ def counter_clockwise(corners):
     least = SAME * np.ptp(corners, axis=0).max() ** 2
     if len(corners) < 3 or not (np.all(turn > -least) or np.all(turn < least)) or np.abs(turn).max() <= least:
         raise ValueError(
-            "is not a convex polygon; allowed: three or more corners in order; divide a bent gap into several parts"
+            "is not a convex polygon; allowed: three or more corners in order round it; divide a bent gap into "
+            "several convex parts"
         )
     return corners if turn.sum() > 0 else corners[::-1]
 

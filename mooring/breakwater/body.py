@@ -102,7 +102,7 @@ class OnTautLines(Buoyant):
 
     def _check_lines(self):
         if not 0 < self.angle < np.pi:
-            raise ValueError(f"lines at {np.degrees(self.angle):g}°; allowed: above 0 and below 180")
+            raise ValueError(f"the lines are at {np.degrees(self.angle):g}°; allowed: above 0 and below 180")
         for name in ("attachment", "line"):
             if not 0 < getattr(self, name) < np.inf:
                 raise ValueError(f"{name} is {getattr(self, name):g} m; allowed: above 0 and finite")

@@ -106,7 +106,7 @@ def anchor_findings(names, anchors, along, up, where="at the largest tension"):
         named = shares(names, np.where(over, used, np.nan))
         yield fails(
             f"{over.sum()} of {len(known)} anchors {where} carry more than their capacity, limit 100 %: "
-            f"{named}; give a larger anchor, of the size in the anchor table, or a longer line"
+            f"{named}; give a larger anchor (the anchor table has the size), or a longer line"
         )
     lifted = [i for i in known if anchors[i].kind == "drag" and up[i] > LIFTED * along[i]]
     if lifted:
@@ -114,8 +114,8 @@ def anchor_findings(names, anchors, along, up, where="at the largest tension"):
         angle = np.degrees(np.arctan2(up[worst], along[worst]))
         yield (
             f"{len(lifted)} of {len(known)} anchors are drag anchors under uplift {where}, the most "
-            f"{names[worst]} with {up[worst] / 1e3:.3g} kN, {angle:.3g}° above the bed: their holding capacity "
-            "is valid for a horizontal pull; give more chain, or use a sinker or pile"
+            f"{names[worst]} with {up[worst] / 1e3:.3g} kN, {angle:.3g}° above the bed: their holding capacity is "
+            "valid for a horizontal pull only; give more chain, or use a sinker or pile"
         )
     charted = [anchors[i].chart for i in known if anchors[i].chart]
     unsure = dict.fromkeys(chart.source for chart in charted if chart.status == "unverified")

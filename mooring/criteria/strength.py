@@ -66,7 +66,7 @@ def smallest(kind, tension, safety_factor, allowance=0.0, years=0.0):
             return name, load
     raise ValueError(
         f"no {kind} of the catalogue carries {tension / 1e3:.4g} kN with a safety factor of {safety_factor:g}; "
-        f"the largest has a breaking load of {last / 1e3:.4g} kN; use more lines or another kind"
+        f"the largest size has a breaking load of {last / 1e3:.4g} kN; use more lines or another kind"
     )
 
 

@@ -119,8 +119,8 @@ def ground_of_record(time, acceleration, after=0.0):
     if not np.all(np.abs(steps - steps[0]) <= UNEVEN * abs(steps[0])) or steps[0] <= 0:
         i = int(np.argmax(np.abs(steps - np.median(steps))))
         raise EarthquakeError(
-            f"the record steps by {steps[i]:g} s after {t[i]:g} s, and elsewhere by {np.median(steps):g} s; "
-            f"allowed: no gaps"
+            f"the time step of the record is {steps[i]:g} s after {t[i]:g} s and {np.median(steps):g} s elsewhere; "
+            f"allowed: equal steps without gaps"
         )
     if not np.any(a):
         raise EarthquakeError("all accelerations of the record are 0; give a record with motion of the ground")

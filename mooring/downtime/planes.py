@@ -54,7 +54,10 @@ def read_planes(paths, location, x_axis):
             grid = 2 * np.pi * frequency, np.mod(x_axis - towards, 2 * np.pi)
             first = first or grid
             if any(a.shape != b.shape or not np.allclose(a, b) for a, b in zip(first, grid, strict=True)):
-                raise TableError(f"the frequencies or directions of {path} differ from {paths[0]}; allowed: the same")
+                raise TableError(
+                    f"the frequencies or directions of {path} differ from those of {paths[0]}; allowed: "
+                    f"the same in all files"
+                )
             moments.append(time)
             found.append(_integrals(*grid, density / (2 * np.pi)))
         counts.append(sum(map(len, moments)) - before)

@@ -102,8 +102,8 @@ def jonswap_fetch(wind_speed, fetch, *, gamma=3.3, gravity=GRAVITY):
     longest = FULLY_DEVELOPED * speed**2 / g
     if fetch > longest * (1 + 1e-9):
         raise ValueError(
-            f"fetch is {fetch:g} m; after {longest:.4g} m the sea of a wind of {speed:g} m/s is fully developed, "
-            "f_p U/g = 0.13; give at most that"
+            f"fetch is {fetch:g} m; beyond {longest:.4g} m the sea of a wind of {speed:g} m/s is fully developed, f_p "
+            "U/g = 0.13; give at most that fetch"
         )
     x = g * fetch / speed**2
     peak_omega = 2 * np.pi * 3.5 * x**-0.33 * g / speed
@@ -132,7 +132,7 @@ def read_spectrum(path):
             omega, values = values[:, names.index(frequency)] * factor, values[:, names.index(density)] / factor
             return _of_file(path, omega, values)
     allowed = " or ".join(",".join(pair) for pair in COLUMNS)
-    raise TableError(f"{path} has the columns {','.join(names or ['without names'])}; allowed: {allowed}")
+    raise TableError(f"{path} has the columns {','.join(names or ['without names'])}; allowed columns: {allowed}")
 
 
 def _of_file(path, omega, values):

@@ -46,8 +46,8 @@ class Spreading:
         error = np.abs(total - 1).max()
         if not error <= COARSE:
             raise ValueError(
-                f"{self!r}: the sum over cells of 0.1° misses 1 by {error:.2g}; allowed: {COARSE:g}; "
-                "a sea this narrow is long-crested (spreading None)"
+                f"{self!r}: the sum over cells of 0.1° differs from 1 by {error:.2g}; allowed: {COARSE:g}; give a "
+                "long-crested sea (spreading None) for a spreading this narrow"
             )
         return share / total
 
@@ -78,7 +78,9 @@ class CosinePower(Spreading):
     def __post_init__(self):
         within("exponent of the spreading", self.exponent, 0, 1e4)
         if not -np.pi / 2 <= self.low < self.high <= np.pi / 2:
-            raise ValueError(f"spreading from {self.low:g} to {self.high:g} rad; allowed: −π/2 ≤ low < high ≤ π/2")
+            raise ValueError(
+                f"the spreading extends from {self.low:g} to {self.high:g} rad; allowed: −π/2 ≤ low < high ≤ π/2"
+            )
 
     def __str__(self):
         sector = (
@@ -133,7 +135,7 @@ class Mitsuyasu(Spreading):
 
     def density(self, angle, omega=None):
         if omega is None:
-            raise ValueError("Mitsuyasu's spreading depends on the frequency; give omega")
+            raise ValueError("Mitsuyasu's spreading depends on the frequency; give the frequency omega")
         return _half_cosine(angle, self.exponent(omega))
 
     def exponent(self, omega):

@@ -107,7 +107,7 @@ def mean_over(speed, given, wanted, height=10.0):
     reached = np.array([froya_speed_at(height, hourly, given) for hourly in tried])
     if reached.max() < speed:
         raise ValueError(
-            f"wind of {speed:.4g} m/s over {given:g} s at {height:g} m: the Frøya formula has at most "
+            f"the wind is {speed:.4g} m/s over {given:g} s at {height:g} m; the Frøya formula reaches at most "
             f"{reached.max():.4g} m/s there; give the wind at 10 m"
         )
     upper = tried[np.argmax(reached >= speed)]

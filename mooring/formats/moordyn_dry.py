@@ -96,5 +96,5 @@ def out_of_water(lines, points, bodies, dry, water):
         else:
             made.append(line)
             left.append(line.name)
-    what = f"line {', '.join(left)} leaves the water, and its weight in water is used there too"
+    what = f"line {', '.join(left)} leaves the water; its part in the air also has its weight in water here"
     return made, [what] if left else []

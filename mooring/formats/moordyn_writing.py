@@ -77,21 +77,20 @@ def moordyn_of_system(system: System, source: MoorDynFile | None = None) -> Moor
     lighter = weighed_differently(system)
     if lighter:
         warnings.warn(
-            f"line {', '.join(lighter)} comes out of the water; the part above has its weight in water here, and its "
-            "weight in air in MoorDyn",
+            f"line {', '.join(lighter)} comes out of the water; its part in the air has its weight in water here, but "
+            "its weight in air in MoorDyn",
             stacklevel=2,
         )
     lost = [line.name for line in system.lines if np.isfinite(line.breaking_load)]
-    told = f"; breaking loads are not in it, those of {', '.join(lost)} are lost" if lost else ""
+    told = f"; breaking loads are not in the file: those of {', '.join(lost)} are lost" if lost else ""
     if lost or any(not line.name.isdigit() for line in system.lines):
         numbers = ", ".join(f"{i} is {line.name}" for i, line in enumerate(system.lines, 1))
-        warnings.warn(
-            f"the MoorDyn file numbers its lines: {numbers}{told}; keep the file they come from", stacklevel=2
-        )
+        warnings.warn(f"the MoorDyn file has numbers for lines: {numbers}{told}; keep the original file", stacklevel=2)
     moved = [body.name for body in system.bodies if body.freedom]
     if moved:
         warnings.warn(
-            f"{', '.join(moved)} may move here, and the MoorDyn file holds it where it is given (Coupled)", stacklevel=2
+            f"{', '.join(moved)} may move here, but the MoorDyn file fixes it at its given place (Coupled)",
+            stacklevel=2,
         )
     options = {
         "dtM": repr(stable_step(system, longest, *bed)),

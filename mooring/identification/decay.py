@@ -93,7 +93,7 @@ def _extinction(X):
     a, b = np.linalg.lstsq(np.stack([middle, middle**2], axis=1), lost, rcond=None)[0]
     alone = float(lost @ middle / (middle @ middle))
     if not alone > 0:
-        raise RecordError(f"the motion grows by {-100 * alone:.3g} % in half a cycle; allowed: a decaying motion")
+        raise RecordError(f"the motion grows by {-100 * alone:.3g} % in half a cycle; allowed: a motion that decays")
     return float(a), float(b), alone
 
 

@@ -54,7 +54,7 @@ def double_body(hulls, track, stagger, depth, *, wall=None, density=1025.0, each
     """
     stagger = np.asarray(stagger, float)
     if len(stagger) < DEGREE + 2:
-        raise ValueError(f"{len(stagger)} places along the track; allowed: at least {DEGREE + 2}")
+        raise ValueError(f"the track has {len(stagger)} places; allowed: at least {DEGREE + 2}")
     places, step = [], STEP * abs(track.distance)
     few = np.union1d(stagger[::EACH], stagger[-1:])
     places += [(x, track.distance, 0.0) for x in stagger]

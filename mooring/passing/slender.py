@@ -35,7 +35,9 @@ class Slender:
 
     def __post_init__(self):
         if not (0 < self.length < math.inf and 0 < self.area < math.inf):
-            raise ValueError(f"length {self.length} m, section {self.area} m²; allowed: positive, finite")
+            raise ValueError(
+                f"the length is {self.length} m and the section area {self.area} m²; allowed: positive, finite"
+            )
 
 
 def wang(moored, passing, track, stagger, depth=math.inf, density=1025.0):

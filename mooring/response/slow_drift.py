@@ -69,8 +69,9 @@ def component_drift(body, components, hold=False):
     share = outside_band(body, components)
     if share > MOST_OUTSIDE and not hold:
         raise BetweenError(
-            f"{100 * share:.1f} % of the wave energy is outside the database, {low:.4g} to {high:.4g} rad/s; "
-            f"allowed: {100 * MOST_OUTSIDE:g} %; add frequencies to the scene, or hold drift at the ends (hold=True)"
+            f"{100 * share:.1f} % of the wave energy is outside the database's {low:.4g} to {high:.4g} rad/s; "
+            f"allowed: {100 * MOST_OUTSIDE:g} %; add frequencies to the scene, or keep the drift constant beyond the "
+            f"ends (hold=True)"
         )
     held = np.clip(omega, low, high)
     if np.ptp(direction) == 0:
@@ -259,7 +260,9 @@ def half_waves(elevation, step, amplitude="extreme") -> HalfWaves:
     at = before + y[before] / (y[before] - y[before + 1])
     samples = np.diff(at)
     if samples.mean() < 8:
-        raise ValueError(f"half waves have {samples.mean():.3g} samples on average; allowed: at least 8, shorten step")
+        raise ValueError(
+            f"half waves have {samples.mean():.3g} samples on average; allowed: at least 8; give a shorter step"
+        )
     inside, starts = slice(0, before[-1] + 1), before[:-1] + 1
     if amplitude == "extreme":
         size = np.maximum.reduceat(_peaks(y)[inside], starts)
@@ -292,7 +295,10 @@ def with_mean(force, mean):
     scale = np.abs(force).max(axis=0)
     idle = np.maximum(np.abs(found), np.abs(mean)) <= 1e-6 * np.maximum(scale, np.abs(mean).max())
     if np.any(found[~idle] * mean[~idle] <= 0):
-        raise ValueError(f"slow drift: means of the record are {found} N, wanted are {mean} N; no factor joins signs")
+        raise ValueError(
+            f"slow drift: the means of the record are {found} N and must be {mean} N; their signs "
+            f"differ, so no factor corrects them"
+        )
     factor = np.where(idle, 1.0, mean / np.where(idle, 1.0, found))
     return force * factor, factor
 

@@ -57,7 +57,9 @@ class OneSystem(Spectrum):
         a, b = self.shape - order / 4, self.shape + 0.25
         if a <= 0:
             if np.any(np.isinf(high)):
-                raise ValueError(f"{self.name}: moment {order} has no end at shape {self.shape:g}; give a high")
+                raise ValueError(
+                    f"{self.name}: moment {order} is infinite at shape {self.shape:g}; give high, the highest frequency"
+                )
             return self._by_rule(order, low, high)
         with np.errstate(divide="ignore"):
             u, v = b * (low / self.peak_omega) ** -4.0, b * (high / self.peak_omega) ** -4.0
@@ -160,7 +162,7 @@ def ochi_hubble(height, **period):
     given = [kind for kind, value in period.items() if value is not None]
     if given:
         raise ValueError(
-            f"ochi_hubble: {' and '.join(given)} is given; give no period, since periods follow from the height"
+            f"ochi_hubble: {' and '.join(given)} is given; leave out the period, since periods follow from the height"
         )
     H = within("wave height", positive("wave height", height, "m"), 0.1, HIGHEST, "m")
     whole = H / np.hypot(0.84, 0.54)

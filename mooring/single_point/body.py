@@ -82,11 +82,11 @@ class SinglePoint:
             )
         if len(ends) == 2 and not abs(np.diff(lengths)[0]) < np.hypot(*(ends[1] - ends[0])) < lengths.sum():
             raise SinglePointError(
-                f"two hawsers of {lengths[0]:g} and {lengths[1]:g} m do not meet ahead of their ends, "
+                f"two hawsers of {lengths[0]:g} and {lengths[1]:g} m do not meet ahead of their ends, which are "
                 f"{np.hypot(*(ends[1] - ends[0])):g} m apart; lengthen them"
             )
         if len(self.system.bodies) != 1 or self.system.free_points:
-            raise SinglePointError(f"{self.system!r} has to contain one body, the buoy, on lines to anchors")
+            raise SinglePointError(f"{self.system!r} must contain one body, the buoy, on lines to anchors")
 
     @cached_property
     def inverse(self):

@@ -39,8 +39,8 @@ def mesh_error(case, result, limit):
         at = int(np.argmax(error))
         warnings.warn(
             fails(
-                f"{case.line}: the largest tension {_WHERE[at]} is {_kN(ours[at])}, in {other.elements} elements "
-                f"{_kN(peaks[at])}: estimated error {error[at]:.1%}, allowed {limit:.1%}; give more elements"
+                f"{case.line}: the largest tension {_WHERE[at]} is {_kN(ours[at])}, and {_kN(peaks[at])} in "
+                f"{other.elements} elements: estimated error {error[at]:.1%}, allowed {limit:.1%}; give more elements"
             ),
             stacklevel=3,
         )
@@ -55,7 +55,11 @@ def step_error(case, result, state, limit):
     try:
         found = run_esdirk(_plain(case)._replace(coarser=COARSER), state)
     except DynamicLineError as error:
-        warnings.warn(f"the error of largest tensions by steps is not known; with longer steps, {error}", stacklevel=3)
+        warnings.warn(
+            f"the error of the largest tensions caused by time steps is not known: the run with longer "
+            f"steps failed, {error}",
+            stacklevel=3,
+        )
         return np.nan
     edges = np.linspace(result.time[0], result.time[-1], PARTS + 1)
     ours, others = _largest_of_parts(result, edges), _largest_of_parts(found, edges)
@@ -67,8 +71,8 @@ def step_error(case, result, state, limit):
             fails(
                 f"{case.line}: with steps {COARSER:g} times as long the largest tension {_WHERE[at]} from "
                 f"{edges[part]:.4g} to {edges[part + 1]:.4g} s is {_kN(others[at, part])} in place of "
-                f"{_kN(ours[at, part])}: largest tensions are known to {error[at]:.1%} for their steps, allowed "
-                f"{limit:.1%}; give a smaller tolerance than {case.tolerance:g}"
+                f"{_kN(ours[at, part])}: time steps leave an error of {error[at]:.1%} in the largest tensions, "
+                f"allowed {limit:.1%}; give a tolerance smaller than {case.tolerance:g}"
             ),
             stacklevel=3,
         )

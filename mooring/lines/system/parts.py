@@ -93,7 +93,10 @@ class UniformLine:
         if self.weight_in_air is not None:
             least, air = self.type.weight, self.weight_in_air
             _check(
-                f"line {self.name}: weight_in_air", air, air >= least > 0, "finite, at least a weight in water above 0"
+                f"line {self.name}: weight_in_air",
+                air,
+                air >= least > 0,
+                "finite, at least the weight in water if that is above 0",
             )
 
     @property
