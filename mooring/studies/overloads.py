@@ -18,7 +18,10 @@ def overloads(state, curves=(), losses=None):
     """
     yield from _of_one("at rest", state.system, state.tension, state.lines.utilisation)
     for curve in curves:
-        where = f"held at offsets up to {np.abs(curve.offset).max():g} m along {np.degrees(curve.direction):g}°"
+        where = (
+            f"with the body held at offsets up to {np.abs(curve.offset).max():g} m along "
+            f"{np.degrees(curve.direction):g}°"
+        )
         yield from _missed(curve)
         largest, used = np.fmax.reduce(curve.tension), np.fmax.reduce(curve.utilisation)
         yield from _of_one(where, state.system, largest, used)
@@ -45,8 +48,8 @@ def _of_one(where, system, tension, used):
     broken = _named(system, used, 1.0)
     if broken:
         yield fails(
-            f"{where}, tension in % of the breaking load: {broken}; limit 100 %, there a line parts; "
-            "give a stronger type or a longer line"
+            f"{where}, tension in % of the breaking load: {broken}; limit 100 %, at which a line parts; give a "
+            "stronger type or a longer line"
         )
     stretched = _named(system, strains(system, tension), LONGEST_STRAIN)
     if stretched:

@@ -152,7 +152,7 @@ def _modes(held, mass, damping):
             )
         if not N[i] > 0:
             raise ValueError(
-                f"slow {name} has damping {N[i]:.3g}, of the waves' drift and the study; allowed: above 0; give "
+                f"slow {name} has damping {N[i]:.3g} (wave drift and study together); allowed: above 0; give "
                 f"body.damping_ratio = {{ {name} = 0.05 }} or so for the drag of lines and hull"
             )
     return _Modes(period, C, N, N / (2 * np.sqrt(C * M)))
@@ -260,7 +260,7 @@ def _flags(modes, sea):
         near = [f"{n} {T:.4g} s" for n, T in zip(NAMES, modes.period, strict=True) if peak / NEAR < T < peak * NEAR]
         if near:
             yield (
-                f"natural period of {', '.join(near)} is within a factor of {NEAR:g} of the waves' peak period "
+                f"natural period of {', '.join(near)} is within a factor of {NEAR:g} of the peak period of the waves, "
                 f"{peak:.4g} s; change the stiffness of the lines"
             )
     light = [f"{n} {100 * v:.3g} %" for n, v in zip(NAMES, modes.ratio, strict=True) if v < 0.02]

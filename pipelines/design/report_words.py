@@ -35,7 +35,7 @@ def summary(verdict):
     use, criterion = worst.governing, worst.criterion
     return (
         f": {percent(use.utilisation)} of {criterion.name}, {criterion.quantity} {criterion.sense} "
-        f"{criterion.limit:.4g}, is reached by {_used_by(use, criterion)}"
+        f"{criterion.limit:.4g}, is used by {_used_by(use, criterion)}"
     )
 
 
@@ -76,10 +76,7 @@ def advice_words(advice, verdict):
 def _tried_words(one):
     used = f"{percent(one.utilisation)} of {one.criterion.rule}, {one.criterion.quantity}"
     if one.passes:
-        return (
-            f"Passes in the governing cases: {one.words}, which uses {used}. It is the smallest change of its "
-            "kind that passes."
-        )
+        return f"Passes in the governing cases: {one.words}, which uses {used}. No smaller change of this kind passes."
     return f"Not enough alone: {one.words}, the best change of its kind, still uses {used}."
 
 
@@ -93,8 +90,8 @@ def return_words(own, verdict):
     if verdict.return_period is None:
         return ""
     return (
-        f"A value that stays unexceeded for {own.service_life:g} years with probability {own.probability:g} has "
-        f"a return period of {verdict.return_period:.0f} years."
+        f"A value that is not exceeded in {own.service_life:g} years with probability {own.probability:g} has a "
+        f"return period of {verdict.return_period:.0f} years."
     )
 
 

@@ -43,7 +43,7 @@ def import_several(place, kind_name, names, meshes, known, weights, output, fres
     if not hasattr(module, "coupled"):
         able = ", ".join(n for n, one in FORMATS.items() if one.module in ("wamit", "bemio"))
         raise ValueError(
-            f"--bodies is given with --from {kind_name}; allowed with {able}, or give --body for one of several"
+            f"--bodies is given with --from {kind_name}; allowed with {able}; for one body of several give --body"
         )
     if len(set(names)) < len(names) or not all(names):
         raise ValueError(f"--bodies is {','.join(names)!r}; give each body a different name")
@@ -71,7 +71,7 @@ def import_several(place, kind_name, names, meshes, known, weights, output, fres
     if uncoupled:
         own = np.kron(np.eye(len(names)), np.ones((6, 6)))
         radiation = {name: part * own for name, part in radiation.items()}
-        remarks.append("left out: added mass and damping of each body by the motions of the others")
+        remarks.append("left out: added mass and damping on each body due to motions of the others")
     values = _together(parts, radiation)
     if len(values.wave_direction) == 1 and _round(hulls):
         values = _all_around(values)

@@ -61,7 +61,7 @@ def check(project, raw):
         if state.waves is None:
             raise StudyError(f"states[{i}].waves is missing; give height and period of the sea")
         if state.waves.swell:
-            raise StudyError(f"states[{i}].waves.swell is given; a breakwater is computed in one wave system only")
+            raise StudyError(f"states[{i}].waves.swell is given; a breakwater is computed for one wave system only")
         if state.lines != ["intact"]:
             raise StudyError(f"states[{i}].lines is {state.lines}; allowed: intact")
 
@@ -131,7 +131,7 @@ def lost(study):
 
 def without(study, name):
     """Not used: a breakwater has no case with a lost line"""
-    raise StudyError(f"{name}: a lost line is not a load case of a breakwater")
+    raise StudyError(f"{name}: the loss of a line is not a load case of a breakwater")
 
 
 def run(study, database, path, _):
