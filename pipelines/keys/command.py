@@ -69,9 +69,7 @@ def _schemas(kind, words, place):
     from . import schema
 
     if words:
-        raise ValueError(
-            f"{words[0]!r} and --schema are given; a schema has all keys of a kind, so leave {words[0]!r} out"
-        )
+        raise ValueError(f"{words[0]!r} and --schema are given; a schema has all keys of a kind; leave the words out")
     if kind is None:
         if place.suffix or place.is_file():
             raise ValueError(f"{place} is the name of a single file; give a folder for all kinds, or name one kind")

@@ -153,7 +153,10 @@ def _loaded(system, name, force):
 
     given = next(body for body in system.bodies if body.name == name)
     if not given.freedom:
-        warnings.warn(f"{name} is held at its position; with --force it moves in surge, sway and yaw", stacklevel=2)
+        warnings.warn(
+            f"{name} is held at its position without --force; with --force it moves in surge, sway and yaw",
+            stacklevel=2,
+        )
         bodies = [replace(body, freedom=MooredBody.freedom) if body is given else body for body in system.bodies]
         system = replace(system, bodies=tuple(bodies))
     load = np.array(given.load, float)

@@ -72,7 +72,7 @@ def check_stored(body, in_waves):
         lacking.append(DRIFT[1])
     if lacking:
         raise StudyError(
-            f"{body.name}: want does not include {', '.join(lacking)}; give radiation, diffraction, motions and "
+            f"{body.name}: its want does not include {', '.join(lacking)}; give radiation, diffraction, motions and "
             "drift, or leave out want"
         )
 
@@ -104,7 +104,7 @@ def check_period(waves, omega):
     if not omega[0] <= waves.omega <= omega[-1]:
         raise StudyError(
             f"waves of {waves.period:.4g} s lie outside the stored periods, {2 * np.pi / omega[-1]:.4g} to "
-            f"{2 * np.pi / omega[0]:.4g} s; solve them as well"
+            f"{2 * np.pi / omega[0]:.4g} s; solve this period as well"
         )
 
 

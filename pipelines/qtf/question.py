@@ -143,7 +143,7 @@ def _frequencies(omega, low, high):
     if not (np.all(np.isfinite(given)) and given.min() >= low * (1 - 1e-9) and given.max() <= high * (1 + 1e-9)):
         raise ValueError(
             f"--omega is {_said(given)}; allowed: within the stored {low:.4g} to {high:.4g} rad/s; "
-            "solve the scene to there as well"
+            "solve the scene over that band as well"
         )
     return given
 

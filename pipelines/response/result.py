@@ -106,8 +106,8 @@ def _of_depth(read, db):
     if abs(more) <= FAR_FROM_DEPTH * gap:
         return []
     return [
-        f"tide and extra draft change the water under the keel by {more:.3g} of {gap:.3g} m: motions are those of "
-        "the depth of the database; solve it again at that depth"
+        f"tide and extra draft change the water under the keel by {more:.3g} of {gap:.3g} m, but the motions are "
+        "those at the depth of the database; solve the body again at the changed depth"
     ]
 
 
