@@ -62,7 +62,7 @@ def simplified(study, db):
     try:
         found = multi_point(db, system, hull, study.conditions(), study.allowable)
     except ValueError as error:
-        reason = f"the simplified method fails here: {' '.join(str(error).split())}"
+        reason = f"the simplified method does not work here: {' '.join(str(error).split())}"
         return Beside(none, none, unknown, unknown, (reason,))
     if db.bodies:
         return Beside(found.tension, found.utilisation, unknown, unknown)
