@@ -184,7 +184,7 @@ def waves_carrier(study):
 def _by_current(drift, still, current):
     largest, before = (np.hypot(*of[:, :2].T).max() / 1e3 for of in (drift, still))
     return (
-        f"on the current the mean drift of the waves is up to {largest:.4g} kN at most, and {before:.4g} kN in "
+        f"on the current the mean drift of the waves is at most {largest:.4g} kN, and {before:.4g} kN in "
         f'still water (current.waves = "still"); waves are given in {current.waves} frequencies'
     )
 

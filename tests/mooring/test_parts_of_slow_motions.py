@@ -80,7 +80,7 @@ def test_a_cycle_is_where_a_period_changes_nothing(periods):
 
 def test_slewing_that_does_not_stay_is_told(periods, monkeypatch):
     given, _ = periods
-    with pytest.raises(SinglePointError, match=r"the heading of 90.0° is stable: no slewing begins there"):
+    with pytest.raises(SinglePointError, match=r"the heading of 90.0° is stable, so slewing does not start from it"):
         limit_cycle.limit_cycle(steady(True))
     given += [period(0.5 * limit_cycle.LEAST, 0.0, math.radians(370))]
     with pytest.raises(SinglePointError, match=r"the slewing dies out at a heading of 10.0°"):

@@ -77,7 +77,7 @@ def pressure_error(run):
 def check_panels(problem, mesh):
     """Raises ValueError for constant panels and zero draft; warns of panels long relative to the gap under the keel"""
     if problem.nodes_per_panel != 4:
-        raise ValueError(f"near-field drift with {problem.nodes_per_panel} nodes on each panel; allowed: 4")
+        raise ValueError(f"nodes_per_panel is {problem.nodes_per_panel}; near-field drift needs 4")
     if problem.zero_draft:
         raise ValueError("near-field drift needs a hull with sides, and the draft is 0; use the drift by the far field")
     length, gap = coarsest_at_gap(mesh, problem.depth)

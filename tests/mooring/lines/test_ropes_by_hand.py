@@ -76,7 +76,7 @@ def test_a_rope_alone_and_one_that_is_hardened():
         (lambda v: Hawser("h", None, 9.0, "a", "b", v), 0.1, 0.0, "line h: breaking_load is 0 N"),
         (lambda v: pull_of_points("h", [0.0, 1.0], [0.0, v]), 1.0, 0.0, "its tension number 2 is 0 N"),
         (lambda v: pull_of_points("h", [v, 1.0], [0.0, 1.0]), 0.0, 0.1, "its elongation number 1 is 0.1 m"),
-        (lambda v: pull_of_points("h", [0.0, 1.0], [0.0, 1.0, 2.0][:v]), 2, 3, "2 elongations, 3 tensions"),
+        (lambda v: pull_of_points("h", [0.0, 1.0], [0.0, 1.0, 2.0][:v]), 2, 3, "2 elongations and 3 tensions"),
         (lambda v: line_type(f"grade 3 {v} mm"), 220, 221, "the size is 221 mm; allowed: 10 to 220"),
         (lambda v: line_type(f"grade 3 {v} mm"), 10, 9, "the size is 9"),
         (lambda v: line_type(f"polyester {v} mm"), 500, 501, "the size is 501 mm; allowed: 1 to 500"),

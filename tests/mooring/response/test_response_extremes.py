@@ -100,7 +100,7 @@ def test_thousand_waves_have_the_factor_of_the_report():
     [
         (
             lambda: bandwidth(1.0, 2.0, 1.0),
-            "the moments do not belong to a spectrum; allowed: above 0, with m2² at most m0 m4",
+            "these moments are not those of a spectrum; allowed: above 0, with m2² at most m0 m4",
         ),
         (lambda: bandwidth_of_periods(11.0, 10.0), "period between maxima is 1.1 of that"),
         (lambda: expected_maximum(1.0, 10.0, 8.0), "1.25 zero crossings; allowed: above 3"),

@@ -107,7 +107,7 @@ def test_a_rope_goes_from_its_body_to_a_bollard_on_another_or_ashore(between):
 @pytest.mark.parametrize(
     ("change", "says"),
     [
-        ({"body": "pier"}, "body is 'pier'; allowed: one that moves, ship, barge"),
+        ({"body": "pier"}, "body is 'pier'; allowed: a body that moves, ship, barge"),
         ({"to": "ship"}, "to is 'ship'; allowed: another body, barge, pier, or none"),
         ({"to": "quay"}, "to is 'quay'; allowed: another body"),
         ({"position": (10.0, 21.5, 1.0)}, "lies inside both ship and barge, at -5, 19.5, 1 m of the scene"),

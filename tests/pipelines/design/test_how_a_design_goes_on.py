@@ -117,7 +117,7 @@ def test_advice_of_static_lines_says_so_first():
     still, moves = ran(), ran(found=(f"{OF_LINES} snap",))
     assert after_lines_move(given, [still]) == given
     said = after_lines_move(given, [still, moves, running.Ran(case(), Path("x"), None)])
-    assert said.beyond.startswith(f"This advice rests on static lines ({OF_LINES} snap).")
+    assert said.beyond.startswith(f"This advice was computed with static lines ({OF_LINES} snap).")
     assert said.beyond.endswith("first. And more.") and said.tried == ("size",)
     nothing = Advice((), (), "")
     assert after_lines_move(nothing, [moves]) == nothing
@@ -294,7 +294,7 @@ def test_natural_periods_and_records_at_a_berth_are_told():
     assert berth._periods(file) == "natural periods of small motions at the berth: surge 12.3 s, yaw 60 s"
     file.attrs["natural_period"] = [math.inf] * 3
     assert berth._periods(file).endswith("none, since nothing holds the body at rest")
-    for kept, told in ((3, []), (2, ["steady strains cover the 2 of 3 runs"])):
+    for kept, told in ((3, []), (2, ["steady strains come from the 2 of 3 runs"])):
         said = list(berth._steady_of_few({"deflection": [0] * kept, "seed": [0] * 3}))
         assert [line[: len(words)] for line, words in zip(said, told, strict=True)] == told
 

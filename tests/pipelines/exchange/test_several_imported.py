@@ -88,7 +88,10 @@ def test_bodies_of_a_set_move_together(place):
         (("--bodies", "a,a"), "give each body a different name"),
         (("--bodies", "a,b", "--gyration", "1,1,1"), "three numbers for each of a, b, ; between"),
         (("--uncoupled",), "--uncoupled is given without --bodies"),
-        (("--bodies", "a,b", "--body", "1"), "several bodies are read as the files describe them"),
+        (
+            ("--bodies", "a,b", "--body", "1"),
+            "several bodies are read exactly as the files describe them; leave these flags out",
+        ),
     ],
 )
 def test_faults_are_one_line(place, more, line, capsys):

@@ -70,7 +70,7 @@ def test_fenders_side_by_side_add():
         ("--height 2 --table nowhere.csv", "nowhere.csv does not exist"),
         ("--height 2 --family cell --angle 8", "fender.angle_deg is 8 without a width; give the width of the panel, m"),
         ("--height 2 --family cell --angle 60 --width 2", "inclined by 60°; allowed: 0 to 45"),
-        ("--height 2 --family cell --width 2", "fender.width is 2 m without an angle_deg"),
+        ("--height 2 --family cell --width 2", "fender.width is 2 m but angle_deg is missing;"),
         ("--height 2 --family cell --plot f.txt", "has the suffix '.txt'"),
     ],
 )

@@ -39,7 +39,7 @@ def said(used=None, uniform=True, regime="none", fairlead=(1.0, 1.0), **more):
          {"fairlead": (0.89, 1.0), "regime": SimpleNamespace(regime=1)},
          "predicts a quasi-static line, but the run differs by -11% from statics, allowed 10%"),
         ({"fairlead": (1.3, 1.0), "regime": SimpleNamespace(regime=2)}, {"fairlead": (1.0, np.nan)},
-         "the line has no static shape at any position of its fairlead, so that no quasi-static tension is given"),
+         "the line has no static shape at any position of its fairlead, so no quasi-static tension is given"),
         ({"fairlead": (1.3, 1.0), "regime": "not of this method"},
          {"fairlead": (1.101, 1.0), "regime": SimpleNamespace(regime=1)}, "+10% from statics"),
         ({"imbalance": 0.5, "exchanged": 0.0}, {"imbalance": 0.5, "exchanged": 1.0}, "50.0% of the work"),

@@ -50,7 +50,7 @@ LIMITS = [  # old, good, bad, what is said
     ('shape = "box"', 'shape = "box"', 'shape = "boxes"', "bodies[0].shape is 'boxes'; allowed"),
     ("beam = 50.0\n", "beam = 50.0\n", "", "bodies[0].beam is missing; a box has length, beam, draft"),
     ("beam = 50.0\n", "beam = 50.0\n", "beam = 50.0\nradius = 3.0\n", "bodies[0].radius is 3.0; a box has length"),
-    ("beam = 50.0\n", "beam = 50.0\n", "beam = 50.0\nbow = 0.8\n", "or a waterplane; a box has"),
+    ("beam = 50.0\n", "beam = 50.0\n", "beam = 50.0\nbow = 0.8\n", "or a waterplane coefficient; a box has"),
 ]  # fmt: skip
 
 

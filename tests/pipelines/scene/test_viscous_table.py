@@ -42,7 +42,7 @@ def test_the_table_belongs_to_the_scene_and_survives_as_text():
     ("viscous", "body", "words"),
     [
         ({"wave_height": -1.0, "roll": "Yamashita"}, {}, "wave_height is -1"),
-        ({"wave_height": 1.0}, {}, "has no law"),
+        ({"wave_height": 1.0}, {}, "has no damping law"),
         ({"wave_height": 1.0, "roll": "Ikeda"}, {}, "'Ikeda'; allowed: Yamashita"),
         ({"wave_height": 1.0, "roll": "Yamashita"}, {"beam": 80.0, "draft": 4.0}, "B/d = 20"),
         ({"wave_height": 1.0, "roll": {"drag": 1.0, "b": [1.0]}}, {}, "one of drag, b"),
