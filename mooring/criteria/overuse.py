@@ -19,7 +19,7 @@ def overused(names, used, allowable, where, help=HELP):
     used = np.asarray(used, float)
     parted = used > 1
     kinds = (
-        (parted, "beyond the breaking load, limit 100 %, so they break"),
+        (parted, "beyond the breaking load, limit 100 %, at which they break"),
         ((used > allowable) & ~parted, f"above the allowable {100 * allowable:g} % of the breaking load"),
     )
     for chosen, text in kinds:
