@@ -1,4 +1,4 @@
-"""First-order quantities of one frequency, for all methods."""
+"""First-order quantities of one frequency, as all methods return them."""
 
 from __future__ import annotations
 

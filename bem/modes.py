@@ -101,7 +101,7 @@ def words_of(bodies, modes=()):
 
 
 def names_of(bodies, modes=()):
-    """Names of the modes of several bodies, as in Capytaine; for an empty list those of one body"""
+    """Names of the modes of several bodies, as in Capytaine; for an empty list the names for one body"""
     rigid = [f"{body.name}__{dof}" for body in bodies for dof in DOFS] or DOFS
     return (*rigid, *(_of_body(bodies, mode, "__") for mode in modes))
 
@@ -111,7 +111,7 @@ def _of_body(bodies, mode, between):
 
 
 def moving(bodies, modes=()):
-    """Numbers of the modes that the bodies can move in"""
+    """Numbers of the modes of all bodies that are not fixed"""
     rigid = 6 * max(1, len(bodies))
     own = [d for d in range(rigid) if not (bodies and bodies[d // 6].fixed)]
     return own + list(range(rigid, rigid + len(modes)))
@@ -123,7 +123,8 @@ def turning(bodies, modes=()):
 
 
 def transform_of(bodies, rotation_center, modes=()):
-    """(n, n) from generalized normals about the origin to those about `rotation_center`, of several about their own"""
+    """(n, n) matrix that turns generalized normals about the origin into those about `rotation_center`, for several
+    bodies about the centre of each"""
     rigid = axes_of(bodies) if bodies else reference_change(rotation_center)
     out = np.eye(len(rigid) + len(modes))
     out[: len(rigid), : len(rigid)] = rigid
@@ -131,7 +132,8 @@ def transform_of(bodies, rotation_center, modes=()):
 
 
 def axes_of(bodies):
-    """(6N, 6N) from generalized normals about the origin, body by body, to those about its own point in its own axes"""
+    """(6N, 6N) matrix that turns generalized normals about the origin into those of each body about its own point in
+    its own axes"""
     out = np.zeros((6 * len(bodies), 6 * len(bodies)))
     for i, body in enumerate(bodies):
         own = slice(6 * i, 6 * i + 6)

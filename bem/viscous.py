@@ -68,7 +68,7 @@ class Tabulated:
 class Viscous:
     """Laws by degree of freedom, about the rotation centre, and the wave amplitude (m) for their linearisation.
 
-    wave_amplitude : of a regular wave; names : (n,) of the motions, of several bodies "barge__Roll" and so on
+    wave_amplitude : m, of a regular wave; names : (n,) of the motions, for several bodies "barge__Roll" and so on
     """
 
     laws: dict

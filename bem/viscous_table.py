@@ -6,8 +6,9 @@
     heave = { amplitudes = [0.5, 1.0], b = [0.02, 0.05] }    # b_H of SR179 report (1982), eq. 2.1.4.6
     pitch = { drag = 1.0e9 }                                 # N m s², moment over the square of the velocity
 
-Roll and pitch have amplitudes_deg in place of amplitudes.  Of several bodies [viscous] has the wave height alone, and
-each its laws in [bodies.viscous].
+Roll and pitch use the key amplitudes_deg instead of amplitudes.  With several bodies [viscous] has only the wave
+height, and
+each body has its laws in [bodies.viscous].
 """
 
 from __future__ import annotations

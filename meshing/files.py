@@ -1,4 +1,4 @@
-"""Reading and writing panel meshes, the format by the suffix of the file.
+"""Reading and writing panel meshes; the suffix of the file determines the format.
 
 .gdf (WAMIT), .nemoh, .mar and .dat (Nemoh), .pnl (HAMS) and .vtu are read and written; .msh is read through meshio and
 written by gmsh; .vtk, .vtp, .stl, .ply, .obj, .off, .hst (HydroStar) and .dat of Diodore, Salome and AQWA are read, and

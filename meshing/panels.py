@@ -20,7 +20,7 @@ ROUND = 12  # least number of turns about the vertical that map a mesh to itself
 
 @dataclass(frozen=True, eq=False)
 class PanelMesh:
-    """Panels of the stored part of a wetted hull; reflections give the rest.
+    """Panels of a wetted hull, of which a half or a quarter is stored if mirror planes give the rest.
 
     points : (m, 3) m
     corners : (n, 4) numbers into `points`

@@ -1,4 +1,4 @@
-"""Files written whole or not at all: written under another name, read back, then renamed.
+"""Files are written whole or not at all: under another name first, then read back, then renamed.
 
 If the disk is full or a quota is reached, the old file remains, and an error of one line gives the reason.
 """

@@ -89,7 +89,8 @@ class Ring:
         return np.where(apart[near, np.arange(len(wanted))] <= SAME, near, -1)
 
     def reflected(self, wanted):
-        """(p,) whether headings beside a wall are computed from −β: not stored, and on the side with fewer"""
+        """(p,) whether headings beside a wall are computed from −β: those that are not stored and lie on the side with
+        fewer stored headings"""
         if self.wall is None:
             return np.zeros(len(wanted), bool)
         side = 1 if np.sum(np.sin(self.headings)) >= -SAME else -1
@@ -184,7 +185,8 @@ class AtHeadings:
 
     @property
     def folded(self):
-        """(u,) rad, wanted headings or their mirror images on one side of every plane of symmetry, each once"""
+        """(u,) rad, the wanted headings, replaced by their mirror images on one side of every plane of symmetry, each
+        once"""
         return self._once[0]
 
     @property

@@ -1,4 +1,5 @@
-"""The file behind a database: opened only if it is valid, laid out whole, visible only when complete."""
+"""The file of a database: it is opened only if it is valid, laid out with its full size, and visible only when
+complete."""
 
 from __future__ import annotations
 

@@ -138,7 +138,7 @@ class Nodes:
         return _root(self._kernels(self.x, self.x))
 
     def rows(self, y):
-        """`Rows` at the places y; the last result is kept"""
+        """`Rows` of the kernels at the places y; the last result is kept"""
         key = y.smooth.tobytes()
         if key not in self._kept:
             made = self._rows(y)
@@ -179,7 +179,8 @@ class Interpolant:
     """Functions known at `nodes`: values (n, g, c), lead (g, c) or (1, c), of all groups, in lengths of the body.
 
     The c functions of a group share the weights of the members and their estimated error: a Kochin function at its
-    angles is one group, a coefficient is a group by itself.  Complex functions are one-sided, real ones are not.
+    angles is one group, a coefficient is a group by itself.  Complex functions have echoes on one side only (d > 0),
+    real functions on both.
     """
 
     nodes: Nodes
@@ -191,7 +192,7 @@ class Interpolant:
         return np.concatenate([self._value(part) for part in _blocks(y)])
 
     def deviation(self, y):
-        """(q, g) standard deviations of the modulus, in the mean over the functions of a group"""
+        """(q, g) standard deviations of the modulus, averaged over the functions of a group"""
         return np.concatenate([self._deviation(part) for part in _blocks(y)])
 
     def _value(self, y):
@@ -263,7 +264,7 @@ class Interpolant:
 
 
 class Window(NamedTuple):
-    """Nodes `first` to `last` of all nodes, and the gaps `low` to `high` between nodes in which they are used"""
+    """Nodes `first` to `last`, and the gaps `low` to `high` between nodes in which this window is used"""
 
     nodes: Nodes
     first: int
@@ -315,7 +316,7 @@ class Joined:
         return out
 
     def deviation(self, y):
-        """(q, g) standard deviations of the modulus, in the mean over the functions of a group"""
+        """(q, g) standard deviations of the modulus, averaged over the functions of a group"""
         gap, share = self._place(y)
         out = np.zeros((len(gap), self.values.shape[1]))
         for part in self._parts:

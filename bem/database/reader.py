@@ -198,7 +198,7 @@ class Reader:
         return replace(self, viscous=None, own=self.own and not self.viscous)
 
     def without_drift(self):
-        """The same body with motions only, as one with unsymmetric restraint, whose drift has no mirror images"""
+        """The same body without mirror images of its motions and drift, as for a body with unsymmetric restraint"""
         left_out = (*DRIFT, "kochin_diffraction")
         kept = {name: values for name, values in self.between.quantities.items() if name not in left_out}
         return replace(self, between=replace(self.between, quantities=kept))
@@ -271,7 +271,7 @@ class Reader:
         return radiated, self.to_headings(omega, headings).value(self.ring.of_kochin(diffracted), "kochin")
 
     def motions(self, omega, headings=None):
-        """(q, p, n) complex motion about rotation_center per unit wave amplitude, m/m and rad/m.
+        """(q, p, n) complex motions about rotation_center per unit wave amplitude, m/m and rad/m.
 
         omega : (q,) rad/s; headings : (p,) rad, travelled to, None for those stored
         raises : BetweenError outside the database, and without inertia
@@ -503,7 +503,7 @@ def _known(name, values):
 
 
 def without_rows(matrices, motions):
-    """Matrices (…, n, n) with 0 in the rows and columns of `motions`"""
+    """Matrices (…, n, n) with zeros in the rows and columns of `motions`"""
     out = np.array(matrices)
     out[..., motions, :] = out[..., :, motions] = 0.0
     return out

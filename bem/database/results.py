@@ -45,7 +45,8 @@ STATUS = (
 
 
 def seal_of(file, image, later=()):
-    """The block before the image of an open HDF5 file; later : names of datasets and groups that are filled in later"""
+    """The seal, a block before the image of an open HDF5 file; later : names of datasets and groups that are filled in
+    later"""
     places, filled, first = {}, [STATUS] if later else [], file.userblock_size
 
     def add(name, item):
@@ -162,7 +163,7 @@ def opened_result(path, schema):
 
 
 def named(schema):
-    """What a file with a `schema` is: "hakobune mooring study 1" → "mooring study" """
+    """The kind of a file with this `schema`: "hakobune mooring study 1" → "mooring study" """
     return schema.removeprefix(OURS).rsplit(" ", 1)[0]
 
 

@@ -117,7 +117,7 @@ class Gap:
         return np.concatenate([self.wave_moments(k), side_integrals(self.draft, self.depth, k)])
 
     def side_wave_moments(self, k, l):
-        """⟨Z₀ on the side only, ·⟩ with Z₀ itself, a number, and with cos lζ, (l,) m"""
+        """Products over the side only of Z₀ with itself, a number, and with cos lζ, (l,) m"""
         s, d, h = self.height, self.draft, self.depth
         edge, slope = depth_factor(-d, k, h), depth_factor_slope(-d, k, h) / k
         top = l * np.sin(l * h) + k * np.tanh(k * h) * np.cos(l * h)

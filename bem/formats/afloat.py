@@ -1,4 +1,4 @@
-"""Data of a body in another program's file, compared with its hull.
+"""Check of the body data in another program's file against the hull.
 
     C₃₃ = ρ g A_w,    V,    m = ρ V        of the hull in its water; a length in a wrong unit shows in each of them
 

@@ -1,4 +1,5 @@
-"""AQWA's NAME.AH1, of numbers alone, and NAME.LIS, its listing (Aqwa Reference Manual, "AH1 file", "Listing file").
+"""AQWA's NAME.AH1, which has numbers only, and its listing NAME.LIS (Aqwa Reference Manual, "AH1 file", "Listing
+file").
 
     .AH1   structures, headings, frequencies; GENERAL depth ρ g; COG, MASS, HYDSTIFFNESS, DISPLACEMENT of each structure
            ADDEDMASS, DAMPING   two structures, frequency, A (6, 6);  FORCERAO  structure, heading, frequency, F, φ

@@ -26,7 +26,7 @@ POINTS = {"crest": r"Ref\.pt incident wave\s*:\s*\(([^)]*)\)", "about": r"Refere
 
 
 def read(place, known=None):
-    """The Values of a folder, or of the one that a file lies in.  Raises FormatError."""
+    """The Values of a folder, given by its path or by the path of a file in it.  Raises FormatError."""
     place = Path(place)
     place = place if place.is_dir() else place.parent
     files = [found for path in sorted(place.iterdir()) if (found := _file(path))]

@@ -2,7 +2,8 @@
 
 RadiationCoefficients.tec has a zone for each motion j: ω, then A_ij and B_ij of i = 1 … 6; ExcitationForce.tec,
 DiffractionForce.tec and FKForce.tec one for each heading: ω, then amplitude and phase (rad) of i = 1 … 6. Nemoh.cal
-gives frequencies and headings by first, last and count: others are refused.  Zones are counted, not named: Nemoh 2
+gives frequencies and headings by first, last and count, so uneven ones are refused.  Zones are counted, not named:
+Nemoh 2
 calls those of the excitation "Diffraction force" too.  File names are accepted in any case, as Nemoh 3 writes results/.
 G. Delhommeau, C. Lheea, École centrale de Nantes, Nemoh v3 manual.
 """

@@ -188,7 +188,7 @@ def hull_of(place, known=None):
 
 
 class OtherPlaces(FormatError):
-    """A file has other periods or headings than those beside it."""
+    """Raised for a file whose periods or headings differ from those of the other files."""
 
 
 class Columns(NamedTuple):
@@ -198,7 +198,7 @@ class Columns(NamedTuple):
     modes: np.ndarray
 
     def of_body(self, table):
-        """Whether a table of forces has some of the body's"""
+        """Whether a table of forces contains forces of the body"""
         return bool(np.isin(table.rows[:, -5], self.modes).any())
 
     def omega(self, column):

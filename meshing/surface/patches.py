@@ -50,7 +50,7 @@ def counter_clockwise(corners):
 
 
 def mirrored_in(polygons, symmetry):
-    """The planes of `symmetry` in which the polygons are mirror images of each other or of themselves"""
+    """Those mirror planes of `symmetry` in which the polygons are images of each other or of themselves"""
     return "".join(axis for axis in symmetry if all(_found(_image(p, axis), polygons) for p in polygons))
 
 

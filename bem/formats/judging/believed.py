@@ -1,4 +1,4 @@
-"""Faults of an imported set: by our own solution of its hull, or by its own laws."""
+"""Faults of an imported set, found by our own solution of its hull or by laws between its numbers."""
 
 from __future__ import annotations
 

@@ -3,8 +3,8 @@ one that fits is reported.
 
     corrected = cause(set),    best = argmin over causes of the largest of `gaps`(corrected)
 
-A cause that has a number, as a length, a factor, or a point, takes it from the two by least squares first.  Where none
-alone fits each is followed by every other: a unit and a point, a sign and a unit are told both.
+A cause with a number (a length, a factor or a point) first fits this number to both solutions by least squares.  If no
+single cause fits, all pairs of causes are tried: a unit and a point, or a sign and a unit, are then both reported.
 """
 
 from __future__ import annotations
@@ -51,7 +51,8 @@ class Cause(NamedTuple):
 
 
 class Finding(NamedTuple):
-    """gap : the largest difference, of `quantity`; cause : or None; left : what it leaves, or the nearest one"""
+    """gap : the largest difference, which is that of `quantity`; cause : or None; left : difference that remains with
+    the cause, or with the best one tried"""
 
     gap: float
     quantity: str
@@ -142,7 +143,7 @@ def changed(values, names, function):
 
 
 def scaled(values, names, rows=None):
-    """A function of a factor: the quantities divided by it, by row where `rows` (6,) is its power"""
+    """A function of a factor that divides the quantities by it; `rows` (6,) is the power of the factor in each row"""
 
     def of(factor):
         def over(data):
