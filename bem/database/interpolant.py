@@ -14,7 +14,7 @@ with s, k of x and t, q of y.  A resonance of the water in a moonpool or a gap i
 body share (`bem.kernels.poles`), and adds h_p(s) h_p(t)* to the kernel, h_p = c / (s − s_p).  Waves that meet the hull
 at the distance `lead` ahead of the origin have the phase exp(−ik lead), which is removed before the fit.  No single ℓ
 and set of echoes fits all quantities: every member of a family is fitted and weighted by the inverse fourth power of
-its error at nodes left out (Rippa, Adv. Comput. Math. 11, 1999).
+its error at nodes left out (Rippa, Advances in Computational Mathematics 11, 1999).
 """
 
 from __future__ import annotations

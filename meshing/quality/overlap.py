@@ -2,7 +2,8 @@
 
     w(p) = (1/4π) Σ Ω(p),    tan Ω/2 = a·(b × c) / (|a||b||c| + (a·b)|c| + (b·c)|a| + (c·a)|b|)
 
-of triangles with corners a, b, c from p (Van Oosterom and Strackee, IEEE Trans. Biomed. Eng. 30, 1983) and of their
+of triangles with corners a, b, c from p (Van Oosterom and Strackee, IEEE Transactions on Biomedical Engineering 30,
+1983) and of their
 images above the water, which close a hull with an open waterline: ±1 inside, 0 outside.
 """
 

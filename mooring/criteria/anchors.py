@@ -5,7 +5,8 @@
     pile           used = s max(H/H_u, V/V_u),  by friction V_u = ψ L c of its girth, length in the bed and cohesion
 
 UFC 4-159-03 (2005), equation 26, of drag anchors by type and soil, `tables/drag_anchors.csv`; Kihara et al. (1975),
-chapter 6, of sinkers and piles.  A drag anchor has no capacity for a pull upwards in any chart: it is told.
+chapter 6, of sinkers and piles.  No chart gives a drag anchor a capacity for an upward pull; a finding reports such a
+pull.
 """
 
 from __future__ import annotations

@@ -6,7 +6,8 @@
                         (Mitsuyasu et al. 1975, Goda & Suzuki 1975; s_max 10 wind waves, 25 and 75 swell)
     wrapped normal      D = Σ exp{−(θ + 2πk)²/2σ²} / √(2π)σ
 
-The circle is divided into 3600 cells; every sum over directions is one over these cells, scaled to a total of 1.
+The circle is divided into 3600 cells; every sum over directions is a sum over these cells, scaled so that the total is
+1.
 """
 
 from __future__ import annotations

@@ -37,7 +37,7 @@ class OnDolphin(Fender):
 
 
 def led_on(x, knots, values):
-    """Straight lines through values at rising knots, the last led on"""
+    """Straight lines through values at rising knots; the last line is extended"""
     slope = (values[-1] - values[-2]) / (knots[-1] - knots[-2])
     return float(np.interp(x, knots, values) + slope * max(x - knots[-1], 0.0))
 

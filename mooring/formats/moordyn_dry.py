@@ -2,7 +2,8 @@
 
 Lines that cannot reach the water have a type with that weight: for a line of length L with ends at z_a and z_b no point
 is lower than (z_a + z_b − L)/2, and a free point at its end no lower than L below the other end.  Other lines with an
-end above the water have it for their parts above the water (`mooring.lines.system.surfacing`); lines that float or have
+end above the water have the weight in air for their parts above the water (`mooring.lines.system.surfacing`); lines
+that float or have
 a table of stiffness keep their weight in water there, which a warning reports.
 """
 
@@ -82,7 +83,8 @@ def weighed_differently(system):
 
 
 def out_of_water(lines, points, bodies, dry, water):
-    """The lines, those with a given end above the water with their weight in air; a message on those without.
+    """The lines; a line with a given end above the water has its weight in air, and a message names the lines that do
+    not.
 
     dry : names of `in_air`
     """

@@ -24,7 +24,8 @@ STEPS = 8  # spline steps of added mass and damping between stored frequencies
 
 @dataclass(frozen=True, eq=False)
 class OnCurrent(Reader):
-    """A `Reader` whose `motions` are those on the current of a `Carrier`; all else, drift too, is of still water.
+    """A `Reader` whose `motions` are those on the current of a `Carrier`; all other quantities, including drift, are
+    those in still water.
 
     omega of its functions is the frequency in which waves are given, absolute or intrinsic (`waves.Carrier`); forces,
     drift and far field use the intrinsic one

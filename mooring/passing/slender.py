@@ -1,4 +1,5 @@
-"""Forces of a passing ship by slender bodies (Wang 1975, J. Waterways, Harbors and Coastal Eng. 101).
+"""Forces of a passing ship by slender bodies (Wang 1975, Journal of the Waterways, Harbors and Coastal Engineering
+Division 101).
 
 The surface is a rigid lid.  The passing ship is a line of sources of the slope of its section area S₂, and each section
 of the moored ship is in the flow at its place: its added mass is ρS₁, that of a circle, so that
@@ -7,8 +8,8 @@ of the moored ship is in the flow at its place: its added mass is ρS₁, that o
     Fx = ρ ∫ S₁ dφₓ/dt dx₁,   Fy = 2ρ ∫ S₁ dφ_y/dt dx₁,   Mz = 2ρ ∫ x₁ S₁ dφ_y/dt dx₁,   d/dt = U d/dξ
 
 Images in the bed, n from −∞ to ∞, are summed in shallow water as 1/h [−ln R + 2 Σₘ K₀(mπR/h)] (Poisson), with R² = (x₂
-+ ξ − x₁)² + η². Section areas are parabolas as in Wang's paper, S (1 − 4x²/L²).  The blockage of the flow under the
-keel by S₁ is neglected.
++ ξ − x₁)² + η². Section areas are parabolas as in Wang's paper, S (1 − 4x²/L²).  The theory neglects that the moored
+hull S₁ blocks the flow under its keel.
 """
 
 from __future__ import annotations

@@ -59,7 +59,7 @@ class Climate:
 
     @property
     def excited(self):
-        """(c,) whether a response exceeds rounding relative to the known ones; True for unknown ones"""
+        """(c,) whether a response is larger than rounding errors of the other responses; True for unknown ones"""
         largest = dict.fromkeys(self.units, 0.0)
         for unit, m0 in zip(self.units, self.m0.T, strict=True):
             largest[unit] = np.fmax.reduce(m0, initial=largest[unit])

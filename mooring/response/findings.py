@@ -188,7 +188,8 @@ def drift_of_each(body, slow):
 
 
 def current_along_waves(carrier, heading, weights, damping):
-    """What a current across waves changes in their drift is not known where the slope over the headings is not"""
+    """A line on a current across the waves, whose effect on drift is unknown if the slope of drift over the headings is
+    unknown"""
     if carrier is None or damping is not None:
         return  # `damping` is of the slope over the headings
     share = np.mean(np.atleast_2d(weights), axis=0)

@@ -84,7 +84,7 @@ class PairForces:
         return known * slow_share((one - two) / self.highest)
 
     def newman(self, one, two):
-        """(q, 3) by Newman's rule at frequencies (q,)"""
+        """(q, 3) mean drift at frequencies (q,), as Newman's approximation uses it"""
         both = (one, self.drift), (two, self.drift if self.second is None else self.second)
         return newman(*(np.stack([np.interp(w, self.omega, d) for d in drift.T], axis=-1) for w, drift in both))
 

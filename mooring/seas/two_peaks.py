@@ -1,4 +1,4 @@
-"""Wind sea and swell in one spectrum: six parameters (Ochi & Hubble 1976, Proc. 15th ICCE, eq. 11 and table 2b).
+"""Wind sea and swell in one spectrum: six parameters (Ochi & Hubble 1976, 15th ICCE, eq. 11 and table 2b).
 
     S = ¼ Σ_j (b_j ω_j⁴)^λ_j / Γ(λ_j)  H_j² ω^−(4λ_j+1) exp(−b_j ω_j⁴/ω⁴),    b_j = λ_j + ¼
 

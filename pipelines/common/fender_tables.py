@@ -131,7 +131,8 @@ def pair_of(table, fender, where="fender"):
 
 
 def causes_of(table):
-    """What the reaction of a fender varies by; of pneumatic ones only ±10 % of manufacture is known (SR179, 3.3.2)"""
+    """The bands within which the reaction of a fender varies; for pneumatic fenders only ±10 % by manufacture is known
+    (SR179, 3.3.2)"""
     if table.causes is not None:
         if not table.causes:
             raise StudyError(

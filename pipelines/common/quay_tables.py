@@ -10,8 +10,9 @@ friction = 0.2                                            break_strain = 0.1
 shear = 2000.0                                            tail_length = 8.0 …
 
 A fender touches the flat side of the hull in front of it; x, y, z in m with the body at rest, forces in kN. With
-several bodies `body` is the one that touches it, or has the fairlead; `to` is the one with the fender or the bollard,
-whose place is in its coordinates; without `to` the fender or bollard is fixed, in coordinates of the scene.
+several bodies, `body` is the body that touches the fender or has the fairlead. `to` is the body that carries the fender
+or the bollard, whose position is in the coordinates of `to`. Without `to` the fender or bollard is fixed, in
+coordinates of the scene.
 """
 
 from __future__ import annotations

@@ -19,7 +19,7 @@ class Requirement(NamedTuple):
 
 
 def checklist(read):
-    """[Requirement] of a Read project; [] of a kind of study that is not simulated by the project"""
+    """[Requirement] for a Read project; [] for a kind of study that the project does not simulate"""
     if not read.kind.MOVED:
         return []
     in_time = read.project.simulation is not None

@@ -40,7 +40,7 @@ OF_PLANES = Shape("jonswap", "energy_period", None, CosinePower(4.0))
 class Record(NamedTuple):
     """hindcast : `mooring.downtime.hindcast.Hindcast`; shapes : `every_hour.Shape` of each of its systems
 
-    planes : `mooring.downtime.planes.Planes`, None of systems of waves
+    planes : `mooring.downtime.planes.Planes`, None for a hindcast with systems of waves
     """
 
     hindcast: Hindcast
@@ -141,7 +141,7 @@ def record_of(table, folder, depth=None):
 
 
 def known_columns(columns):
-    """Names that limits may refer to, from the columns of a HindcastTable"""
+    """Names of quantities from the columns of a HindcastTable that limits may use"""
     made = [name for stream, ends in STREAMS if f"{stream} east" in columns
             for name in (f"{stream} speed", f"{stream} {ends}")]  # fmt: skip
     return [*columns, *made]

@@ -60,8 +60,8 @@ def moved(center, motion):
 
 
 def frames(stage, at, poses, threads=None, heights=None, buoys=None):
-    """Pictures, (height, width, 3) each, at times (n,) s of poses (n, hulls, 6) m, rad: where the center of each hull
-    is in space, and how it is turned.
+    """Pictures, (height, width, 3) each, at times (n,) s of poses (n, hulls, 6) m, rad: the position of the center of
+    each hull in space, and its rotation.
 
     threads : function of the frame number that returns (lines × POINTS, 3) m; heights : function of x, y (g,) m that
     returns a function of t (s) → (g,) m; buoys : (n, 3) m

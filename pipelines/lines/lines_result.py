@@ -1,4 +1,5 @@
-"""`hakobune.lines`: a system of lines at rest, its stiffness, held at offsets, and after the loss of each line."""
+"""`hakobune.lines`: a system of lines at rest, its stiffness, its forces with a body held at offsets, and its
+equilibrium after the loss of each line."""
 
 from __future__ import annotations
 

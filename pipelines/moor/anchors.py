@@ -6,7 +6,7 @@ type = "stockless"         friction = 0.5              holding_kN = 1500.0
 soil = "sand"              weight_kN = 400.0           uplift_kN = 600.0
 mass = 9000.0              lines = ["fore 1"]          safety = 2.0
 
-Without mass or weight_kN an anchor is sized: the result has the size required by its pull.
+For an anchor without mass or weight_kN the result has the size that its pull requires.
 """
 
 from __future__ import annotations

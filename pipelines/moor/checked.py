@@ -1,4 +1,4 @@
-"""A mooring study checked whole before any work: every name in it, and what its weather needs on its hull."""
+"""Check of a whole mooring study before any work: every name in it, and the data of the hull that its weather needs."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class Body(NamedTuple):
 
     @property
     def sizes(self):
-        """Dimensions known before the hull is meshed, instead of `sizes` of a database"""
+        """Dimensions that are known before the hull is meshed, m; they replace `sizes` of a database"""
         return self.dimensions
 
 

@@ -199,7 +199,7 @@ class Study(Table):
     def system(self, hull, center, density=1025.0, gravity=9.80665, in_time=False):
         """System of one hull on all spreads and lines, None if a berth alone holds it, or nothing in a simulation
 
-        its axes at `center` (3,) m; density : kg/m³; gravity : m/s²
+        center : (3,) m, origin of the axes of the body; density : kg/m³; gravity : m/s²
         """
         known = [line.body or line.to for line in (*self.spreads, *self.lines) if getattr(line, "to", "") or line.body]
         if known:

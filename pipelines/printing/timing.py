@@ -76,7 +76,7 @@ def spent(name):
 
 
 def begin():
-    """Time what follows in this process, if nothing is timed yet."""
+    """Start the timing of this process, unless a timing runs already."""
     global _asked
     if _asked is None:
         _asked = Timeline()

@@ -35,7 +35,7 @@ def diagonal_gap(forces):
 
 
 def failures(stored, db=None):
-    """Failed checks of `StoredForces`: whether the mean drift by pressure is that by the far field
+    """Failures of `StoredForces`: a mean drift by pressure that differs from the mean drift by the far field
 
     db : its open database, whose panels may be too large for the waves; None for no message on them
     """

@@ -45,9 +45,10 @@ def failures(result, stiffness, years=None, words=ONE_BODY):
 
 
 def air_gaps(result, years=None):
-    """{point: (clearance, m left, how often water reaches it)} by the largest rise expected, or once in `years`
+    """{point: (clearance m, m that are left, how often water reaches the point)} by the largest expected rise, or by
+    the rise reached once in `years`
 
-    how often : the probability in a SeaState, years between in a Climate
+    how often : the probability in a SeaState, the years between two events in a Climate
     """
     if years is None:
         return result.air_gaps()

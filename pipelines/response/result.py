@@ -176,7 +176,8 @@ def of_climate(found, years, radius):
 
 
 def without_rounding(force, radius, among=None):
-    """Fx, Fy and Mz (3,), zero where they are rounding beside the largest known force of `among` (n, 3), or their own
+    """Fx, Fy and Mz (3,); a component is set to zero if it is only rounding error of the largest force of `among` (n,
+    3), or of the largest component
 
     A moment is compared with a force times the radius in m.
     """

@@ -15,7 +15,8 @@ FAR_FIELD = ("kochin_radiation", "kochin_diffraction", "drift_force_fixed", "dri
 
 
 class Method(NamedTuple):
-    """What a method can represent, and the names of the database that it does not give, in deep water and at all.
+    """The scenes that a method can represent, and the names of the database that it does not compute, in deep water and
+    at all.
 
     fewest, most : bodies
     """
@@ -45,8 +46,8 @@ def chosen_method(scene):
     """Name of METHODS; `auto` selects contour if it can represent the scene of one body and no panels are requested.
 
     Boxes and vertical cylinders take the contour method a twentieth of the panel method's time at equal error; over
-    a bed far below the keel it loses digits.  Of several it does not know the drift of each, which mooring needs: many
-    that are far from each other are solved by transfer matrices, others on panels.
+    a bed far below the keel it loses digits.  For several bodies the contour method does not give the drift of each,
+    which moorings need. Many bodies far from each other are therefore solved by transfer matrices, others on panels.
     """
     if scene.method != "auto":
         return scene.method
@@ -58,7 +59,7 @@ def chosen_method(scene):
 
 
 def names_given(scene, names, named):
-    """`names` of the database without those that the scene's method or wall does not support.
+    """Those `names` of the database that the scene's method and wall support.
 
     named : individually requested names
     raises : ValueError if one of these is among them

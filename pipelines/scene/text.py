@@ -6,7 +6,7 @@ import msgspec
 
 
 def to_toml(scene):
-    """The scene as TOML text that reads back as the same scene."""
+    """The scene as TOML text from which the same scene is read."""
     import tomli_w
 
     return tomli_w.dumps(_given(msgspec.to_builtins(scene)))

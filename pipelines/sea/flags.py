@@ -48,7 +48,7 @@ class SpectrumFlags:
 @Parameter(name="*")
 @dataclass(frozen=True, kw_only=True)
 class RecordFlags:
-    """The record that is made of the spectrum, or how the given one is read."""
+    """Settings of the record that is generated from the spectrum, or of the reading of a given record."""
 
     record: Annotated[Path | None, _flag("write a record of the spectrum to this CSV file")] = None
     duration: Annotated[float | None, _flag("s, duration of the generated record [3600]")] = None

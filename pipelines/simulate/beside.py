@@ -1,6 +1,6 @@
 """Results stored next to the runs: the simplified method, slow motion by spectra, a berth and its fenders.
 
-All of them are computed before the first run and stored with it.
+All these results are computed before the first run and stored with it.
 """
 
 from __future__ import annotations

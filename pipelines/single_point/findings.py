@@ -37,7 +37,8 @@ def findings(found):
 
 
 def overloads(study, best, cycle, run):
-    """What fails of hawsers and lines at rest in the Equilibrium `best`, in its LimitCycle and in a Run, either None"""
+    """Failures of hawsers and lines at rest in the Equilibrium `best`, in its LimitCycle and in a Run; the last two may
+    be None"""
     count = 0 if study.hawser is None else len(best.hawser)
     names = [*(f"hawser {i + 1}" for i in range(count)), *best.point.system.line_names]
     for where, shares in used(study, best, cycle, run).items():

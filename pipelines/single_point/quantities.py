@@ -115,7 +115,7 @@ def _criteria(one):
 
 
 def yaw_of(one):
-    """YawStability of an Equilibrium with a quartic"""
+    """YawStability of an Equilibrium that has a quartic (`criterion`)"""
     length = one.lateral.length
     return yaw_stability(one.lateral, float(one.state[3]), np.geomspace(*REACH, LENGTHS) * length)
 

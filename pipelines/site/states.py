@@ -1,4 +1,5 @@
-"""States of weather and levels of a site, as studies take them: waves have the mean period of the law's median."""
+"""States of weather and levels of a site in the form of studies. The period of waves is the median of the joint
+distribution, as a mean period."""
 
 from __future__ import annotations
 

@@ -20,7 +20,7 @@ NEAR = 8  # panels of another body that are tested from a corner
 def arranged(scene, hulls):
     """One mesh of hulls, each in its own coordinates, at the places of the bodies of a scene.
 
-    Its mirror planes are those that every body has in its place.
+    The mesh has those mirror planes that every body has at its place.
     """
     placed = [folded(_at_place(hull, body.place)) for hull, body in zip(hulls, scene.bodies, strict=True)]
     shared = "".join(axis for axis in "xy" if all(axis in hull.symmetry for hull in placed))

@@ -137,7 +137,7 @@ def varied(raw, keys, values):
 def check_keys(command, raw):
     """Raise StudyError for a key that is unknown to the command or of another type, which affects every case.
 
-    A study at a site is left to the command, which inserts the values of the site before it reads the tables.
+    A study with a [site] is not checked here: its command inserts the values of the site before it reads the tables.
     """
     from ..keys.kinds import struct_of
 

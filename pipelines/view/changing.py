@@ -1,4 +1,4 @@
-"""`hakobune mesh`: a mesh file scaled, turned, moved, turned inside out, mirrored, cut at the surface, folded."""
+"""`hakobune mesh`: scale, turn, move, mirror, cut or fold a mesh file, or reverse its normals."""
 
 from __future__ import annotations
 

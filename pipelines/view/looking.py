@@ -30,7 +30,8 @@ MOST_LISTED = 12  # headings in a message
 
 @dataclass(frozen=True, eq=False)
 class Picture:
-    """What is shown: hull, lid or None, depth in m, and one value a panel of the hull or of its whole, or None"""
+    """Content of a picture: hull, lid or None, depth in m, and a value on each panel of the stored part or of the whole
+    hull, or None"""
 
     mesh: object
     lid: object = None

@@ -13,7 +13,7 @@ from .result import waves as found
 
 
 def waves(database, period, omega, heading, fixed, width, at, output, plot):
-    """Tell, and draw to `plot`, write its points to `output`, the waves around a database's body.
+    """Print the waves around a database's body; draw them to `plot`, and write points of the map to `output`.
 
     heading : degrees; at : texts x,y m; returns the exit status; raises ValueError, one line
     """

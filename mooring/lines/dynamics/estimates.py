@@ -1,10 +1,11 @@
 """Accuracy of the largest tensions of a run: the same run with fewer elements, and with longer steps.
 
-Lines that whip become taut element by element with snaps.  Where such snaps add up, errors of the steps exceed the
+A line that whips becomes taut with snaps, one element after another.  Where such snaps add up, errors of the steps
+exceed the
 tolerance of a single one: at 1e-3 largest tensions at the fairlead have had errors of 16 %, inside 8 %. Their error is
-proportional to the step there, so that it is about the difference from steps twice as long. That of a single largest
-value may be small by chance; it is less likely for the largest of each tenth of the run, and the worse of fairlead and
-inside counts.  `tests/bench/line_peaks.py` counts how often this holds.
+proportional to the step there, so that it is about the difference from steps twice as long. The error of a single
+largest value may be small by chance. This is less likely for the largest values of each tenth of the run, of which the
+worst counts, at the fairlead or inside.  `tests/bench/line_peaks.py` counts how often this holds.
 """
 
 from __future__ import annotations

@@ -29,7 +29,7 @@ class EquilibriumError(ValueError):
 
 @dataclass(frozen=True)
 class LineDynamics:
-    """Properties of moving or bending lines; statics ignore them, files keep them.
+    """Properties that only moving or bending lines need; statics ignore them, and files keep them.
 
     drag_normal, drag_tangential : C_d on d and on π d per metre; added_mass_normal, added_mass_tangential : C_a
     damping : axial, BA in N s; below 0, minus the fraction of critical; bending_stiffness : EI, N m²

@@ -37,8 +37,8 @@ class Water(NamedTuple):
 
 
 class Section(NamedTuple):
-    """shape : rectangle of beam and height, circle of diameter, outline of points [y, z] or [y, z, bulge], the last the
-    the first; draft : on its lines, at mean level; all m"""
+    """shape : rectangle of beam and height, circle of diameter, outline of points [y, z] or [y, z, bulge], the last
+    equal to the first; draft : on its lines, at mean level; all m"""
 
     shape: str
     draft: float

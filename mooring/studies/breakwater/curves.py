@@ -44,7 +44,7 @@ def curves(breakwater, omega):
 def response(breakwater, holding, theory, rise, omega, amplitude=None, obliquity=None):
     """`Response` at frequencies (n,) rad/s.  Raises BreakwaterError for a holding that a theory does not support.
 
-    amplitude : m, of the waves, for what is lost; obliquity : (n,) rad, angle with the normal; by default those of the
+    amplitude : m, of the waves, for the head loss; obliquity : (n,) rad, angle with the normal; by default those of the
     study's regular waves
     """
     obliquity = breakwater.waves.obliquity if obliquity is None else obliquity

@@ -1,8 +1,8 @@
 """A floating breakwater: `hakobune breakwater`, each state of the project as the incident sea.
 
 The waves of a state are the sea.  Anchors and tide are sized with regular waves of the largest height in the duration,
-H₁/₃ √(½ ln N) for N waves of a Rayleigh distribution.  Incidence is the angle to the normal, levels are those of the
-study's tide.
+H₁/₃ √(½ ln N) for N waves of a Rayleigh distribution.  Incidence is the angle to the normal; the water levels are those
+of the tide in the study.
 """
 
 from __future__ import annotations
@@ -130,7 +130,7 @@ def lost(study):
 
 
 def without(study, name):
-    """Not used: a breakwater has no case with a lost line"""
+    """Never called, since a breakwater has no case with a lost line"""
     raise StudyError(f"{name}: the loss of a line is not a load case of a breakwater")
 
 

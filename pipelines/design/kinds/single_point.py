@@ -114,7 +114,7 @@ def finds(raw):
 
 
 def lost(study):
-    """Names of the lines, by their headings: the command renumbers lines when one is lost"""
+    """Names of the lines by their headings, since the command renumbers the lines when one is lost"""
     return [f"line at {heading:g}°" for heading in study["mooring"]["headings_deg"]]
 
 
