@@ -30,7 +30,8 @@ def mean_drift(H, slope, forward, forward_slope, theta, beta, k, n, density, gra
 
 
 def drift_of_two(H, slope, ahead, ahead_slope, theta, beta, k, n, density, gravity):
-    """(headings, headings, 3) complex D of two waves of one frequency: Re Σ Σ a_i conj(a_j) D_ij is their mean drift.
+    """(headings, headings, 3) complex D for pairs of waves of one frequency: waves of amplitudes a_i together have the
+    mean drift Re Σ Σ a_i conj(a_j) D_ij.
 
     ahead, ahead_slope : (headings, headings) H and H′ of each wave in the direction of each; the rest as in
     `mean_drift`, which gives D_ii.  The far field contains the interference of both waves with the waves that the body

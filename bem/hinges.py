@@ -140,8 +140,8 @@ def _all_rows(reader, link):
 
 
 def of_shapes(reader, body, point):
-    """(3, f), (3, f) m and rad per unit of each shape of a Reader that a point (3,) m of one of its bodies moves by and
-    turns, half the curl, both in coordinates of the body
+    """Displacement (3, f), m, and rotation (3, f), rad (half the curl), of a point (3,) m of a body per unit of each
+    shape of a Reader, in coordinates of the body
     """
     moved, turned = np.zeros((2, 3, len(reader.modes)))
     number = [one.name for one in reader.bodies].index(body.name) if reader.bodies else 0

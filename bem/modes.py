@@ -1,7 +1,7 @@
 """Modes of motion: normal velocities, parity under reflection, change of reference point.
 
 With several bodies the rigid modes are six per body, one body after another; mode d is motion d mod 6 of body d div 6.
-Shapes of flexible bodies (`Mode`) follow after all of them.
+Shapes of flexible bodies (`Mode`) come after the rigid modes of all bodies.
 """
 
 from __future__ import annotations
@@ -169,7 +169,7 @@ def normal_velocities(centroids, normals):
 def displacing(mesh, modes=()):
     """(6,) whether a mode of a hull, a `meshing.panels.PanelMesh`, displaces water.
 
-    Yaw of a round buoy does not, but for the corners of its polygon, nor does heave of a pile on the bed: relative
+    Yaw of a round buoy does not, apart from the corners of its polygon, nor does heave of a pile on the bed: relative
     errors of such modes have no meaning.  A rotation counts if the mean square of its normal velocity is two per cent
     of that of its arms, both about the vertical axis through the middle of the hull's surface, so that it does not
     matter where the mesh lies.  For several bodies (6N,), followed by True for each of `modes`.

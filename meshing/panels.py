@@ -63,7 +63,7 @@ class PanelMesh:
         return 1 if self.body is None else int(self.body.max(initial=-1)) + 1
 
     def of_body(self, number):
-        """The panels of one body of several, with the points of these panels"""
+        """The panels of one of several bodies, with the points of these panels"""
         if self.body is None:
             return self
         used, corners = np.unique(self.corners[self.body == number], return_inverse=True)

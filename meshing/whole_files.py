@@ -73,6 +73,6 @@ def keep_room(path):
 
 
 def not_written(path, error):
-    """The NotWritten for a file and the OSError that caused it"""
+    """NotWritten, the error to raise for a file that an OSError kept from being written"""
     reason = error.strerror or " ".join(str(error).split())
     return NotWritten(f"{path} cannot be written: {reason}; the file that was there before is unchanged")

@@ -1,4 +1,4 @@
-"""One body of a database of several: the forces on it, and its motions."""
+"""One body from a database of several: the forces on this body, and its motions."""
 
 from __future__ import annotations
 

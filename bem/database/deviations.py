@@ -73,7 +73,7 @@ def interpolated(reader, omega, headings, name):
 
 
 def one_by_one(equation, parts, errors):
-    """Deviation of equation(parts) when each quantity deviates by one number of its own, one quantity after another.
+    """Deviation of equation(parts): each quantity in turn deviates by one random number, and the effects are combined.
 
     parts : {name: array}; errors : the same of deviations
     """

@@ -112,8 +112,8 @@ def abscissa(omega, depth, gravity, length):
 class Rows(NamedTuple):
     """Every kernel of the family between nodes x (n,) and places y (q,), whatever is fitted.
 
-    cardinal : (kernels, q, n) value at y of what is 1 at one node and 0 at the others; left : (kernels, q) share of
-    the variance that remains
+    cardinal : (kernels, q, n) value at y of the function that is 1 at one node and 0 at the others; left : (kernels, q)
+    remaining share of the variance
     """
 
     cardinal: np.ndarray

@@ -80,12 +80,12 @@ class Reader:
 
     @property
     def words(self):
-        """(n,) names of the motions: "surge" …, of several bodies "barge surge" """
+        """(n,) names of the motions: "surge" …, for several bodies "barge surge" """
         return words_of(self.bodies, self.modes)
 
     @property
     def names(self):
-        """(n,) the same as the database has them: "Surge" …, of several bodies "barge__Surge" """
+        """(n,) names of the motions in the database: "Surge" …, for several bodies "barge__Surge" """
         names = names_of(self.bodies, self.modes)
         return tuple(names[d] for d in moving(self.bodies, self.modes))
 
@@ -204,7 +204,8 @@ class Reader:
         return replace(self, between=replace(self.between, quantities=kept))
 
     def critical_damping(self, mode):
-        """2√(C (M + A)) of one mode alone, A at its natural frequency, or the end value outside the stored ones.
+        """Critical damping 2√(C (M + A)) of one mode alone, with A at its natural frequency, or at the nearest stored
+        one.
 
         Raises ValueError for a mode without restoring.
         """
@@ -319,8 +320,9 @@ class Reader:
         return slice(first, first + 6)
 
     def drift_of_each(self, omega, headings=None, fixed=False):
-        """(q, p, bodies, 3) mean drift per squared wave amplitude of each of several bodies, fixed ones too, about its
-        own point in its own axes, interpolated; of all fixed, or of motions as stored, whatever restrains these.
+        """(q, p, bodies, 3) mean drift per squared wave amplitude of each of several bodies, also of fixed ones, about
+        its own point in its own axes. It is interpolated from stored drift: that with all bodies fixed, or that with
+        the stored motions, even if the motions are restrained here.
 
         Raises BetweenError if it is not stored.
         """

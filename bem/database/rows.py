@@ -82,7 +82,7 @@ def estimate_of(name):
 
 
 def row_values(file, omega, headings, names):
-    """{name: values, shaped as `append` expects them} of one frequency, or None if some of them are not stored."""
+    """{name: values, in the shape that `append` needs} of one frequency, or None if one of them is not stored."""
     (i,) = places_on(file, [omega], "omega")
     columns, found = places_on(file, headings, "wave_direction"), {}
     for name in names:
@@ -312,7 +312,7 @@ class Database:
             return [json.loads(text) for text in file["wall_time"][()][self.rows]]
 
     def interpolated_estimates(self) -> np.ndarray:
-        """(n,) whether the estimated errors of a solved frequency are those of others near it"""
+        """(n,) whether the estimated errors of a solved frequency come from neighbouring frequencies"""
         return np.array([INTERPOLATED in steps for steps in self.wall_times()], bool)
 
     @property

@@ -20,8 +20,8 @@ from .schema import CHECKS, LIMITS, NEEDS_MOTION, QUANTITIES, cell_axes
 class Solved(NamedTuple):
     """One frequency ready to be stored.
 
-    place : its number; columns : those of its headings; values : {name: array}; errors : {name: array} of those with
-        an estimate in the file; checks : {name: worst}; seconds : {step: wall time, s}
+    place : number of the row; columns : numbers of the headings; values : {name: array}; errors : {name: array} of
+        quantities whose errors are stored; checks : {name: worst}; seconds : {step: wall time, s}
     """
 
     place: int

@@ -158,7 +158,7 @@ def _handed_over(kind, value, c):
 
 
 def know(made):
-    """Have numba take a class that is marked by its address"""
+    """Make numba pass objects of a marked class by address"""
 
     @typeof_impl.register(made)
     def _(value, purpose):

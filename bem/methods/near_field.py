@@ -38,8 +38,9 @@ def near_field_error(run, moving):
 
     Per metre of breadth and wave amplitude squared the terms are up to ρg(1 + v)² at the waterline, water standing up
     to twice the wave at a wall, and ρω²d a² on the sides, v the vertical motion there and a that of any point of the
-    hull.  Of this a relative error of the pressures makes twice as much.  It is that estimated of coefficients and
-    forces; by the contour method, whose forces are wrong at second order and whose pressures at first, no less than
+    hull.  A relative error of the pressures causes twice this relative error in these terms.  The relative error of the
+    pressures is taken from the estimated errors of coefficients and forces; by the contour method, whose forces are
+    wrong at second order and whose pressures at first, no less than
     `bem.contour.pressure_drift.PRESSURES`.  Errors of the motions are not in it: near and far field are equal in any.
     run, moving : as of `near_field_drift`
     raises : ValueError as `near_field_drift`, and for panels without an estimate of their errors

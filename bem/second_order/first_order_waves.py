@@ -141,7 +141,7 @@ class WavesOfBodies(PanelWaves):
     Squares of first order are integrated over each hull by itself.  Haskind's relation gives the force of the bound
     wave on a body a, and that of the potential of moving hulls: with ψ the radiation potential of a motion of a, each
     hull b that moves adds −iρΩ ∬ ψ_a ∂φ₂/∂n dS over itself (`body_forces`).  A fixed body has such a ψ too.  The far
-    field holds all bodies together: it corrects none of them.
+    field gives the drift of all bodies together only, so it cannot correct the drift of one.
 
     raises : ValueError with `surface`, and for lines that hold the bodies
     """

@@ -2,8 +2,9 @@
 
     (M + A(∞)) ν̇ + y + … = F,    ẋ = a x + b ν,    y = c x,    c (−iω − a)⁻¹ b ≈ B + iω [A(∞) − A]
 
-with velocities ν (6,) about the rotation centre, in axes of the body; of several bodies (6N,), one after another, about
-the centre of each in its own axes, then of shapes of those that bend, and passive as a whole.  The n states x are r
+with velocities ν (6,) about the rotation centre, in axes of the body. For several bodies ν has (6N,) velocities, body
+by body, each about its own centre in its own axes, then those of shapes of bodies that bend; the whole system is
+passive.  The n states x are r
 that decay and p pairs that turn as well, r + 2p = n, in the order: r, first of each pair, second of each pair,
 
     ẋ_k = −decay_k x_k + Σ_j input_jk ν_j                                            k < r

@@ -1,4 +1,4 @@
-"""Parts of a hull that overlap, by the solid angle of one part seen from another.
+"""Parts of a hull that overlap, found from the solid angle under which one part is seen from another.
 
     w(p) = (1/4π) Σ Ω(p),    tan Ω/2 = a·(b × c) / (|a||b||c| + (a·b)|c| + (b·c)|a| + (c·a)|b|)
 

@@ -78,7 +78,7 @@ def _integrals(omega, angle, density):
 def moments_of_planes(response, omega, angle, density, orders=(0, 2)):
     """(len(orders), n, c) moments of planes (n, f, d) m² s/rad², straight between omega (f,) rad/s and angle (d,) rad
 
-    density : iterable of (m, f, d), together n; nan of an hour that is unknown
+    density : iterable of arrays (m, f, d), n hours in all; nan in an hour without data
     """
     kernel = _kernel(response, np.asarray(omega, float), np.asarray(angle, float), orders)
     parts = [part.reshape(len(part), -1) @ kernel.astype(part.dtype) for part in density]

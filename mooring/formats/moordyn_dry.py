@@ -1,7 +1,8 @@
 """Lines of a MoorDyn file out of the water: parts above the surface have their weight in air.
 
-Lines that cannot reach the water have a type with that weight: for a line of length L with ends at z_a and z_b no point
-is lower than (z_a + z_b − L)/2, and a free point at its end no lower than L below the other end.  Other lines with an
+A line that cannot reach the water has a type with the weight in air. If its length is L and its ends are at z_a and
+z_b, no point of it is lower than (z_a + z_b − L)/2. A free point at one end is at most L below the other end.  Other
+lines with an
 end above the water have the weight in air for their parts above the water (`mooring.lines.system.surfacing`); lines
 that float or have
 a table of stiffness keep their weight in water there, which a warning reports.

@@ -19,7 +19,8 @@ sum over all pairs is ⟨D⁺⟩⟨D⁺⟩ + ⟨D⁻⟩⟨D⁻⟩ of the means o
 
 Half wave by half wave (Remery and Hermans 1971, Hsu and Blenkarn 1970; SR179 report (1982), eq. 3.7.1.5): between two
 zero crossings Δt apart the force is constant, D(ω) ζ² with ω = π/Δt and ζ the largest elevation between them.  In a
-narrow spectrum its mean is 2∫SD dω.  In a broad one it is not: ζ² of the extremes is 12 % more than twice the energy
+narrow spectrum the mean of this force is 2∫SD dω.  In a broad one it is not: ζ² of the extremes is 12 % more than twice
+the energy
 (ISSC; 8 to 10 % JONSWAP), and half waves lie at other frequencies than their energy.  For a box of 100 × 50 × 10 m in
 20 m of water, whose drift has a peak at 10 s, the mean deviates from the integral by +16, +27, +2 % in head seas and by
 +19, +17, −7 % at 60° (ISSC, T01 8, 10, 12 s), and by +15, +24 % (JONSWAP, Tp 11 s), means of four records of three
@@ -304,7 +305,7 @@ def with_mean(force, mean):
 
 
 def half_waves_outside(waves, omega):
-    """Share of ζ²Δt, the time-weighted energy, in half waves beyond the frequencies omega (q,) rad/s."""
+    """Share of the energy ζ²Δt of half waves whose frequencies lie beyond omega (q,) rad/s."""
     energy = waves.amplitude**2 / waves.omega
     outside = (waves.omega < omega[0]) | (waves.omega > omega[-1])
     return float(energy[outside].sum() / energy.sum())

@@ -88,7 +88,7 @@ def datawell(path, text, x_axis, time):
 
 
 def history(path, text, x_axis, time):
-    """Raise TableError: a .his has no densities; the message quotes its first row, or that of the time"""
+    """Raise TableError, since a .his file has no densities; the message quotes its first row, or the row of the time"""
     rows = [re.split(r"[,\t ]+", line.strip()) for line in text.splitlines() if line.strip()]
     rows = [row for row in rows if time is None or row[0].startswith(str(time).strip().replace(" ", "T"))]
     if not rows:
@@ -177,7 +177,7 @@ def one_of(path, times, time):
 
 
 def check_height(path, sea, height):
-    """Raise TableError where the height of a Sea differs from that in its file, m; NaN if unknown"""
+    """Raise TableError if the height of a Sea differs from the height that its file states, m; NaN if unknown"""
     read = float(sea.spectrum.significant_height)
     if np.isfinite(height) and height > 0 and abs(read / height - 1) > OFF:
         raise TableError(

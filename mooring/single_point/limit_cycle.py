@@ -2,8 +2,8 @@
 
 The motion is computed from one largest heading ψ to the next.  A period at the amplitude A changes ψ by Δψ = gA, where
 g near the onset of slewing is linear in A² (Hopf): a line through two periods predicts where g = 0, and the deviation
-from the mean of the period is scaled to it.  A cycle is attractive where g falls with A; elsewhere the motion continues
-unscaled, and after MOST periods the result is the range of the heading.
+from the mean of the period is scaled to it.  A cycle attracts the motion if g falls with A. Otherwise the motion
+continues without scaling, and after MOST periods the result is the range of the heading.
 """
 
 from __future__ import annotations

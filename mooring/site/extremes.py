@@ -165,7 +165,7 @@ def _checked(period):
 
 
 class Extreme(NamedTuple):
-    """value with its interval, low and high (equal to it where it is given); fit : ExtremeFit, or None"""
+    """value, and low and high of its interval (all equal if the user gives the value); fit : ExtremeFit, or None"""
 
     value: float
     low: float

@@ -11,7 +11,8 @@ from ..printing.number import significant
 
 
 def failures(optimisation, found):
-    """What fails: lines that go slack, pretensions that cannot be, anchors that are too small, no design good enough"""
+    """Failures: lines that go slack, impossible pretensions, anchors that are too small, or no design that meets the
+    target"""
     held, sea = found.pretension, found.sea
     if held is not None:
         yield from _of_pretension(held)

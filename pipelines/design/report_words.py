@@ -171,7 +171,8 @@ def _used_of(used, breaking, allowable):
 
 
 def part_table(read, verdict):
-    """Head and rows, cells, of the results other than tensions: the worst value of each quantity and its part"""
+    """Head and rows (cells) of a table of results other than tensions: the worst value of each quantity, and its
+    part"""
     ran = [one for one in verdict.ran if one.numbers is not None and one.numbers.parts]
     quantities = list(dict.fromkeys(quantity for one in ran for quantity in one.numbers.parts))
     least = {one.quantity for one in (*read_rules(), *read.criteria) if one.sense == "at least"}

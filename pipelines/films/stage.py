@@ -18,7 +18,7 @@ OF_SPAN = 0.01  # radius of a drawn buoy, for visibility
 
 
 class Hull(NamedTuple):
-    """box : m, six sides in coordinates of its own; center : (3,) m there, that it turns about"""
+    """box : m, six sides in the hull's own coordinates; center : (3,) m, the point there about which it turns"""
 
     box: tuple
     center: np.ndarray

@@ -170,7 +170,8 @@ class Study(Table):
         return berth_of_tables(self.fender, self.dolphin, self.rope, hull, center)
 
     def berth_of(self, db, hulls):
-        """The same for the bodies of a database, `hulls_of` it.  Raises StudyError for unsupported cases."""
+        """The same for several bodies of a database; hulls : from `hulls_of`  Raises StudyError for unsupported
+        cases."""
         if not db.bodies:
             return self.berth(hulls, db.rotation_center)
         if self.quay is not None or self.harbour is not None:
@@ -197,7 +198,7 @@ class Study(Table):
         return anchors_of(self.anchors, names, [line.name for line in self.lines if line.bollard is not None])
 
     def system(self, hull, center, density=1025.0, gravity=9.80665, in_time=False):
-        """System of one hull on all spreads and lines, None if a berth alone holds it, or nothing in a simulation
+        """System of one hull on all spreads and lines; None if only a berth holds the hull, or in a simulation nothing
 
         center : (3,) m, origin of the axes of the body; density : kg/m³; gravity : m/s²
         """

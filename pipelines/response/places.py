@@ -30,7 +30,7 @@ def places_of(study, db):
 
 
 def keel_points(table, db):
-    """`KeelPoint`s of a KeelTable.  Raises StudyError if one has no water under it at rest."""
+    """`KeelPoint`s of a KeelTable.  Raises StudyError if there is no water under one of the points at rest."""
     if not math.isfinite(db.water_depth):
         raise StudyError("[keel] is given, but the water of the database has no bed; solve it in finite depth")
     for key in ("tide", "extra_draft"):

@@ -83,7 +83,7 @@ class BandRun(CompressedRun):
         return solution
 
     def rejected(self, error):
-        """None, so that the full equations are solved, or the compressed ones if those are too large.
+        """None if the full equations are to be solved, or the compressed equations if the full ones are too large.
 
         raises : FloatingPointError where neither can be
         """

@@ -100,7 +100,7 @@ def points_along(one, found, A, B, s):
 
 
 def check_free(system, points, solutions):
-    """Refuse a free line that touches the bed, or whose buoy emerges: its solver supports neither."""
+    """Refuse a free line that touches the bed, or whose buoy emerges; the solver of free lines supports neither."""
     for one in system.composites:
         if one.anchored:
             continue

@@ -116,7 +116,7 @@ def _of_force(kind, name, tension):
 
 
 def statements(rows):
-    """One line on each calculation: its force, and its motions over the print"""
+    """One line on each calculation: its force, and its motions over the printed ones"""
     for one in rows:
         if one["quantity"] == "force":
             mean, largest, theirs = one["mean"], one["largest"], one["printed_mean"] + one["printed_largest"]
