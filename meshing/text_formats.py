@@ -234,8 +234,8 @@ def _panel_by_panel(path, lines, panels):
         words = line.split()
         if words and _is_number(words[0]) and float(words[0]) > 0:
             raise ValueError(
-                f"{path}, line {i}: {line.strip()!r} after {panels} panels: dipole panels (NPAND) or a wrong NPAN; "
-                "allowed: bodies with a volume, and NPAN equal to the number of panels"
+                f"{path}, line {i}: {line.strip()!r} follows the {panels} panels: either dipole panels (NPAND) or a "
+                "wrong NPAN; allowed: bodies with a volume, and NPAN equal to the number of panels"
             )
         break
     return values

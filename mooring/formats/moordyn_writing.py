@@ -85,7 +85,10 @@ def moordyn_of_system(system: System, source: MoorDynFile | None = None) -> Moor
     told = f"; breaking loads are not in the file: those of {', '.join(lost)} are lost" if lost else ""
     if lost or any(not line.name.isdigit() for line in system.lines):
         numbers = ", ".join(f"{i} is {line.name}" for i, line in enumerate(system.lines, 1))
-        warnings.warn(f"the MoorDyn file has numbers for lines: {numbers}{told}; keep the original file", stacklevel=2)
+        warnings.warn(
+            f"the MoorDyn file has numbers instead of names for lines: {numbers}{told}; keep the original file",
+            stacklevel=2,
+        )
     moved = [body.name for body in system.bodies if body.freedom]
     if moved:
         warnings.warn(

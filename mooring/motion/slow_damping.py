@@ -84,8 +84,9 @@ def findings(moored, body, mean, constant, dragged):
         if much:
             beside = ", in addition to the drag of the water" if dragged else ""
             yield (
-                'left out: the memory of the water: memory = "constant" damps slow motion like waves of '
-                f'{mean:.3g} rad/s: {", ".join(much)}{beside}; its σ is too small; give memory = "states"'
+                'left out: the memory of the water: memory = "constant" damps slow motion as much as waves of '
+                f"{mean:.3g} rad/s do: {', '.join(much)}{beside}; so the σ of slow motion is too small; give "
+                'memory = "states"'
             )
         return
     still = dragged or np.any(body.quadratic.reshape(-1, 6)[: len(drift), PLANE] > 0)

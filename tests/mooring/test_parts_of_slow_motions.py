@@ -27,7 +27,7 @@ def test_a_body_is_followed_until_it_turns_back_to_the_side_asked_for(monkeypatc
     assert down.sol(1.0)[2] == pytest.approx(-math.cos(1.0), abs=1e-8)
     up = slewing.until_turn(None, down.y[:, -1], +1.0, 50.0, 1e-10)
     assert up.t[-1] == pytest.approx(math.pi, abs=1e-4)
-    with pytest.raises(SinglePointError, match=r"the heading does not turn back within 1.5 s, it is at 355"):
+    with pytest.raises(SinglePointError, match=r"the heading does not turn back within 1.5 s and is then at 355"):
         slewing.until_turn(None, start, -1.0, 1.5, 1e-10)
 
 

@@ -134,8 +134,8 @@ def statements(rows):
         limits = ", ".join(f"{r['limit_m']:.2f} ({r['depth_m']:g} m, {r['wind_m_s']:g} m/s)"
                            for r in sorted(own, key=lambda r: r["wind_m_s"]))  # fmt: skip
         yield (
-            f"floater {floater}, {count} on each dolphin, 10 s: printed {printed:g} m, here {limits}; 0: the steady "
-            "loads alone press too far"
+            f"floater {floater}, {count} on each dolphin, 10 s: limit printed {printed:g} m, here {limits}; 0 means "
+            "that the steady loads alone compress the fenders too far"
         )
     for floater, worst in (("A", 1), ("B", 5)):
         found = [max(_of(rows, floater=floater, depth_m=depth, period_s=10.0, height_m=1.0, wind_m_s=50.0),

@@ -226,7 +226,7 @@ def test_a_column_is_found_by_its_name_and_a_lone_one_needs_its_step(tmp_path):
         ("t,eta\n0,1\n1,\n2,1\n", None, "line 3 has no finite number"),
         ("t,eta\n0,1\n1,nan\n", None, "line 3 has no finite number"),
         ("t,eta\n0,1\n1,2,3\n", None, "line 3 has 3 columns; allowed: 2"),
-        ("t,eta\n0,1\n1,2\n", 0.5, "has a time column, and a step of 0.5 s is given as well; leave out the step"),
+        ("t,eta\n0,1\n1,2\n", 0.5, "has a time column, but a step of 0.5 s is given as well; leave out the step"),
         ("1\n2\n", None, "give the step"),
         ("t,eta\n", None, "no rows of numbers"),
         ("", None, "has no rows"),

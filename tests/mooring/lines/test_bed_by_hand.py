@@ -78,7 +78,7 @@ def test_beds_at_either_side_of_what_is_allowed():
         Bed.sloping(1.5)
     with pytest.raises(ValueError, match="bed friction is"):
         Bed.sloping(0.0, -0.1)
-    with pytest.raises(ValueError, match="step 0 m in x"):
+    with pytest.raises(ValueError, match="x of the bed points changes by 0 m"):
         Bed(np.array([[0.0, 0.0], [1.0, 1.0], [1.0, 2.0]]))
     with pytest.raises(ValueError, match=r"shape \(1, 2\)"):
         Bed(np.zeros((1, 2)))

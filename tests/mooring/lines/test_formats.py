@@ -223,16 +223,16 @@ def test_a_depth_stands_in_where_the_file_has_none_and_only_there():
 
 LEFT_OUT = [
     ("-0.8         0 ", "-0.8         4e4 ", "bending stiffness EI of chain is not included"),
-    ("1000     rhoW", "3 WaveKin", "waves (WaveKin 3) left out"),
-    ("1000     rhoW", "1 Currents", "currents (Currents 1) left out"),
-    ("1000     rhoW", "bed.txt SeafloorFile", "the bathymetry (SeafloorFile bed.txt) left out"),
+    ("1000     rhoW", "3 WaveKin", "waves (WaveKin 3) is left out"),
+    ("1000     rhoW", "1 Currents", "currents (Currents 1) is left out"),
+    ("1000     rhoW", "bed.txt SeafloorFile", "the bathymetry (SeafloorFile bed.txt) is left out"),
     ("1000     rhoW", "3 mystery", "option mystery is unknown and ignored"),
     ("-- OPTIONS", "-- SYROPE IC ---\nLine(s) Tmax0 Tmean0\n(-) (N) (N)\n2 1e6 5e5\n--- OPTIONS",
      "section SYROPE IC is not used: no line type is a Syrope rope"),
     ("3    Body1 ", "3    Coupled ", "dynamic stiffness (EA a|b) of rope is not included; the static"),
     ("1    Coupled     0      0     0      0     0     30 ", "1    Free        0      0     0      0    -90     0  ",
-     "free body 1 starts heeled (r0, p0): not used, its equilibrium is sought from upright"),
-    ("3    Body1 ", "3    Coupled ", "failure 1 of lines is left out: nothing breaks at rest"),
+     "free body 1 starts heeled (r0, p0): the heel is not used; the search for its equilibrium starts from upright"),
+    ("3    Body1 ", "3    Coupled ", "failure 1 of lines is left out: lines do not break in the statics"),
     ("7    Fixed       280     -160    -70     0       0       0      0\n",
      "7 Fixed 280 -160 -70 0 0 0 0\n8 Free 0 0 0 0 0 0 0\n", "point 8 is free and no line holds it, so it is ignored"),
 ]  # fmt: skip

@@ -130,7 +130,7 @@ def test_regular_waves_come_at_the_study_s_obliquity():
     """90° is to leeward, 20° of obliquity 70°"""
     omega, ways, share, words = lee.waves_of(breakwater("free"), Row(7.0), unit())
     assert (omega[0], ways[0, 0], share[0]) == pytest.approx((2 * math.pi / 7, math.radians(70), 1.0))
-    assert words == "regular waves of 7 s at 20° with the normal"
+    assert words == "regular waves of 7 s at 20° to the normal"
 
 
 @pytest.mark.parametrize("period, inside", [(2.99, False), (3.01, True), (19.9, True), (20.1, False)])

@@ -142,7 +142,7 @@ def test_a_return_period_is_told_with_life_and_probability():
     own = SimpleNamespace(service_life=20.0, probability=0.8)
     period = 1 / (1 - 0.8 ** (1 / 20))
     said = report_words.return_words(own, SimpleNamespace(return_period=period))
-    assert said == ("A value that stays unexceeded for 20 years with probability 0.8 has a return period of 90 years.")
+    assert said == ("A value that is not exceeded in 20 years with probability 0.8 has a return period of 90 years.")
 
 
 def made(quantity="tension / breaking load", limit=0.5, sense="at most", **more):

@@ -31,7 +31,7 @@ def test_methods_stand_beside_each_other_and_the_course_is_kept(study, tmp_path,
     assert found["method[seismic coefficient 0.2].over_weight"] == pytest.approx(0.2, rel=1e-12)
     assert np.isnan(found["method[seismic coefficient 0.2].deflection"])
     assert (
-        "FAILS: seismic coefficient 0.2: cell 2 m: 3.351e+04 kN act on it, and its table ends with"
+        "FAILS: seismic coefficient 0.2: cell 2 m: 3.351e+04 kN act on it, but its table ends at"
     ) in capsys.readouterr().out
     _, names, *rows = place.read_text().splitlines()
     course = dict(zip(names.split(","), np.array([row.split(",") for row in rows], float).T, strict=True))
