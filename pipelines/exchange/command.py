@@ -131,7 +131,7 @@ def _left_out(db, values, to):
         gone = [name for name in LIMITS if name in endless or values.get(name) is None]
         if gone:
             yield (
-                f"{', '.join(gone)} is not stored, so the values at the nearest frequency are written for it; "
+                f"no finite value of {', '.join(gone)} is stored, so that at the nearest frequency is written; "
                 f"HydroDyn needs rows for both limits"
             )
     elif endless:

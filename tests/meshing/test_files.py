@@ -310,7 +310,7 @@ def test_a_gmsh_file_has_hull_and_lid_as_groups(tmp_path):
 BAD = {
     "short.gdf": ("one line\n", "1 lines"),
     "word.gdf": ("h\n1 9.81\n0 0\n1\n1 2 3 4 five\n", "line 5: 'five' is not a finite number"),
-    "few.gdf": ("h\n1 9.81\n0 0\n1\n1 2 3\n", "3 coordinates after line 4; 1 panels have 12"),
+    "few.gdf": ("h\n1 9.81\n0 0\n1\n1 2 3\n", "3 coordinates after line 4; 1 panels need 12"),
     "gravity.gdf": ("h\n1 1.0\n0 0\n0\n", "GRAV is 1; allowed"),
     "wall.gdf": ("h\n1 9.81\n-1 0\n0\n", "symmetry -1 0"),
     "patches.gdf": ("h\n1 9.81\n0 0\n4 -10\n", "'4 -10' is a higher-order file of kind -10; allowed: flat panels"),
@@ -420,7 +420,7 @@ def test_any_of_several_counts_is_held_against_the_size_of_the_file(tmp_path):
     [
         ("a.off", "OFF\n3 1 0\n0 0 -1\nnan 0 -1\n1 1 -1\n3 0 1 2\n", "a coordinate is not a finite number"),
         ("a.vtk", "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 2 float\n0 0 -1 1 0 -1\n"
-         "CELLS 1 3\n2 0 1\nCELL_TYPES 1\n3\n", "it holds line; allowed: triangle, quad"),
+         "CELLS 1 3\n2 0 1\nCELL_TYPES 1\n3\n", "contains line; allowed: triangle, quad"),
         ("a", "", "cannot read a file without suffix; allowed: .gdf"),
         ("short.pnl", "1 4 0 0\n1 0 0 -1\n2 1 0 -1\n3 1 1\n4 0 1 -1\n1 4 1 2 3 4\n", "line 4: 3 numbers; a node has"),
         ("three.pnl", "1 3 0 0\n1 0 0 -1\n2 1 0 -1\n3 1 1 -1\n1 4 1 2 3\n", "line 5: a panel has a number, then 3 or "

@@ -94,7 +94,7 @@ def test_a_wall_that_stands_on_the_bed_is_closed_and_said(symmetry):
 def test_a_rim_below_the_water_and_a_foot_above_the_bed_are_told():
     hull = buoy(10, 20, panels=60)
     (text,) = [found.text for found in findings(hull.moved(0, 0, -0.5)) if found.severity == "error"]
-    assert "all of its top, z = -0.5 m: if this is the waterline" in text
+    assert "all of them at its top, z = -0.5 m: if this is the waterline" in text
     assert "--move 0,0,0.5" in text
     wall = buoy(10, 20, bottom=False)
     (text,) = [found.text for found in findings(wall, depth=25.0) if found.severity == "error"]

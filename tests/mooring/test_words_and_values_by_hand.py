@@ -160,7 +160,7 @@ def test_a_section_of_moordyn_that_is_not_used_is_told(section, title):
 
 
 @pytest.mark.parametrize("text, says", [
-    ("1,2 5e5 2e5", None), ("1,7 5e5 2e5", "line 7 is unknown"), ("1,2 5e5", "'1,2 5e5' does not give lines"),
+    ("1,2 5e5 2e5", None), ("1,7 5e5 2e5", "line 7 is unknown"), ("1,2 5e5", "'1,2 5e5' does not give line numbers"),
     ("1,2 many 2e5", "does not give line numbers, Tmax0 and Tmean0"), ("# a remark", None),
 ])  # fmt: skip
 def test_largest_tensions_of_ropes_are_of_lines_that_are_there(text, says):

@@ -138,7 +138,7 @@ def test_only_databases_are_replaced(tmp_path):
 
 
 def test_files_of_other_versions_are_told_with_what_makes_them_anew():
-    made = another_version("a.h5", "a file of a sweep;", 3, 1, "sweep SWEEP --output {} --fresh")
+    made = another_version("a.h5", "a file of sweep", 3, 1, "sweep SWEEP --output {} --fresh")
     assert made == (
         "a.h5 is a file of sweep of schema version 3, and this program reads version 1; make it again by "
         "'hakobune sweep SWEEP --output a.h5 --fresh', or read it with the program that wrote it"

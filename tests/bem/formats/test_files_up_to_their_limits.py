@@ -149,7 +149,7 @@ LIMITS = {
     "bodies of AQWA": (in_file("a.AH1", aqwa.read), ah1(), ah1(cog="COG\n 1 0 0 -1\n 2 0 0 -1\n"),
         "a.AH1 has 2 bodies; allowed: --body 1 to 2, one at a time"),
     "water of a listing": (in_file("a.LIS", aqwa.read), listing(), listing(water="DEPTH"),
-        r"a.LIS does not contain 'WATER\s\+DEPTH'; allowed: the listing of a run of AQWA-LINE"),
+        r"a.LIS does not contain 'WATER\\s+DEPTH'; allowed: the listing of a run of AQWA-LINE"),
     "centre of a listing": (in_file("a.LIS", aqwa.read), listing(center="C.O.G GX 0.0 0.0 -1.0"), listing(center=""),
         "a.LIS does not give the centre of gravity of structure 1"),
     "rows of a listing": (in_file("a.LIS", aqwa.read), listing(), listing(sides=aqwa.SIDES[:5]),
@@ -200,7 +200,7 @@ LIMITS = {
         "Output_frequency_type 6"}, "Output_frequency_type is 6; allowed: 1 (deep wavenumber), 2 (wavenumber), "
         "3 (frequency), 4 (period), 5 (wavelength)"),
     "depth of HAMS": (edited(hams, "h", "h/Input/ControlFile.in"), {}, {"Waterdepth": "Depth"},
-        "has no number for Waterdepth; allowed: Waterdepth and its value on one line"),
+        "has no number for Waterdepth; give Waterdepth and its value on one line"),
     "bodies of HAMS": (edited(hams, "h", "h/Input/ControlFile.in"), {"Reference_body_length": "Number_of_bodies 1\n"
         "Reference_body_length"}, {"Reference_body_length": "Number_of_bodies 2\nReference_body_length"},
         "h has 2 bodies; allowed: --body 1 to 2"),

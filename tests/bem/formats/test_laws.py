@@ -74,7 +74,7 @@ def test_directions_all_round_give_every_mode_its_damping():
     ({"excitation_force": lambda X: X / 1e3}, "forces are in kN"),
     ({"radiation_damping": lambda B: B / 1e3}, "damping is in kN and forces are in N"),
     ({"radiation_damping": np.negative}, "B_33 is below 0: damping has the opposite sign"),
-    ({"radiation_damping": lambda B: B / np.linspace(0.2, 1.6, 15)[:, None, None]}, "damping is that over ω"),
+    ({"radiation_damping": lambda B: B / np.linspace(0.2, 1.6, 15)[:, None, None]}, "damping is divided by ω"),
     ({"added_mass": lambda A: A + 300.0 * (np.arange(36).reshape(6, 6) == 4)}, "A_15 and A_51 differ by"),
 ])  # fmt: skip
 def test_a_broken_law_names_its_cause(change, words):
@@ -174,11 +174,12 @@ def test_modes_that_agree_rule_out_a_wrong_unit():
 
 
 @pytest.mark.parametrize("factor, words", [
-    (1e-3, "forces are in kN"), (1e3, "stiffness is in kN"), (2.0, "forces are for 1 m of wave height"),
+    (1e-3, "forces are in kN"), (1e3, "stiffness is in kN"),
+    (2.0, "forces are for 1 m of wave height, not of amplitude"),
     (0.5, "forces are halved"), (1 / 9.80665, "forces lack g"),
 ])  # fmt: skip
 def test_a_factor_of_forces_is_named_within_a_fifth_of_it(factor, words):
     """ln within 0.2 either way, e^0.2 = 1.2214, of the heave force of long waves over what restoring makes of it"""
     for share, named in ((1.215, True), (1 / 1.215, True), (1.235, False), (1 / 1.235, False)):
         line = laws._factor_of_force(factor * share)
-        assert line == (words if named else "units, lengths, density or depth")
+        assert line == (words if named else "the two differ in their units, lengths, density or depth")

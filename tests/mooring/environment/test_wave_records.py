@@ -231,7 +231,7 @@ def test_a_column_is_found_by_its_name_and_a_lone_one_needs_its_step(tmp_path):
         ("t,eta\n", None, "no rows of numbers"),
         ("", None, "has no rows"),
         ("t,eta\n1,2\n", None, "has one row"),
-        ("t,eta\n2,2\n1,2\n0,1\n", None, "allowed: equal steps"),
+        ("t,eta\n2,2\n1,2\n0,1\n", None, "allowed: increasing times at equal steps"),
     ],
 )
 def test_what_is_no_record_is_refused(tmp_path, text, step, words):

@@ -93,7 +93,7 @@ def test_lines_that_the_sea_takes_slack_and_a_sinker_up_to_the_keel_are_told(tmp
     said = " ".join(capsys.readouterr().out.split())
     assert "FAILS: lines go slack" not in said and "FAILS: the pretension of" in said
     assert "taut in it need a pretension of" in said
-    assert re.search(r"sinker, front: [\d.]+ m high, .*5 m under the keel; allowed: up to 2.5 m; give a width", said)
+    assert re.search(r"sinker, front is [\d.]+ m high, .*5 m under the keel; allowed: up to 2.5 m; give a width", said)
 
 
 def test_loss_under_the_keel_takes_from_what_is_transmitted(tmp_path, capsys):

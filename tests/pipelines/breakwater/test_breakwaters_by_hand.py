@@ -294,7 +294,9 @@ def test_waves_break_above_the_limit_of_miche(tmp_path, asked, height, told):
     limit = 0.142 * 2 * math.pi / k * math.tanh(k * DEPTH)
     path = written(tmp_path, ("[6.0, 8.0, 10.0]", "[3.0, 8.0]"), ("height = 0.5", f"height = {limit * height!r}"))
     _, said = asked("breakwater", path, status=None)
-    assert (f"m break at 1 of 2 periods, up to 3 s, where {limit:.3g} m (Miche)" in said) is told
+    assert (
+        f"m break at 1 of 2 periods, up to 3 s, where the highest possible wave is {limit:.3g} m (Miche)" in said
+    ) is told
 
 
 LIMITS = [
@@ -333,7 +335,7 @@ LIMITS = [
     (("[waves]", "[optimisation]\nlimits = 0\ndraft = [4, 5]\n[waves]"), "limits is 0; allowed: 1 to 100"),
     (("[waves]", "[optimisation]\n[waves]"), "optimisation has no range; give draft, width or angle_deg as"),
     (("[waves]", "[optimisation]\ndraft = [5, 5]\n[waves]"), "optimisation.draft is from 5 to 5"),
-    (("[waves]", "[map]\nperiod = 7\nunits = 31\ngap = 5\n[waves]"), "map.units has 31; allowed: 1 to 30"),
+    (("[waves]", "[map]\nperiod = 7\nunits = 31\ngap = 5\n[waves]"), "map.units has 31 numbers; allowed: 1 to 30"),
     (("[waves]", "[map]\nperiod = 7\npoints = 402\n[waves]"), "map.points has 402 numbers; allowed: 2 to 401"),
     (("[waves]", "[map]\nperiod = 7\npoints = 1\n[waves]"), "map.points has 1 numbers; allowed: 2 to 401"),
     (("[waves]", "[map]\nperiod = 7\nunits = 2\n[waves]"), "map.gap is 0 m; allowed: above 0 between units"),

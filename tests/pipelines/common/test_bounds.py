@@ -28,7 +28,7 @@ TOO_MUCH = {
     "line-dynamics line.toml --duration 1e12": "1e+12 s of 40 elements need about",
     "line-dynamics line.toml --tolerance 1e-300": "tolerance is 1e-300; allowed: 1e-08 to 0.1",
     "line-dynamics fine.toml": "1000000000 elements need about 2e+03 GB",
-    f"lines line.toml --offset 1 --direction {'1,' * 500}1": "--direction has 501; allowed: 1 to 360",
+    f"lines line.toml --offset 1 --direction {'1,' * 500}1": "--direction has 501 numbers; allowed: 1 to 360",
     "solve --mesh large.gdf --depth 20 --omega 1": "large.gdf has 1000 MB; allowed: up to 32 MB",
     "lines large.toml": "large.toml has 1000 MB; allowed: up to 8 MB",
     "sea large.csv": "large.csv has 1000 MB; allowed: up to 256 MB",

@@ -97,7 +97,7 @@ ROWS = [
     ("breakwater", "loss", {"coefficient": 1e4}, {"coefficient": 1.01e4}, "loss.coefficient is 10100; allowed: 0 to"),
     ("breakwater", "map", {"period": 6.0, "units": 1}, {"period": 6.0, "units": 1, "gap": 1.0}, "map.gap is 1 m"),
     ("breakwater", "map", {"units": 30, "gap": 0.1}, {"units": 31, "gap": 0.1},
-     "map.units has 31; allowed: 1 to"),
+     "map.units has 31 numbers; allowed: 1 to"),
     ("breakwater", "map", {"x": [-1.0, 1.0]}, {"x": [1.0, 1.0]}, "map.x is from 1 to 1 m; allowed: rising, finite"),
     ("passage", "panels", 12, 11, "panels is 11; allowed: 12 to 2000, on each hull"),
     ("passage", "panels", 2000, 2001, "panels is 2001; allowed: 12 to 2000, on each hull"),

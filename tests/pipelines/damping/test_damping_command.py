@@ -99,7 +99,11 @@ def test_a_decay_names_its_own_motion_and_times_are_written_with_few_digits(
         ("time_s,motion_m\n0,1\n1,2\n2,3,4\n", [], "line 4 has 3 columns; allowed: 2"),
         ("time_s,motion_m\n0,1\n1,nan\n", [], "line 3 has 'nan'"),
         ("# a\ntime_s,motion_m\n0,1\n1,2\n4,1\n5,2\n6,3\n7,3\n", [], "line 5: the time goes from 1 to 4 s,"),
-        ("time_s,motion_m\n0,1\n1,2\n1,1\n2,2\n", [], "line 4: time stays at 1 s; allowed: equal steps; sort"),
+        (
+            "time_s,motion_m\n0,1\n1,2\n1,1\n2,2\n",
+            [],
+            "line 4: time stays at 1 s; allowed: increasing times at equal steps; sort",
+        ),
         ("time_s\n0\n1\n", [], "has the columns time_s; allowed: the columns time_s, motion_m"),
         ("0,1\n1,2\n", [], "no column names in its first row"),
         ("", [], "record.csv has no rows"),

@@ -226,7 +226,7 @@ FAULTS = {
         ("of the wave energy", "allowed: 50 %", "add periods"),
     ),
     "direction that is not solved for": (
-        "lines", [(scene("waves", "headings_deg"), [0, 30])], ("wave direction 240°", "at most 45° apart", "add it"),
+        "lines", [(scene("waves", "headings_deg"), [0, 30])], ("wave direction 240°", "at most 45° apart", "add this direction"),
     ),
     "radii of gyration": ("lines", [(scene("bodies", 0, "gyration"), ...)], ("radii of gyration", "give gyration")),
     "what of the waves is wanted": (
@@ -244,12 +244,12 @@ FAULTS = {
     ),
     "level": ("lines", [(storm("levels"), ["hihg"])], ("states[0].levels is 'hihg'", "allowed: mean, high")),
     "level in the ground": ("lines", [(project("levels", "high"), -21.0)], ("levels.high is -21 m", "above the bed")),
-    "level of the keel": ("lines", [(project("levels", "high"), -12.0)], ("draft is 10.0", "below the depth")),
+    "level of the keel": ("lines", [(project("levels", "high"), -12.0)], ("draft is 10.0", "less than the depth")),
     "kind of a state": ("lines", [(storm("state"), "calm")], ("states[0].state is 'calm'", "normal, abnormal")),
     "which line is lost": ("lines", [(storm("lost"), "best")], ("states[0].lost is 'best'", "worst, each")),
     "states of one file": (
         "lines", [(project("states", 1, "name"), "storm!"), (project("states", 1, "incidence_deg"), [60.0])],
-        ("'storm' and 'storm!'", "a name of its own"),
+        ("'storm' and 'storm!'", "its own name"),
     ),
     "weather of no site": ("lines", [(storm("weather"), "extreme")], ("project.site is missing;", "give the file")),
     "site": ("lines", [(project("project", "site"), "bay.toml")], ("bay.toml does not exist",)),
@@ -351,7 +351,7 @@ FAULTS = {
         "database", [(project("levels"), {"high": 1.0})], ("a database for each depth", "project.scene"),
     ),
     "dolphin of a fender": ("berth", [(study("fender", 0, "on"), "D9")], ("no dolphin 'D9'", "allowed: D1")),
-    "dolphin without a fender": ("berth", [(study("fender", 0, "on"), ...)], ("'D1' carries no fender", "one")),
+    "dolphin without a fender": ("berth", [(study("fender", 0, "on"), ...)], ("'D1' carries no fender", "name the dolphin")),
     "family of a fender": (
         "berth", [(study("fender", 1, "family"), "coen")], ("'coen' is unknown", "cell, v, h, cone"),
     ),
@@ -394,7 +394,7 @@ FAULTS = {
         "single point", [(study("hull", "freeboard"), ...)], ("freeboard is missing", "give it"),
     ),
     "simulation of a single point": (
-        "single point", [(project("simulation"), {"duration": 600.0})], ("simulation is given", "[slewing]"),
+        "single point", [(project("simulation"), {"duration": 600.0})], ("[simulation] is given", "[slewing]"),
     ),
     "holding of a breakwater": ("breakwater", [(study("design", "holding"), "tight")], ("is 'tight'", "fixed, taut")),
     "wind on a breakwater": (

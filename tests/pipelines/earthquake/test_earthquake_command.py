@@ -66,7 +66,7 @@ def test_a_wrong_study_is_told_in_one_line(study, capsys, old, new, says):
             lambda rows: rows[:50] + rows[53:],
             "line 51: the time goes from 0.96 to 1.04 s, and the step elsewhere is 0.02 s: 3 rows are",
         ),
-        (lambda rows: rows[:50] + rows[49:], "line 51: time stays at 0.96 s"),
+        (lambda rows: rows[:50] + rows[49:], "line 51: the time stays at 0.96 s"),
         (
             lambda rows: rows[:50] + ["1.0,nan"] + rows[51:],
             "line 51 has 'nan'; allowed: finite numbers; fill in the value",

@@ -55,11 +55,11 @@ def test_frequencies_that_are_not_solved_and_axes_that_are_not_said_are_told(lef
 def test_rows_of_limits_that_stand_for_the_frequency_next_to_them_are_told(left_out):
     endless = left_out("wamit", ("added_mass_infinity",), added_mass_infinity=np.array([1.0, np.inf]))
     assert endless == [
-        "added_mass_infinity is not stored, so the values at the nearest frequency are written for it; "
+        "no finite value of added_mass_infinity is stored, so that at the nearest frequency is written; "
         "HydroDyn needs rows for both limits"
     ]
     (said,) = left_out("hams", added_mass_zero=None)
-    assert said.startswith("added_mass_zero repeats the nearest frequency")
+    assert said.startswith("no finite value of added_mass_zero is stored")
 
 
 @pytest.mark.parametrize(

@@ -197,7 +197,7 @@ def test_line_warns_in_one_line_of_a_tension_above_the_breaking_load(capsys):
         ),
         (
             [*FLOATING, "--friction", "1"],
-            "--friction is 1; allowed with HMPE 160 mm, lighter than water: 0, it does not",
+            "--friction is 1; allowed with HMPE 160 mm, lighter than water: 0, since the line does not lie",
         ),
         ([*HANGING, "--tension", "1e12"], "--tension is 1e+12 kN, at which an inextensible line of 300 m is straight"),
         ([*HANGING, "--tension", "1", "--slope-deg", "5"], "--tension is 1 kN; the line would then hang "),

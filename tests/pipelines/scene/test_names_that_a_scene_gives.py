@@ -21,7 +21,7 @@ def a_scene(method, **more):
         (
             a_scene("pressure", wall="y"),
             "added_mass_infinity",
-            "pressure does not give; method panel or contour",
+            "pressure does not compute; use method panel or contour",
         ),
         (
             a_scene("strip", several=False),

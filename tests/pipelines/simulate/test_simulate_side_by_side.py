@@ -178,7 +178,7 @@ FAULTS = {
     "hinged twice": ({"hinges": [HINGE, {**HINGE, "name": "G"}]}, "some constraints repeat others"),
     "motions held": (
         {"hinges": [HINGE], "simulation": STUDY["simulation"] | {"motions": ["ship heave"]}},
-        "simulation.motions holds motions fixed that hinges may need; with hinges name all motions or leave it out",
+        "simulation.motions fixes motions that hinges may need; with hinges, name all motions or leave it out",
     ),
     "two of a name": ({"hinges": [HINGE, {**HINGE, "kind": "ball"}]}, "two hinges are called 'H'"),
     "torn": (
@@ -186,7 +186,7 @@ FAULTS = {
          "hulls": {"ship": {"freeboard": 0.1}, "barge": {"freeboard": 1.5}}},
         "hinges move ship down by 0.474 m at rest, limit 0.1 m",
     ),
-    "a quay": ({"quay": {"y": 9.0}}, "[quay] is given, and the database contains several bodies"),
+    "a quay": ({"quay": {"y": 9.0}}, "[quay] is given, but the database contains several bodies"),
 }  # fmt: skip
 
 

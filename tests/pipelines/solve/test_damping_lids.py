@@ -39,7 +39,7 @@ def test_a_lid_off_the_middle_leaves_the_planes_that_it_has():
 
 
 @pytest.mark.parametrize(("change", "said"), [
-    ({"corners": [[-6, -0.5], [6, -0.5], [6, 1.5], [-6, 0.5]]}, r"damping_lids\[0\] lies on a hull at x = "),
+    ({"corners": [[-6, -0.5], [6, -0.5], [6, 1.5], [-6, 0.5]]}, r"damping_lids\[0\] covers a hull at x = "),
     ({"corners": [[-6, -0.5], [6, -0.5], [0, -0.2], [-6, 0.5]]}, r"damping_lids\[0\]\.corners is not a convex polygon"),
     ({"corners": [[0, 0], [1, 0]]}, r"damping_lids\[0\]\.corners is not a convex polygon"),
     ({"damping": 0.0}, r"damping_lids\[0\]\.damping is 0\.0"),

@@ -232,7 +232,7 @@ def test_a_hinge_is_no_shape_and_a_beam_not_of_two_bodies(tmp_path):
     rigid = {"kind": "file", "name": "turn", "file": str(tmp_path / "hinge.csv"), "stiffness": 1e6, "mass": 1e3}
     given = tables(rigid, bodies=SAGS, waves={"omegas": [1.6]}, panels=160)
     with pytest.raises(
-        SceneError, match=r"modes\[0\].body is missing; allowed: fore, aft; a shape of all is of a file"
+        SceneError, match=r"modes\[0\].body is missing; allowed: fore, aft; a shape of all bodies together needs a file"
     ):
         make_scene(tables(BENDING, bodies=SAGS, waves={"omegas": [1.6]}))
     given["modes"][0]["file"] = str(tmp_path / "whole.csv")

@@ -229,12 +229,12 @@ def test_what_a_scene_of_several_may_not_say_is_one_line(name):
     [({"method": "strip", "panels": None}, "supports one body only"),
      ({"method": "contour", "panels": None, "damping_lids": [{"damping": 0.05}]}, "does not support damping lids"),
      ({"method": "contour"}, "has no panels"),
-     ({"method": "transfer", "panels": None}, "needs the circles around the bodies 0.18 m apart; those around barge "
+     ({"method": "transfer", "panels": None}, "needs circles around the bodies that are 0.18 m apart; the circles around barge "
       "and pier overlap by 1.6 m; method panel or contour can"),
      ({"method": "transfer", "panels": None, "bodies": [{"shape": "buoy", "radius": 1.0, "draft": 2.0}]},
       "is for several"),
      ({"want": ["body_drift_force"], "wall": 20.0}, "which is not computed beside a wall"),
-     ({"want": ["body_drift_force"], "method": "contour", "panels": None}, "which method contour does not give"),
+     ({"want": ["body_drift_force"], "method": "contour", "panels": None}, "which method contour does not compute"),
      ({"rotation_center": [1.0, 0, 0]}, "give it under [[bodies]]"),
      ({"waves": {"xi_B": [0.5]}}, "needs one body with a beam"),
      ({"viscous": {"wave_height": 1.0}}, "no body has a damping law"),

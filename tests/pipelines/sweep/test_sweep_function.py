@@ -129,7 +129,7 @@ def test_arguments_of_every_command_are_those_of_its_function_without_its_study(
     if command == "simulate":
         found = one_case.given_to(command, [*needed, "--seeds", "3", "--duration", "60"])
         assert (found["seeds"], found["duration"]) == (3, 60.0)
-        with pytest.raises(ValueError, match="arguments have --methods"):
+        with pytest.raises(ValueError, match="arguments contain --methods"):
             one_case.given_to(command, [*needed, "--methods"])
 
 

@@ -77,7 +77,7 @@ def test_a_film_of_regular_waves_is_one_period(database, tmp_path, monkeypatch):
         (["waves", "--omega", "3"], "3"),
         (["waves", "--omega", "0.8", "--at", "1"], "allowed: x,y in m"),
         (["waves", "--omega", "0.8", "--width", "3"], "width is 3 m"),
-        (["waves", "--omega", "0.8", "--output", "map.txt"], "allowed: .csv"),
+        (["waves", "--omega", "0.8", "--output", "map.txt"], "allowed suffixes: .csv"),
         (["animate", "--omega", "0.8", "--output", "film.gif", "--seed", "1"], "--seed belongs to a simulation"),
         (["animate", "--omega", "0.8", "--output", "film.gif", "--height", "0"], "--height is 0 m"),
         (["animate", "--omega", "0.8", "--output", "film.gif", "--field", "area"], "allowed: pressure"),
