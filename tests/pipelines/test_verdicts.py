@@ -276,7 +276,8 @@ CASES = {
     "box": (BOX, lambda: checks("reciprocity", 0.87), r"checks failed: reciprocity is broken by 0.87 at ω = 0.2344"),
     "check": ("check box.h5", "check partial.h5", r"16 of 17 frequencies are stored; run the command again"),
     "mesh": ("mesh hull.gdf --output out.gdf", turned_inside_out, r"out.gdf: .*"),
-    "export": ("export box.h5 --to wamit", "export partial.h5 --to wamit", r"only 16 of 17 frequencies of partial.h5 are solved"),
+    "export": ("export box.h5 --to wamit", "export partial.h5 --to wamit",
+               r"only 16 of 17 frequencies of partial.h5 are solved"),
     "import": (
         lambda: imported(sound_export()),
         lambda: imported(exported()),

@@ -226,7 +226,8 @@ FAULTS = {
         ("of the wave energy", "allowed: 50 %", "add periods"),
     ),
     "direction that is not solved for": (
-        "lines", [(scene("waves", "headings_deg"), [0, 30])], ("wave direction 240°", "at most 45° apart", "add this direction"),
+        "lines", [(scene("waves", "headings_deg"), [0, 30])], 
+        ("wave direction 240°", "at most 45° apart", "add this direction"),
     ),
     "radii of gyration": ("lines", [(scene("bodies", 0, "gyration"), ...)], ("radii of gyration", "give gyration")),
     "what of the waves is wanted": (
@@ -351,7 +352,8 @@ FAULTS = {
         "database", [(project("levels"), {"high": 1.0})], ("a database for each depth", "project.scene"),
     ),
     "dolphin of a fender": ("berth", [(study("fender", 0, "on"), "D9")], ("no dolphin 'D9'", "allowed: D1")),
-    "dolphin without a fender": ("berth", [(study("fender", 0, "on"), ...)], ("'D1' carries no fender", "name the dolphin")),
+    "dolphin without a fender": ("berth", [(study("fender", 0, "on"), ...)],
+                                ("'D1' carries no fender", "name the dolphin")),
     "family of a fender": (
         "berth", [(study("fender", 1, "family"), "coen")], ("'coen' is unknown", "cell, v, h, cone"),
     ),

@@ -97,7 +97,8 @@ def test_with_fatigue_all_cases_that_have_a_share_of_the_time_are_run_again(trie
 @pytest.mark.parametrize("one, others, beyond", [
     (judged(met=True, used=0.9), {}, ""), (judged(met=None, used=None), {}, ""),
     (judged("service life"), {"service life": 20.0},
-     "No change of lines affects limit of service life, service life at most 0.5, since the project gives these values."),
+     "No change of lines affects limit of service life, service life at most 0.5, "
+     "since the project gives these values."),
 ])  # fmt: skip
 def test_nothing_is_tried_where_lines_change_nothing(one, others, beyond, tried):
     assert advise(read_project(), [one], {"one": case()}, others, {}, Path("f"), None) == Advice((), (), beyond)

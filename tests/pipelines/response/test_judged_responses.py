@@ -92,7 +92,8 @@ def test_gaps_of_a_climate_are_told_with_how_often_they_are_used_up():
         "years"
     )
     assert said[3].startswith(
-        "under keel: least at bow, 0.5 of 4.5 m are left by the drop reached once in 100 years; the hull touches the bed once in 40 years"
+        "under keel: least at bow, 0.5 of 4.5 m are left by the drop reached once in 100 years; "
+        "the hull touches the bed once in 40 years"
     )
     assert "less than once in a million years" in notes(climate(9.0, 4.5, 0.9e-6 / YEAR), 100.0)[2]
     assert "once in 9.09e+05 years" in notes(climate(9.0, 4.5, 1.1e-6 / YEAR), 100.0)[2]

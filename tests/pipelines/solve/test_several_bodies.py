@@ -229,7 +229,8 @@ def test_what_a_scene_of_several_may_not_say_is_one_line(name):
     [({"method": "strip", "panels": None}, "supports one body only"),
      ({"method": "contour", "panels": None, "damping_lids": [{"damping": 0.05}]}, "does not support damping lids"),
      ({"method": "contour"}, "has no panels"),
-     ({"method": "transfer", "panels": None}, "needs circles around the bodies that are 0.18 m apart; the circles around barge "
+     ({"method": "transfer", "panels": None}, "needs circles around the bodies that are 0.18 m apart; the circles "
+      "around barge "
       "and pier overlap by 1.6 m; method panel or contour can"),
      ({"method": "transfer", "panels": None, "bodies": [{"shape": "buoy", "radius": 1.0, "draft": 2.0}]},
       "is for several"),
