@@ -226,7 +226,7 @@ FAULTS = {
         ("of the wave energy", "allowed: 50 %", "add periods"),
     ),
     "direction that is not solved for": (
-        "lines", [(scene("waves", "headings_deg"), [0, 30])], 
+        "lines", [(scene("waves", "headings_deg"), [0, 30])],
         ("wave direction 240°", "at most 45° apart", "add this direction"),
     ),
     "radii of gyration": ("lines", [(scene("bodies", 0, "gyration"), ...)], ("radii of gyration", "give gyration")),
