@@ -47,7 +47,7 @@ class OneOfSeveral:
 
     @property
     def name(self) -> str:
-        """Of the body"""
+        """Name of the body"""
         return self.database.bodies[self.number].name if self.database.bodies else ""
 
     @property

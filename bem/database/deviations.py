@@ -110,5 +110,5 @@ def by_chance(equation, parts, errors, smooth, waves):
 
 
 def _complex_normal(generator, shape):
-    """Of variance one"""
+    """Complex normal numbers of variance one"""
     return (generator.standard_normal(shape) + 1j * generator.standard_normal(shape)) / np.sqrt(2)

@@ -73,7 +73,7 @@ def check_seal(path, remedy=seals.REMEDY):
 
 
 def check_any_version(path, found=None):
-    """As `check_version`, for files of any kind including databases; found : its attribute `schema`, or None"""
+    """Like `check_version`, for files of any kind including databases; found : its attribute `schema`, or None"""
     for kind, version in READS.items():
         check_version(path, f"{OURS}{kind} {version}", found)
     if found is None:
@@ -102,7 +102,7 @@ def check_version(path, schema, found=None):
 
 
 def check_database_version(path, found=None):
-    """As `check_version`, for a database; found : its version number, None to search the bytes"""
+    """Like `check_version`, for a database; found : its version number, None to search the bytes"""
     if found is None:
         found = [struct.unpack("<q", part)[0] for part in _numbers(path, NUMBER)]
         found = [one for one in found if 0 <= one <= HIGHEST and one != SCHEMA_VERSION][-1:]

@@ -122,7 +122,7 @@ def _about_mass(values, still, body):
 
 
 def _about_weight(C, still, values):
-    """In words whether a hydrostatic stiffness includes the weight, by its roll and pitch"""
+    """States in words whether a hydrostatic stiffness includes the weight, by its roll and pitch"""
     arm = still.mass * values.gravity * (still.center_of_mass[2] - values.rotation_center[2])
     off = [abs(C[i, i] - still.stiffness[i, i]) for i in (3, 4)]
     bare = [abs(C[i, i] - still.stiffness[i, i] - arm) for i in (3, 4)]

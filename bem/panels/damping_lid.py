@@ -64,7 +64,7 @@ def with_damping_lids(problem):
 
 
 class DampedRun(PanelRun):
-    """As `PanelRun`, with damping lids on the water"""
+    """Like `PanelRun`, with damping lids on the water"""
 
     def __init__(self, prepared, omega, *arguments, **more):
         super().__init__(prepared, omega, *arguments, **more)

@@ -95,7 +95,7 @@ class PanelRun(FrequencyRun):
 
     @property
     def kochin_errors(self):
-        """As `errors`, of `kochin`"""
+        """Like `errors`, for Kochin functions"""
         share = share_left(self.prepared.refinement)
         return [share * (rough - H) for H, rough in zip(self.kochin, self.coarse.kochin, strict=True)]
 
@@ -170,7 +170,7 @@ class PanelRun(FrequencyRun):
 
     @property
     def force_potentials(self):
-        """As `potentials`, but possibly without harmonics that exert no force on the body"""
+        """Like `potentials`, but possibly without harmonics that exert no force on the body"""
         return self.potentials
 
     def _solved(self):

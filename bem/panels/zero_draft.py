@@ -63,7 +63,7 @@ class ZeroDraftRun(PanelRun):
         return np.ascontiguousarray((-velocities - solution.T) / K)
 
     def pressure(self):
-        """As `PanelRun.pressure` on the bottom; zero on the sides, which have no height."""
+        """Like `PanelRun.pressure` on the bottom; zero on the sides, which have no height."""
         mesh, plate = self.problem.mesh, bottom(self.problem.mesh)
         out = np.zeros((len(self.headings), self.geometry.copies, len(mesh)), complex)
         out[..., plate] = super().pressure().reshape(len(self.headings), self.geometry.copies, -1)

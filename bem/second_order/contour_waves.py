@@ -24,7 +24,7 @@ VERTICAL = [2, 3, 4]
 
 
 class ContourWaves(FirstOrderWaves):
-    """As `first_order_waves.PanelWaves`, of a `bem.methods.shape_problem.ShapeProblem`
+    """Like `first_order_waves.PanelWaves`, for a `bem.methods.shape_problem.ShapeProblem`
 
     raises : ValueError for another method, infinite depth, a floating box, the surface around a box and unresolved
         waves

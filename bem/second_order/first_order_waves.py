@@ -136,7 +136,7 @@ class PanelWaves(FirstOrderWaves):
 
 
 class WavesOfBodies(PanelWaves):
-    """As `PanelWaves`, of several bodies; flows are lists, one `HullFlow` for each body, forces and motions (…, 6N).
+    """Like `PanelWaves`, for several bodies; flows are lists, one `HullFlow` for each body, forces and motions (…, 6N).
 
     Squares of first order are integrated over each hull by itself.  Haskind's relation gives the force of the bound
     wave on a body a, and that of the potential of moving hulls: with ψ the radiation potential of a motion of a, each
@@ -197,7 +197,7 @@ class WavesOfBodies(PanelWaves):
 
     @property
     def _sixes(self):
-        """Of each body the places of its motions and forces"""
+        """Indices of the motions and forces of each body"""
         return [slice(6 * i, 6 * i + 6) for i in range(len(self.problem.bodies))]
 
     def joined(self):

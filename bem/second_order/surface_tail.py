@@ -95,7 +95,7 @@ class Path:
         return self._thrice(values, k, place)
 
     def bessel(self, k, most, place):
-        """As `hankel` for J_m(kr): along r + ix without e^{−ikr}, along r − ix zero"""
+        """Like `hankel` for J_m(kr): along r + ix without e^{−ikr}, along r − ix zero"""
         z = self._radii(k)[self.first :]
         values = bessel_orders(most, z)
         values[:, 1 + self.real.shape[1] :] *= np.exp(1j * k * self.edges[-1])

@@ -87,7 +87,7 @@ def _found(corners, polygons):
 
 
 def _inside(points, ring):
-    """By the number of crossings to the right"""
+    """Whether points lie inside: the number of crossings to the right is odd"""
     a, b = ring, np.roll(ring, -1, axis=0)
     x, y = points[:, :1], points[:, 1:]
     crosses = (a[:, 1] > y) != (b[:, 1] > y)

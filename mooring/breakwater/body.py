@@ -29,7 +29,7 @@ class Buoyant:
 
     @property
     def roll_stiffness(self):
-        """Of pressures about the centre of gravity, N"""
+        """Roll stiffness of the pressures about the centre of gravity, N"""
         return self.density * self.gravity * (self.waterline**3 / 12 + self.area * (self.buoyancy_z - self.z0))
 
     def _check(self, positive):

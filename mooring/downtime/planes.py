@@ -38,7 +38,7 @@ class Planes(NamedTuple):
                 yield density / np.float32(2 * np.pi)
 
     def path(self, row):
-        """Of the file of an hour"""
+        """Path of the file of one hour"""
         return self.paths[int(np.searchsorted(np.cumsum(self.counts), row, side="right"))]
 
 

@@ -75,7 +75,7 @@ class OnCurrent(Reader):
         return np.concatenate([of(own[:, [p]].ravel(), [beta], **words) for p, beta in enumerate(headings)], axis=1)
 
     def at(self, omega, name, headings=None):
-        """As `Reader.at`; the error is that in still water"""
+        """Like `Reader.at`; the error is that in still water"""
         value, error = self.still.at(omega, name, headings)
         return (self.motions(omega, headings) if name == "rao" else value), error
 

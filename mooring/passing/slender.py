@@ -83,7 +83,7 @@ def _slopes(R, depth):
 
 
 def _by_images(R, depth):
-    """As `_slopes`, image by image, with those beyond the last replaced by integrals from half a step behind it"""
+    """Like `_slopes`, image by image, with those beyond the last replaced by integrals from half a step behind it"""
     high = 2 * depth * np.arange(1, IMAGES + 1)[:, None, None]
     r = np.sqrt(R**2 + high**2)
     end = 2 * depth * (IMAGES + 0.5)

@@ -44,7 +44,7 @@ NEAR = 1.5  # a natural period within this factor of a wave period is reported
 
 
 class SlowMotion(NamedTuple):
-    """Of surge, sway and yaw (3,), m, m, rad: mean offset, deviations of slow motion and of that of the waves, with
+    """Values of surge, sway, yaw (3,), m, m, rad: mean offset, deviations of slow motion and of that of the waves, with
     mean zero-crossing periods s; drift_share : of the slow variance, the rest gusts; period s, ratio of damping to
     critical of each mode; estimates (3, 2) of the deviation, flat spectrum and beating force; largest : of all
     together, and rule : DNV's, both expected and from rest

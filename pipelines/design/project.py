@@ -78,7 +78,7 @@ DIRECTION_KEYS = ("direction_deg", "incidence_deg")
 class Read(msgspec.Struct, frozen=True):
     """A project with the files it names: raw, nested dictionaries of the project; study, raw tables of its study
 
-    kind : module of `kinds` for such studies; study_text, text : of the files
+    kind : module of `kinds` for studies of this kind; study_text, text : text of the study and of the project
     criteria : chosen from the rules; folder : start of relative paths
     """
 

@@ -69,7 +69,7 @@ def check_asked(offset, directions):
 
 
 def lines_of(given, *, body, force, offset, directions, characteristic, broken, database):
-    """As `lines`, of a `system_file.Given`"""
+    """Like `lines`, of a `system_file.Given`"""
     db = None if database is None else database_of(database)
     name = _body(given.system, body, needed=force is not None or offset is not None or db is not None)
     with heard() as first:

@@ -155,7 +155,7 @@ def _lines(made):
 
 
 def _held(made):
-    """Of fenders, ropes and hinges, at rest and under the steady forces"""
+    """Forces of fenders, ropes and hinges, at rest and under the steady forces"""
     found = {}
     for i, (name, words) in enumerate((("at_rest", "at rest"), ("steady", "steady"))):
         if made.berth.names:

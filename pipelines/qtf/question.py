@@ -85,7 +85,7 @@ class Question:
 
 
 def waves_and_sums_of(db, omega, heading, highest):
-    """As `waves_of` with the largest sum, by default the highest that panels and depth resolve.  Raises ValueError."""
+    """Like `waves_of` with the largest sum, by default the highest that panels and depth resolve"""
     frequencies, headings, _ = waves_of(db, omega, heading, None)
     lowest, all_of_them = 2 * frequencies[0], 2 * frequencies[-1]
     if highest is None:

@@ -13,7 +13,7 @@ def to_toml(scene):
 
 
 def _given(value):
-    """Without None, which TOML cannot represent"""
+    """The tables without None, which TOML cannot represent"""
     if isinstance(value, dict):
         return {key: _given(part) for key, part in value.items() if part is not None}
     return [_given(part) for part in value] if isinstance(value, list | tuple) else value

@@ -46,7 +46,7 @@ class Beside:
 
 
 def simplified(study, db):
-    """Beside of a Study on an open database"""
+    """`Beside` for a Study on an open database"""
     unknown, none = np.full(3, np.nan), np.zeros(0)
     alone = not (study.spreads or study.lines or study.at_berth)
     for there, words in (

@@ -207,7 +207,7 @@ def _slope(omega, ratio):
 
 
 def depth_of(values):
-    """m, depth of water, may be inf, for which damping and excitation agree in every mode; None without such a depth"""
+    """Depth of water in m, possibly inf, at which damping and excitation agree in every mode; else None"""
     fits = {}
     for depth in (np.inf, *np.geomspace(1000, 5, 60)):
         found = haskind_ratios(replace(values, water_depth=depth)) or {}
@@ -219,7 +219,7 @@ def depth_of(values):
 
 
 def _of_depth(values):
-    """In words the depth for which damping and excitation agree, "" without one"""
+    """States in words the depth at which damping and excitation agree, "" without one"""
     depth = depth_of(values)
     if depth is None:
         return ""
@@ -228,7 +228,7 @@ def _of_depth(values):
 
 
 def _of_channel(values, found):
-    """In words the width w of a channel whose walls keep the waves in, B = 2/kw of surge and 1/kw of heave; else "" """
+    """States the width w of a channel whose walls keep the waves in, B = 2/kw of surge and 1/kw of heave; else "" """
     widths = []
     for mode, (ratio, omega) in found.items():
         if mode in (SURGE, HEAVE) and len(ratio) >= 5:

@@ -50,7 +50,7 @@ class BandEquations(NamedTuple):
 
     @classmethod
     def empty(cls, geometry, accuracy, low_rank):
-        """With empty arrays, which `solve_class` fills"""
+        """Equations with empty arrays, which `solve_class` fills"""
         c, n, v = low_rank.velocities.shape
         lid, (q, _) = len(geometry.elements.nodes) - n, low_rank.Y.shape
         u = len(low_rank.points) + v + lid

@@ -22,7 +22,7 @@ LARGEST_FULL_SYSTEM = 8000  # nodes of the hull: a gigabyte for each symmetry cl
 
 
 class BandRun(CompressedRun):
-    """As `PanelRun`, at a cost nearly independent of the number of panels.
+    """Like `PanelRun`, at a cost nearly independent of the number of panels.
 
     Forces follow from integrals stored in `bem.panels.band.equations`; potentials are computed on demand.  Where the
     error test fails the full equations are solved, as in `PanelRun`.

@@ -297,7 +297,7 @@ class DynamicLine:
         return np.concatenate([[0.0], 1 / (soft[:-1] + soft[1:]), [0.0]])
 
     def _elongation(self):
-        """Where each element's material begins and ends in the rows of all, and these"""
+        """First and last row of each element's material among the rows of all elements, and these rows"""
         tables = [s.elongation for s in self.segments]
         ends = np.cumsum([0, *(len(table) for table in tables)])
         rows = [np.full((s.elements, 2), ends[i : i + 2]) for i, s in enumerate(self.segments)]

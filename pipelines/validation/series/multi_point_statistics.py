@@ -110,7 +110,7 @@ def _of(kind, quantity, name, record):
 
 
 def _of_force(kind, name, tension):
-    """Of the line whose mean + X_1000 is the largest"""
+    """Statistics of the line whose mean + X_1000 is the largest"""
     each = [_of(kind, "force", name, record) for record in tension.T / TONF]
     return max(each, key=lambda one: one["mean"] + one["largest"])
 
