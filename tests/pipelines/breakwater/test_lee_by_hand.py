@@ -229,7 +229,9 @@ def test_gaps_below_the_depth_and_far_fields_that_are_missed_are_told():
     assert len(said) == 1 and "map.gap is 5 m, less than the depth of 10 m" in said[0]
     assert f"{math.exp(-math.pi / 2):.0%} are left at the next unit" in said[0]
     assert list(lee._remarks(asked, far, 0.02)) == list(lee._remarks(asked, Row(7.0), 0.0)) == []
-    assert next(iter(lee._remarks(asked, far, 0.0201))).startswith("the waves close to the body misses 2.0% of")
+    assert next(iter(lee._remarks(asked, far, 0.0201))).startswith(
+        "the fit of the waves close to the body misses 2.0% of"
+    )
 
 
 def test_heights_behind_are_over_leeward_and_the_largest_tension_of_each_line_has_its_place():

@@ -102,7 +102,7 @@ def test_a_decay_names_its_own_motion_and_times_are_written_with_few_digits(
         (
             "time_s,motion_m\n0,1\n1,2\n1,1\n2,2\n",
             [],
-            "line 4: time stays at 1 s; allowed: increasing times at equal steps; sort",
+            "line 4: the time stays at 1 s; allowed: increasing times at equal steps; sort",
         ),
         ("time_s\n0\n1\n", [], "has the columns time_s; allowed: the columns time_s, motion_m"),
         ("0,1\n1,2\n", [], "no column names in its first row"),

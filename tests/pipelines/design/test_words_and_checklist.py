@@ -83,7 +83,7 @@ def test_fenders_and_earthquakes_are_asked_for_where_there_are_fenders(tmp_path)
     for study, given, met, how in (
         ({}, (), None, "lines leave the hull with long natural periods"),
         (fenders, (), False, "earthquakes are not a load case; give [[earthquakes]]"),
-        (fenders, (rule,), False, "no time record; give [record] in its study"),
+        (fenders, (rule,), False, "earthquake rule has no time record; give [record] in its study"),
         (fenders, (rule, timed), True, "records of timed"),
     ):
         found = asked("earthquakes as", states=[state()], study=study, earthquakes=given, folder=tmp_path)

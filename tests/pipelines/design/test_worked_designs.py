@@ -345,7 +345,7 @@ def test_a_breakwater_is_judged_by_what_passes_it(marina):
         ),
         (lambda p: p["limits"][0].update(at_least=1.0), r"limits\[0\]: give one of at_most, at_least"),
         (lambda p: p["limits"][0].update(state="calm"), r"limits\[0\].state is 'calm'"),
-        (lambda p: p["limits"].pop(1), r"the study has lines \(lines\) but no .* 'tension / allowable tension'"),
+        (lambda p: p["limits"].pop(1), r"the study has lines \(lines\), but no .* 'tension / allowable tension'"),
         (lambda p: p["limits"].pop(2), r"the study has anchors of a known capacity \(anchors\), but no"),
         (lambda p: p["limits"][3].update(unit="%"), "unit of slack share of the cycles is '%'; allowed: -"),
     ],
