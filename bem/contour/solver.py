@@ -3,8 +3,8 @@
 Eigenfunctions of depth outside and under the body (`bem.depth_modes.gap`); for each of them the Neumann-to-Dirichlet
 map of the plan contour (`plan.circle`, `plan.rectangle`); in the gap under the keel velocity profiles with the
 singularity of the keel's edge (`bem.depth_modes.gap_profiles`); equality of the potentials by Galerkin's method
-(`matching`).  After Ijima's method in the SR179 report (1982), section 2.1.5, eqs 2.1.5.18-28, and Garrett, J. Fluid
-Mech. 46 (1971).  Conventions as in `bem`.
+(`matching`).  After Ijima's method in the SR179 report (1982), section 2.1.5, eqs 2.1.5.18-28, and Garrett, Journal of
+Fluid Mechanics 46 (1971).  Conventions as in `bem`.
 
 The maps beneath, and a table in κ of those outside, from which the evanescent modes are summed (`modal_sums`), are
 independent of frequency.  The functions of the plan are hierarchical in their degree, so that one table serves every

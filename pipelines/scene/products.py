@@ -32,7 +32,7 @@ def expand(want, motions_known):
         unknown = [word for word in want if word not in GROUPS and word not in QUANTITIES]
         if unknown:
             words = ", ".join((*GROUPS, *QUANTITIES))
-            raise ValueError(f"there is no result named {unknown[0]!r}; allowed in want: {words}")
+            raise ValueError(f"want has {unknown[0]!r}, which is not a result; allowed: {words}")
         asked = {name for word in want for name in GROUPS.get(word, (word,))}
     if not motions_known:
         named = [word for word in want or () if word in NEEDS_MOTION or word == "motions"]

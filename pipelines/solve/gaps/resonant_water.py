@@ -38,7 +38,7 @@ def resonant_water(scene, mesh, gaps=()):
         )
     omegas = scene.omegas()
     return tuple(
-        f"{water} resonates near T = {2 * math.pi / own:.3g} s; without losses its elevation and its forces are "
+        f"{water} resonates near T = {2 * math.pi / own:.3g} s; without losses the computed elevation and forces are "
         "several times too large; give [[damping_lids]] with damping 0.02 to 0.07 for the loss in eddies"
         for water, own in said
         if omegas[0] / SPREAD <= own <= omegas[-1] * SPREAD
