@@ -10,7 +10,7 @@ rotation centre, with
     b = max(B, ωA / πN)       damping of its own size, or of that by which oscillations exp(−Bt / 2(M + A)) of any
                               mass M take N periods and more to die
 
-whatever the inertia and the restoring forces, which moorings change.  Resonance with so little damping does not develop
+for any inertia and restoring forces, which moorings change.  Resonance with so little damping does not develop
 fully within N periods: its height depends on the duration of the waves.  N = 1000 is three hours of waves of 11 s.  In
 waves from rest, N periods long, the variance of the resonant motion is ∝ (1 − (1 − e⁻ˣ)/x)/x in the mean, x = 2B/b₀ ≤ 2
 for B ≤ b₀ = ωA / πN: an error of b₀ε changes its standard deviation by ε/3 at most (tests/bench/damping_floor.py).
@@ -60,13 +60,13 @@ def reciprocity(run):
 
 
 def haskind(run):
-    """The excitation force from the diffraction potential and from the radiation potentials"""
+    """Violation between the excitation force by the diffraction potential and by the radiation potentials"""
     gap = np.abs(run.haskind - run.excitation)[:, run.dofs]
     return float((gap / excitation_scale(run)).max())
 
 
 def radiated_energy(run):
-    """B from the work done by a motion and from the power of its waves"""
+    """Violation between B by the work of a motion and B by the power of the waves that it radiates"""
     far = run.radiated[np.ix_(run.dofs, run.dofs)]
     return float((np.abs(far - _wanted(run).imag) / radiation_scale(run)).max())
 
@@ -148,8 +148,8 @@ def damping_scale(radiation, displacing, periods=PERIODS):
 def excitation_scale(run, of=None):
     """(of,) size of the forces `of`, numbers, by default of the motions, infinite for modes that move no water
 
-    Sway in head sea and heave in short waves are mere error: no force counts as less than a fifth of the largest, no
-    moment as less than that of such a force at half the hull's radius.
+    Sway in a head sea and heave in short waves are nothing but error. Therefore no force counts as less than a fifth of
+    the largest, and no moment as less than that of such a force at half the hull's radius.
     """
     size = np.maximum(np.abs(run.excitation), np.abs(run.diffraction)).max(axis=0)
     turns = turning(run.problem.bodies, run.problem.modes)

@@ -28,10 +28,12 @@ def mean_drift(H, slope, forward, forward_slope, theta, beta, k, n, density, gra
 
 
 def drift_of_two(H, slope, ahead, ahead_slope, theta, beta, k, n, density, gravity):
-    """(headings, headings, 3) complex D of two waves of one frequency: Re Σ Σ a_i conj(a_j) D_ij is their mean drift.
+    """(headings, headings, 3) complex D for pairs of waves of one frequency: waves of amplitudes a_i together have the
+    mean drift Re Σ Σ a_i conj(a_j) D_ij.
 
-    ahead, ahead_slope : (headings, headings) H and H′ of each wave in the direction of each; else as `mean_drift`, of
-    which D_ii is.  The far field holds the interference of both with what both send:
+    ahead, ahead_slope : (headings, headings) H and H′ of each wave in the direction of each; the rest as in
+    `mean_drift`, which gives D_ii.  The far field contains the interference of both waves with the waves that the body
+    sends in either:
 
         −2π cosβ Re H(β) becomes −π {cosβⱼ Hᵢ(βⱼ) + cosβᵢ H̄ⱼ(βᵢ)},    Im H′(β) alike,    |H|² becomes Hᵢ H̄ⱼ
     """
@@ -46,7 +48,8 @@ def drift_of_two(H, slope, ahead, ahead_slope, theta, beta, k, n, density, gravi
 
 
 def mean_drift_of_series(order, series, forward, forward_slope, beta, k, n, density, gravity):
-    """`mean_drift` of Kochin functions Σ_m c_m exp(imθ): ∫|H|² exp(iθ) dθ = 2π Σ c_m c̄_m₊₁, ∫Im(H̄H′) dθ = 2π Σ m|c_m|²
+    """`mean_drift` of Kochin functions Σ_m c_m exp(imθ): ∫|H|² exp(iθ) dθ = 2π Σ c_m c̄_m₊₁, ∫Im(H̄H′) dθ = 2π Σ
+    m|c_m|²
 
     order : (t,) m, rising by one; series : (headings, t) c_m, as `harmonics` gives them
     """
@@ -87,7 +90,7 @@ def slope_and_ahead(H, theta, beta):
 
 
 def ahead(order, series, beta):
-    """H and H′ (…, m) of each of the m rows of a series (…, m, t) at its own beta (m,) rad"""
+    """H and H′ (…, m) of a series (…, m, t), each of its m rows at its own beta (m,) rad"""
     wave = np.exp(1j * np.multiply.outer(beta, order))
     turn = 1j * np.where(np.abs(order) == len(order) / 2, 0.0, order)
     return np.einsum("...mt,mt->...m", series, wave), np.einsum("...mt,mt->...m", series, turn * wave)

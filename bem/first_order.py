@@ -1,4 +1,4 @@
-"""First-order quantities of one frequency, for all methods."""
+"""First-order quantities of one frequency, as all methods return them."""
 
 from typing import NamedTuple
 
@@ -6,7 +6,9 @@ import numpy as np
 
 
 class FirstOrder(NamedTuple):
-    """About the origin at the centre of the waterplane, SI, signs as in `bem`; zero where not requested.
+    """Moments and rotations are about the origin at the centre of the waterplane; SI.
+
+    Signs are those of `bem`; what was not requested is zero.
 
     m headings, t angles; Kochin functions are H and dH/dθ, per metre or radian of motion and of wave amplitude.
     """

@@ -23,7 +23,7 @@ def needed(want):
 
 
 def motions(problem, omega, added_mass, damping, excitation):
-    """X (m, 6) m/m and rad/m of a `bem.problem.Problem` about its rotation centre, as for all arguments.
+    """Motions X (m, 6), m/m and rad/m, of a `bem.problem.Problem`; X and all arguments are about its rotation centre.
 
     added_mass, damping : (6, 6); excitation : (m, 6); of several bodies (6N, moving), (m, 6N) and X (m, moving)
     """

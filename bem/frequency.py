@@ -28,7 +28,7 @@ TRUSTED = 0.6
 
 
 def solve_frequency(prepared, omega, headings, want, theta=None, dofs=None):
-    """Everything in `want` at one frequency, as a dictionary with the names of the database.
+    """All quantities in `want` at one frequency, as a dictionary with the names of the database.
 
     prepared : from `bem.methods.panel_problem.prepare`
     omega : rad/s, headings : (m,) rad that the waves travel to, want : names of datasets
@@ -86,7 +86,7 @@ class FrequencyRun:
 
     @property
     def question(self):
-        """Arguments of a run of the same frequency after the prepared problem"""
+        """Arguments, after the prepared problem, with which a run of the same frequency is made"""
         return self.omega, self.headings, self.want, self.theta, [self.problem.dofs[d] for d in self.asked]
 
     def _timed(self, name, start):
@@ -113,8 +113,8 @@ class FrequencyRun:
     def within_tolerance(self):
         """These quantities with estimated errors within the tolerance, errors of damping relative to its own size.
 
-        Otherwise the `sharper` run of the same frequency, up to `most_sharper` times while the error falls: on panels a
-        thousand times as long as wide the error remains, while work and memory grow fourfold.
+        Otherwise those of the `sharper` run of the same frequency, repeated up to `most_sharper` times while the error
+        falls: on panels a thousand times as long as wide the error remains, while work and memory grow fourfold.
         """
         run = self
         for _ in range(self.most_sharper if self.solves else 0):
@@ -130,7 +130,7 @@ class FrequencyRun:
 
     @cached_property
     def tolerances(self):
-        """Largest error between two resolutions over the tolerance; for damping over a fraction of the tolerance"""
+        """Largest difference between two resolutions divided by the tolerance, or for damping by a fraction of it"""
         errors = self._at_least_haskind(*self.bounds)
         return max(largest_error(self, *errors), damping_error(self, errors[0]) / TRUSTED) / self.problem.tolerance
 

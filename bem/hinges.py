@@ -5,7 +5,7 @@
 A row of G requires that the point of the link on the second body moves as on the first along an axis of the first, or
 that both turn alike about such an axis.  μ is the force and moment exerted by the first body on the second.  A spring
 and a damper along a slider or about a hinge (a power take-off) act on the travel s, the displacement of the second body
-from the first along or about the axis, with k (s − rest) + c ṡ.  One of the bodies may be SPACE, in coordinates of the
+from the first along or about the axis, with k (s − rest) + c ṡ.  One of the bodies may be SPACE, which stands for the
 scene; a single body is called ALONE.
 """
 
@@ -25,7 +25,7 @@ SAME = 1e-9  # singular value, relative to the largest, below which a constraint
 
 
 class Link(NamedTuple):
-    """name; bodies : names of two; position (3,) m and axis (3,) in coordinates of the first
+    """name; bodies : names of the two bodies; position (3,) m and axis (3,) in coordinates of the first
 
     kind : "hinge" turns about its axis, "ball" about all, "rigid" about none; "slider" slides along it without a turn
     stiffness, damping : N/m, N s/m along the axis of a slider, N m, N m s about that of a hinge
@@ -68,7 +68,8 @@ def end_of(reader, name):
 
 
 def rows_of(reader, link):
-    """(k, n) of G for the motions of a `bem.database.reader.Reader`.  Raises BetweenError for unknown bodies."""
+    """(k, n) rows of the constraint matrix G for the motions of a `bem.database.reader.Reader`.  Raises BetweenError
+    for unknown bodies."""
     rows = _all_rows(reader, link)
     return np.vstack([link.along @ rows[:3], link.held @ rows[3:]])
 
@@ -137,8 +138,8 @@ def _all_rows(reader, link):
 
 
 def of_shapes(reader, body, point):
-    """(3, f), (3, f) m and rad per unit of each shape of a Reader that a point (3,) m of one of its bodies moves by and
-    turns, half the curl, both in coordinates of the body
+    """Displacement (3, f), m, and rotation (3, f), rad (half the curl), of a point (3,) m of a body per unit of each
+    shape of a Reader, in coordinates of the body
     """
     moved, turned = np.zeros((2, 3, len(reader.modes)))
     number = [one.name for one in reader.bodies].index(body.name) if reader.bodies else 0
@@ -152,18 +153,19 @@ def of_shapes(reader, body, point):
 
 
 def free_of(rows):
-    """Z (n, m), orthonormal: motions that rows G (r, n) leave free.  Raises ValueError for redundant rows."""
+    """Z (n, m), orthonormal columns: the motions that the constraints G (r, n) leave free.  Raises ValueError for
+    redundant rows."""
     _, size, vectors = np.linalg.svd(rows)
     if len(size) < len(rows) or size[-1] <= SAME * size[0]:
         raise ValueError(
-            f"hinges and links fix {np.sum(size > SAME * size[0])} motions with {len(rows)} constraints: some repeat "
-            "others; leave out one, or make it a ball"
+            f"hinges and links fix {np.sum(size > SAME * size[0])} motions with {len(rows)} constraints: some "
+            "constraints repeat others; leave out one hinge, or make it a ball"
         )
     return vectors[len(rows) :].T
 
 
 def forces_of(links, rows, left):
-    """(…, links, 6) N and N m per m along the axes of the first body of each, from D X − F (…, n)"""
+    """(…, links, 6) forces of links, N and N m per m along the axes of the first body of each, from D X − F (…, n)"""
     mu = np.linalg.solve(rows @ rows.T, rows @ left[..., None])[..., 0]
     out, at = np.zeros((*mu.shape[:-1], len(links), 6), mu.dtype), 0
     for i, link in enumerate(links):

@@ -3,8 +3,8 @@
     η ~ H(θ) √(2/(πkR)) exp(i(kR − π/4))    for R → ∞ in direction θ,
     H(θ) = −(k²/4nω) ∬ (φ ∂ψ/∂n − ψ ∂φ/∂n) dS,    ψ = Z(z) exp(−ik(x cosθ + y sinθ))
 
-with n = C_g/C and Z(z) = cosh k(z+h)/cosh kh.  H is per unit wave amplitude (diffraction) or per unit amplitude of
-motion, m or rad (radiation).  The function of SR179 report (1982), eq. 2.1.5.15, is −2g/ω times this one, per
+with n = C_g/C and Z(z) = cosh k(z+h)/cosh kh.  In diffraction H is per unit wave amplitude, in radiation per unit
+amplitude of the motion, m or rad.  The function of SR179 report (1982), eq. 2.1.5.15, is −2g/ω times this one, per
 unit velocity; it has source strengths where a direct solution has φ and ∂φ/∂n.
 """
 
@@ -21,7 +21,7 @@ BLOCK = 32  # directions at a time: four complex numbers each for every point
 
 
 class Folded(NamedTuple):
-    """Directions from which mirror images give all others.
+    """Directions of one part of the circle; mirror images give the values at all others.
 
     angles : (u,) rad; place, image : (t,) index of each direction in `angles` and in `images` (i, 2), ±1
     """

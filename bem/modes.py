@@ -1,7 +1,7 @@
 """Modes of motion: normal velocities, parity under reflection, change of reference point.
 
 With several bodies the rigid modes are six per body, one body after another; mode d is motion d mod 6 of body d div 6.
-Shapes of flexible bodies (`Mode`) follow after all of them.
+Shapes of flexible bodies (`Mode`) come after the rigid modes of all bodies.
 """
 
 from typing import NamedTuple
@@ -99,7 +99,7 @@ def words_of(bodies, modes=()):
 
 
 def names_of(bodies, modes=()):
-    """Names of the modes of several bodies, as in Capytaine; for an empty list those of one body"""
+    """Names of the modes of several bodies, as in Capytaine; for an empty list the names for one body"""
     rigid = [f"{body.name}__{dof}" for body in bodies for dof in DOFS] or DOFS
     return (*rigid, *(_of_body(bodies, mode, "__") for mode in modes))
 
@@ -109,7 +109,7 @@ def _of_body(bodies, mode, between):
 
 
 def moving(bodies, modes=()):
-    """Numbers of the modes that the bodies can move in"""
+    """Numbers of the modes of all bodies that are not fixed"""
     rigid = 6 * max(1, len(bodies))
     own = [d for d in range(rigid) if not (bodies and bodies[d // 6].fixed)]
     return own + list(range(rigid, rigid + len(modes)))
@@ -121,7 +121,8 @@ def turning(bodies, modes=()):
 
 
 def transform_of(bodies, rotation_center, modes=()):
-    """(n, n) from generalized normals about the origin to those about `rotation_center`, of several about their own"""
+    """(n, n) matrix that turns generalized normals about the origin into those about `rotation_center`, for several
+    bodies about the centre of each"""
     rigid = axes_of(bodies) if bodies else reference_change(rotation_center)
     out = np.eye(len(rigid) + len(modes))
     out[: len(rigid), : len(rigid)] = rigid
@@ -129,7 +130,8 @@ def transform_of(bodies, rotation_center, modes=()):
 
 
 def axes_of(bodies):
-    """(6N, 6N) from generalized normals about the origin, body by body, to those about its own point in its own axes"""
+    """(6N, 6N) matrix that turns generalized normals about the origin into those of each body about its own point in
+    its own axes"""
     out = np.zeros((6 * len(bodies), 6 * len(bodies)))
     for i, body in enumerate(bodies):
         own = slice(6 * i, 6 * i + 6)
@@ -165,7 +167,7 @@ def normal_velocities(centroids, normals):
 def displacing(mesh, modes=()):
     """(6,) whether a mode of a hull, a `meshing.panels.PanelMesh`, displaces water.
 
-    Yaw of a round buoy does not, but for the corners of its polygon, nor does heave of a pile on the bed: relative
+    Yaw of a round buoy does not, apart from the corners of its polygon, nor does heave of a pile on the bed: relative
     errors of such modes have no meaning.  A rotation counts if the mean square of its normal velocity is two per cent
     of that of its arms, both about the vertical axis through the middle of the hull's surface, so that it does not
     matter where the mesh lies.  For several bodies (6N,), followed by True for each of `modes`.

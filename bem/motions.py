@@ -1,4 +1,4 @@
-"""First-order motions of a freely floating or linearly restrained body.
+"""First-order motions of a body that floats freely or is held by linear restraints.
 
 {−ω²[M + A] − iω[B + B'] + [C + C']} X = F      (SR179 report 1982, section 2.1.2, time factor exp(−iωt))
 """

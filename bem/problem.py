@@ -47,7 +47,7 @@ class Problem:
 
     @property
     def moving(self):
-        """Numbers of `dofs` that the bodies can move in"""
+        """Numbers of those `dofs` that belong to bodies that are not fixed"""
         return moving(self.bodies, self.modes)
 
 

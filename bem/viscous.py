@@ -9,8 +9,9 @@ The SR179 report (1982), section 2.1.4, adds to the wave damping, in heave and i
 
     N̂ = b ξ_B,   N̂ = N √(B/2g) / (ρBdL),  roll: N √(B/2g) / (ρBdL (B/2)²),   ξ_B = ω²B/2g    (2.1.4.6, 2.1.4.7)
 
-with b(a) from forced oscillation.  Its roll normalisation is illegible in print; that of its roll coefficients (2.1.3)
-is used.  With Yamashita's b_R the model M3B then has 2.6 % of critical damping at 2°, and its roll in irregular waves
+with b(a) from forced oscillation.  The normalisation of b_R is illegible in print; the one of the roll coefficients
+(section 2.1.3) is used.  With Yamashita's b_R the model M3B then has 2.6 % of critical damping at 2°, and its roll in
+irregular waves
 (appendix 1) needs 2 %; with B² in place of (B/2)², as in Himeno (1981), it would have 10 %.
 """
 
@@ -66,7 +67,7 @@ class Tabulated:
 class Viscous:
     """Laws by degree of freedom, about the rotation centre, and the wave amplitude (m) for their linearisation.
 
-    wave_amplitude : of a regular wave; names : (n,) of the motions, of several bodies "barge__Roll" and so on
+    wave_amplitude : m, of a regular wave; names : (n,) of the motions, for several bodies "barge__Roll" and so on
     """
 
     laws: dict

@@ -6,8 +6,9 @@
     heave = { amplitudes = [0.5, 1.0], b = [0.02, 0.05] }    # b_H of SR179 report (1982), eq. 2.1.4.6
     pitch = { drag = 1.0e9 }                                 # N m s², moment over the square of the velocity
 
-Roll and pitch have amplitudes_deg in place of amplitudes.  Of several bodies [viscous] has the wave height alone, and
-each its laws in [bodies.viscous].
+Roll and pitch use the key amplitudes_deg instead of amplitudes.  With several bodies [viscous] has only the wave
+height, and
+each body has its laws in [bodies.viscous].
 """
 
 import math
@@ -88,7 +89,8 @@ def viscous_of_several(table, bodies, density, gravity):
         laws |= {f"{name}__{dof}": law for dof, law in found.items()}
     if not laws:
         raise ValueError(
-            "viscous has a wave height, but no body has a law; give [bodies.viscous] for one, or leave it out"
+            "viscous has a wave height, but no body has a damping law; give [bodies.viscous] for one body, or leave "
+            "out the wave height"
         )
     names = tuple(f"{name}__{dof}" for name, _, _ in bodies for dof in DOFS)
     return Viscous(laws, 0.5 * table.wave_height, names)
@@ -107,7 +109,7 @@ def laws_of(where, table, box, density, gravity):
     """
     given = {mode: getattr(table, mode) for mode in MODES if getattr(table, mode) is not None}
     if not given:
-        raise ValueError(f"{where} has no law; give heave, roll or pitch")
+        raise ValueError(f"{where} has no damping law; give one for heave, roll or pitch")
     return {mode.capitalize(): _law(f"{where}.{mode}", mode, law, box, density, gravity) for mode, law in given.items()}
 
 
@@ -125,7 +127,7 @@ def _law(where, mode, law, box, density, gravity):
     wanted, other = ("amplitudes", "amplitudes_deg") if mode == "heave" else ("amplitudes_deg", "amplitudes")
     amplitudes = getattr(law, wanted)
     if amplitudes is None or getattr(law, other) is not None:
-        raise ValueError(f"{where}.b needs {wanted} only")
+        raise ValueError(f"{where}.b must have {wanted} and nothing else")
     amplitudes = np.radians(amplitudes) if mode != "heave" else amplitudes
     scale = report_scale(mode.capitalize(), *_sizes(where, box), density, gravity)
     return Tabulated(scale, tuple(amplitudes), tuple(law.b))

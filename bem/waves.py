@@ -80,13 +80,13 @@ def incident_wave(points, beta, omega, k, depth, gravity=9.80665):
 
 
 def exponential_part(sign, phase):
-    """The even (sign 1) or odd (−1) part of exp(i phase), or the whole of it (0), and its derivative"""
+    """The even (sign 1) or odd (−1) part of exp(i phase), or all of it (sign 0), and its derivative"""
     factor, value, slope = real_part(sign, phase)
     return factor * value, factor * slope
 
 
 def real_part(sign, phase):
-    """`exponential_part` as a factor and, but for all of it, real values"""
+    """`exponential_part` as a factor and values, which are real except for sign 0"""
     if sign == 0:
         whole = np.exp(1j * phase)
         return 1.0, whole, 1j * whole

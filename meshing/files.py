@@ -1,4 +1,4 @@
-"""Reading and writing panel meshes, the format by the suffix of the file.
+"""Reading and writing panel meshes; the suffix of the file determines the format.
 
 .gdf (WAMIT), .nemoh, .mar and .dat (Nemoh), .pnl (HAMS) and .vtu are read and written; .msh is read through meshio and
 written by gmsh; .vtk, .vtp, .stl, .ply, .obj, .off, .hst (HydroStar) and .dat of Diodore, Salome and AQWA are read, and
@@ -104,7 +104,7 @@ def write_mesh(mesh, path, lid=None, fields=None):
     if suffix not in WRITABLE:
         raise ValueError(f"{path}: cannot write {suffix or 'without suffix'}; allowed: {', '.join(WRITABLE)}")
     if fields and suffix != ".vtu":
-        raise ValueError(f"{path}: {suffix} holds no fields; allowed: .vtu")
+        raise ValueError(f"{path}: a {suffix} file cannot store fields; allowed: .vtu")
     if suffix in TEXT_WRITERS:
         both = mesh if lid is None else joined([mesh, lid])
         TEXT_WRITERS[suffix](replace(both, name=mesh.name), path)
@@ -155,9 +155,8 @@ def _check_head(path):
     whole = 84 + 50 * int.from_bytes(content[80:84], "little")
     if suffix == ".stl" and b"facet" not in content and 84 <= len(content) < whole:
         raise ValueError(
-            f"{path}: its header says {(whole - 84) // 50} triangles, {whole} bytes, and it has {len(content)}; "
-            "write or "
-            "copy it again"
+            f"{path}: its header announces {(whole - 84) // 50} triangles in {whole} bytes, but the file has "
+            f"{len(content)} bytes; write or copy it again"
         )
     if (suffix == ".ply" and b"end_header" not in content) or (suffix == ".off" and len(said) < 2):
         raise ValueError(f"{path}: it ends within its header; write or copy it again")
@@ -171,8 +170,8 @@ def _check_counts(path):
         for count in filter(None, found.groups()):
             if float(count) > most:
                 raise ValueError(
-                    f"{path}: it says it has {float(count):.6g} points or panels, in {len(content)} bytes; allowed: as "
-                    "many as it holds; write or copy it again"
+                    f"{path}: it announces {float(count):.6g} points or panels, too many for its {len(content)} "
+                    "bytes; write or copy it again"
                 )
 
 
@@ -196,13 +195,16 @@ def _read_poly_data(path):
     polygons = found.GetPolys()
     if reader.GetErrorCode() or not polygons.GetNumberOfCells():
         lines = found.GetNumberOfLines() + found.GetNumberOfStrips() + found.GetNumberOfVerts()
-        state = "it has lines, points or strips, but no polygons" if lines else "it cannot be read, or holds nothing"
+        state = "it has lines, points or strips, but no polygons" if lines else "it cannot be read, or it is empty"
         raise ValueError(f"{path}: {state}; allowed: polygons")
     points = np.array(vtk_to_numpy(found.GetPoints().GetData()), float)
     starts = vtk_to_numpy(polygons.GetOffsetsArray())
     sides, numbers = np.diff(starts), vtk_to_numpy(polygons.GetConnectivityArray())
     if sides.min() < 3 or numbers.min() < 0 or numbers.max() >= len(points):
-        raise ValueError(f"{path}: polygons of {sides.min()} to {sides.max()} corners; allowed: 3 or more, its points")
+        raise ValueError(
+            f"{path} has polygons of {sides.min()} to {sides.max()} corners; allowed: 3 or more corners, "
+            f"all of them points of the file"
+        )
     parts = [part for polygon in np.split(numbers, starts[1:-1]) for part in text_formats.cut(polygon.tolist())]
     return PanelMesh(points, np.array([part if len(part) == 4 else [*part, part[-1]] for part in parts]))
 
@@ -225,7 +227,7 @@ def _read_with_meshio(path):
         raise ValueError(f"{path}: the point numbers of its panels are not whole numbers") from None
     if not len(quads) + len(triangles):
         kinds = ", ".join(sorted(found.cells_dict)) or "nothing"
-        raise ValueError(f"{path}: it holds {kinds}; allowed: triangle, quad")
+        raise ValueError(f"{path} contains {kinds}; allowed: triangle, quad")
     points = found.points if found.points.shape[1] == 3 else np.pad(found.points, ((0, 0), (0, 1)))
     return PanelMesh(points, np.concatenate([quads, triangles[:, [0, 1, 2, 2]]]))
 

@@ -34,7 +34,7 @@ def _import_gmsh():
 
 @contextmanager
 def session(name="hakobune"):
-    """The gmsh module with an empty model `name`, silent, closed again whatever happens.
+    """Context with the gmsh module and an empty model `name`; it prints nothing and is always closed again.
 
     The session works outside the main thread and does not change Ctrl-C (`interruptible=False`: gmsh's own handler
     would replace Python's, and can be set in the main thread only). Raises ImportError, which names the missing system
@@ -117,7 +117,7 @@ def filled(outer, holes=(), size=1.0, symmetry="", name=""):
 
 
 def panels_of(gmsh, surfaces=None, symmetry="", name=""):
-    """The triangles and quadrilaterals of the current model.
+    """PanelMesh of the triangles and quadrilaterals of the current model.
 
     surfaces : {surface tag: (3,) vector that gives the side of the normals, or None to keep their direction}; by
         default all surfaces of the model

@@ -133,7 +133,7 @@ def inertia_matrix(mass, center_of_mass, gyration, rotation_center=(0, 0, 0)):
     """
     mass, radii = _positive("mass", mass), _vector("gyration", gyration)
     if np.any(radii < 0):
-        raise ValueError(f"gyration is {gyration} m; allowed: three radii from 0")
+        raise ValueError(f"gyration is {gyration} m; allowed: three radii of 0 or more")
     x, y, z = _vector("center_of_mass", center_of_mass) - _vector("rotation_center", rotation_center)
     S = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
     return mass * np.block([[np.eye(3), -S], [S, np.diag(radii**2) - S @ S]])

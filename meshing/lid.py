@@ -36,7 +36,7 @@ def lid(mesh, size=None):
     areas = [_area(ring) for ring in rings]
     if sum(areas) <= 0:
         raise ValueError(
-            f"lid: the waterline encloses {sum(areas):.4g} m²; its normals point inward or it is not closed"
+            f"lid: the waterline encloses {sum(areas):.4g} m²; its normals point inward, or it is not closed"
         )
     if size is None:
         size = math.sqrt(sum(areas) / max(1.0, len(mesh) / 3))
@@ -55,9 +55,9 @@ def polar_lid(mesh, size):
     returns : PanelMesh with the mirror planes of the hull, or None if the waterline is not one regular polygon
     raises : ValueError as `lid`
 
-    The edges along the rim determine the accuracy.  Cylinder with 0.2 m of water under the keel, waves three sizes
-    long, error of excitation: 0.4 %, as with a lid that is not axisymmetric; 0.6 % with half the edges along the rim
-    and twice as many across.
+    The edges along the rim determine the accuracy.  For a cylinder with 0.2 m of water under the keel, in waves three
+    sizes long, the excitation has an error of 0.4 %, as with a lid that is not axisymmetric; it is 0.6 % with half the
+    edges along the rim and twice as many across.
     """
     rings = _closed(waterline(mesh), mesh)
     rim, pole = _regular(rings[0]) if len(rings) == 1 else (None, None)

@@ -40,7 +40,9 @@ def read_nemoh(path):
     rows = [(k, line.split()) for k, line in enumerate(read_text(path, errors="replace").splitlines(), 1)]
     rows = [(k, [_number(path, k, word) for word in words]) for k, words in rows if words]
     if not rows or len(rows[0][1]) < 2 or rows[0][1][1] not in (0, 1):
-        raise ValueError(f"{path}, line 1: allowed: '2 0' or '2 1', the second for the mirror plane y = 0")
+        raise ValueError(
+            f"{path}: line 1 is neither '2 0' nor '2 1'; give '2 1' for a mesh with the mirror plane y = 0, else '2 0'"
+        )
     symmetry = "y" if rows[0][1][1] else ""
     points, panels, numbers = [], [], {}
     rest = iter(rows[1:])
@@ -85,7 +87,7 @@ def read_pnl(path):
     panels = []
     for k, row in rows[1 + n_points :]:
         if len(row) < 2 or row[1] not in (3, 4) or len(row) < 2 + row[1]:
-            raise ValueError(f"{path}, line {k}: a panel has a number, 3 or 4, and so many nodes")
+            raise ValueError(f"{path}, line {k}: a panel has a number, then 3 or 4, then as many nodes")
         panels.append(_panel(path, k, row[2 : 2 + int(row[1])], numbers))
     return PanelMesh(np.array(points), np.array(panels), symmetry)
 
@@ -147,7 +149,9 @@ def read_hydrostar(path):
         elif within == "PANEL":
             panels.append((k, words[kind:]))
     if not points:
-        raise ValueError(f"{path}: no COORDINATES in it; a mesh of HydroStar has them, a matrix of WAMIT is no mesh")
+        raise ValueError(
+            f"{path} has no COORDINATES, which a mesh of HydroStar has; if it is a matrix of WAMIT, it is not a mesh"
+        )
     return _mesh(path, points, panels, symmetry)
 
 

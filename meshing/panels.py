@@ -21,7 +21,7 @@ ROUND = 12  # least number of turns about the vertical that map a mesh to itself
 
 @dataclass(frozen=True, eq=False)
 class PanelMesh:
-    """Panels of the stored part of a wetted hull; reflections give the rest.
+    """Panels of a wetted hull, of which a half or a quarter is stored if mirror planes give the rest.
 
     points : (m, 3) m
     corners : (n, 4) numbers into `points`
@@ -64,7 +64,7 @@ class PanelMesh:
         return 1 if self.body is None else int(self.body.max(initial=-1)) + 1
 
     def of_body(self, number):
-        """The panels of one body of several, with the points of these panels"""
+        """The panels of one of several bodies, with the points of these panels"""
         if self.body is None:
             return self
         used, corners = np.unique(self.corners[self.body == number], return_inverse=True)
@@ -236,7 +236,9 @@ class PanelMesh:
         side = self.vertices[..., "xy".index(axis)]
         reach = SAME_SIDE * np.abs(self.points).max(initial=0.0)
         if axis in self.symmetry or (side.min() < -reach and side.max() > reach):
-            raise ValueError(f"the hull already lies on both sides of {axis} = 0; allowed: one half of it, to mirror")
+            raise ValueError(
+                f"the hull already lies on both sides of {axis} = 0; only one half of a hull can be mirrored"
+            )
         return replace(self, symmetry="".join(sorted(self.symmetry + axis)))
 
     def clipped(self):

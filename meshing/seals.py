@@ -105,7 +105,7 @@ def damage(path):
         places = [*filled, *((int(part[2]), int(part[3])) for part in found if part)]
         last, size = begin + max(map(sum, places), default=0), file.seek(0, os.SEEK_END)
         if size > 2 * last + MOST_BEHIND:  # reading a terabyte of zeros would take an hour
-            return f"its end: it has {size:.3g} bytes, its numbers end at {last:.3g}"
+            return f"its end: the file has {size:.3g} bytes, but its numbers end at byte {last:.3g}"
         if _crc_without(file, begin, filled, zlib.crc32(rest)) == value:
             return ""
         if last > size:

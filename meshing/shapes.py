@@ -78,7 +78,7 @@ def buoy(radius, draft, *, panels=500, symmetry="xy", counts=None, grading=True,
 
 
 class TooFewPanels(ValueError):
-    """Fewer panels than the shape needs; least : smallest number for this hull"""
+    """Raised for fewer panels than the shape needs; least : smallest number for this hull"""
 
     def __init__(self, panels, least):
         super().__init__(f"panels is {panels}; allowed: at least {least} on the whole hull")
@@ -112,7 +112,8 @@ def _most(extent, longest):
 def fitted_counts(edges, total, panels, needed):
     """The largest counts proportional to the roots of `edges` whose `total` is at most `panels`.
 
-    Panels left by rounding go to the direction farthest below its target; `needed` is a lower limit in any case.
+    Rounding leaves some panels; these go to the direction that is farthest below its target. `needed` is a lower limit
+    in any case.
     """
     wishes = np.sqrt(edges)
     lowest = WELL_RESOLVED if panels >= 200 else (1, 1, 2)

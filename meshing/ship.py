@@ -3,7 +3,8 @@
     y(x, s) = f(x) Y(s),  z = Z(s):    a rectangle B/2 × d with its corner rounded by r₀, drawn in towards the ends by
     f = 1 − tᵖ,  t the share of entrance or run from its inner to its outer end,  p = φ/(1 − φ)
 
-φ is the fullness of the waterplane of bow or stern.  With the coefficient of the middle section C_M = 1 − (1 − π/4)
+φ is the fullness of the waterplane at the bow or the stern.  With the coefficient of the middle section C_M = 1 − (1 −
+π/4)
 2r₀²/(B d) the block coefficient is
 
     C_B = C_M {1 − l [(1 − φ_b) + (1 − φ_s)]},

@@ -30,8 +30,8 @@ def read_text(path, error=ValueError, *, errors="strict", largest=LARGEST):
         raise error(f"{path} cannot be read: {getattr(fault, 'strerror', None) or fault}") from None
     if text_damaged(text):
         raise error(
-            f"{path} is damaged: its lines do not match their checksum; {REMEDY}; if it was changed on purpose, take "
-            f"out {MARK.strip()!r} and what follows in that line"
+            f"{path} is damaged: its lines do not match their checksum; {REMEDY}; if it was changed on purpose, "
+            f"delete {MARK.strip()!r} and the rest of that line"
         )
     return text
 

@@ -1,4 +1,5 @@
-"""Plain-text panel files: WAMIT GDF and OBJ, read and written; Nemoh and HAMS, written (read by `node_lists`).
+"""Plain-text panel files: WAMIT GDF and OBJ, read and written; meshes of Nemoh and HAMS, written here and read by
+`node_lists`.
 
 All three number the corners of a panel counter-clockwise seen from the water (WAMIT user manual, section 6.1), the
 order of PanelMesh: normals keep the direction of the file, into the water.  Readers change no orientation;
@@ -49,7 +50,7 @@ def _of_patches(path, lines, patches, kind, unit, symmetry):
         )
     numbers = _all_numbers(path, lines, 5)
     if numbers is None:
-        raise ValueError(f"{path}: what follows line 4 is not numbers alone")
+        raise ValueError(f"{path}: the text after line 4 contains something other than numbers")
     try:
         points, corners = panelled(np.array(numbers), patches)
     except ValueError as error:
@@ -134,7 +135,7 @@ def read_stl(path):
     words = re.findall(r"\bvertex\s+(\S+)\s+(\S+)\s+(\S+)", read_text(path, errors="replace"), re.IGNORECASE)
     wrong = next((word for row in words for word in row if not is_number(word)), None)
     if wrong is not None:
-        raise ValueError(f"{path}: {_shown(wrong)} of a vertex is no number")
+        raise ValueError(f"{path}: {_shown(wrong)} of a vertex is not a number")
     points = np.array(words, float)
     if not len(points) or len(points) % 3:
         raise ValueError(f"{path}: {len(points)} vertices; allowed: three for each triangle")
@@ -221,8 +222,8 @@ def _panel_by_panel(path, lines, panels):
         while wanted:
             if k >= len(lines):
                 raise ValueError(
-                    f"{path}: {len(values)} coordinates after line 4; {panels} panels have {12 * panels}, and panel "
-                    f"{number} is not whole"
+                    f"{path}: {len(values)} coordinates after line 4; {panels} panels need {12 * panels}, and panel "
+                    f"{number} is incomplete"
                 )
             words, k = lines[k].replace(",", " ").split(), k + 1
             values += [_number(path, k, word) for word in words[:wanted]]
@@ -231,8 +232,8 @@ def _panel_by_panel(path, lines, panels):
         words = line.split()
         if words and is_number(words[0]) and float(words[0]) > 0:
             raise ValueError(
-                f"{path}, line {i}: {line.strip()!r} after {panels} panels: dipole panels (NPAND) or a wrong NPAN; "
-                "allowed: bodies with a volume, and NPAN equal to the number of panels"
+                f"{path}, line {i}: {line.strip()!r} follows the {panels} panels: either dipole panels (NPAND) or a "
+                "wrong NPAN; allowed: bodies with a volume, and NPAN equal to the number of panels"
             )
         break
     return values

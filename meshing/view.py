@@ -67,7 +67,7 @@ def write_page(plotter, path):
         from trame_pyvista.jupyter import launch_server
     except ImportError:
         raise ValueError(
-            "a page with a mesh that turns needs trame-pyvista; install it by: pip install 'hakobune[page]'"
+            "a page that shows a turning mesh needs trame-pyvista; install it by: pip install 'hakobune[page]'"
         ) from None
 
     async def write(partial):

@@ -1,4 +1,4 @@
-"""Files written whole or not at all: written under another name, read back, then renamed.
+"""Files are written whole or not at all: under another name first, then read back, then renamed.
 
 If the disk is full or a quota is reached, the old file remains, and an error of one line gives the reason.
 """
@@ -24,7 +24,7 @@ def write_whole(path, *content):
             for part in parts:
                 file.write(part)
         if partial.stat().st_size != sum(map(len, parts)):
-            raise OSError(0, "a part of it was not written")
+            raise OSError(0, "a part of the file was not written")
 
 
 @contextlib.contextmanager
@@ -71,6 +71,6 @@ def keep_room(path):
 
 
 def not_written(path, error):
-    """The NotWritten for a file and the OSError that caused it"""
+    """NotWritten, the error to raise for a file that an OSError kept from being written"""
     reason = error.strerror or " ".join(str(error).split())
     return NotWritten(f"{path} cannot be written: {reason}; the file that was there before is unchanged")

@@ -60,7 +60,7 @@ def check_result(path, say, repair=False):
     if what == file_of(SWEEP):
         return _check_sweep(path, say)
     if not sealed:
-        say(fails(f"{path}: {what} without a checksum: changes cannot be detected; run the command again"))
+        say(fails(f"{path}: {what} without a checksum, so changes cannot be detected; run the command again"))
         return 1
     say(f"{path}: {what}, unchanged since it was written")
     for remark in () if path.suffix.lower() in TEXT else _remarks(path):
@@ -80,7 +80,7 @@ def _found(path):
 def _check_sweep(path, say):
     """Which cases of a sweep are complete: a sweep is filled case by case, and has no checksums"""
     count, missing = case_count(path), len(pending(path))
-    say(f"{path}: a file of sweep, {count - missing} of {count} cases are stored; a sweep has no checksums")
+    say(f"{path}: a file of a sweep; {count - missing} of {count} cases are stored; a sweep has no checksums")
     if missing:
         say(fails(f"{missing} cases are missing; 'hakobune sweep SWEEP --output {path}' runs them"))
     return int(bool(missing))

@@ -74,7 +74,7 @@ def _left_over():
     ours = [name for name, module in OLD.items() if (place / name / module).is_file()]
     if not ours:
         return ""
-    return f"{', '.join(ours)} in {place} belong to an older installation; remove these folders"
+    return f"{', '.join(ours)} in {place} are from an older installation; remove these folders"
 
 
 def _gmsh():
@@ -97,5 +97,8 @@ def _cache():
     print(f"  {'kernels':<12}{folder}, {size / 1e6:.0f} MB compiled (HAKOBUNE_CACHE moves it)")
     place = next(path for path in (folder, *folder.parents) if path.exists())
     if not os.access(place, os.W_OK):
-        return f"{place} cannot be written, so kernels are compiled at every start; set HAKOBUNE_CACHE"
+        return (
+            f"{place} cannot be written, so kernels are compiled at every start; set HAKOBUNE_CACHE to a writable "
+            f"folder"
+        )
     return ""

@@ -1,4 +1,4 @@
-"""One body of a database of several: the forces on it, and its motions."""
+"""One body from a database of several: the forces on this body, and its motions."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ class OneOfSeveral:
 
     @property
     def name(self) -> str:
-        """Of the body"""
+        """Name of the body"""
         return self.database.bodies[self.number].name if self.database.bodies else ""
 
     @property

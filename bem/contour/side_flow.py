@@ -42,7 +42,7 @@ class DepthSums(NamedTuple):
 
 
 class DepthFlow(NamedTuple):
-    """At distances r (q,) m from the keel with weights (q,) m: φ_g and ∂φ_g/∂z, (q, a) each, of `DepthSums`
+    """Flow at distances r (q,) m from the keel with weights (q,) m: φ_g and ∂φ_g/∂z, (q, a) each, of `DepthSums`
 
     top, keel : (a,) φ at z = 0 and −d
     """

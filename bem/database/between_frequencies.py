@@ -6,7 +6,8 @@ later; forces and Kochin functions with the distance ahead of the origin at whic
 
     A(ω) = A(0) + [A(ω₁) − A(0)] (ω/ω₁)² below,    A(ω) = A(∞) + [A(ω_n) − A(∞)] (ω_n/ω)² above,
 
-the leading terms of both ends; the difference from the first power is the estimated error.  Entries with an infinite
+with the leading terms at both ends; the difference from the first power is the estimated error.  Entries with an
+infinite
 limit, such as heave in finite depth, keep their end value with an infinite error.  Other quantities are not
 extrapolated.
 """
@@ -126,7 +127,8 @@ class Between:
             w = omega[outside][0]
             raise BetweenError(
                 f"omega is {w:.6g} rad/s (period {2 * np.pi / w:.4g} s), outside the stored {low:.6g} to {high:.6g} "
-                f"rad/s ({2 * np.pi / high:.4g} to {2 * np.pi / low:.4g} s); add it to the scene and solve again"
+                f"rad/s ({2 * np.pi / high:.4g} to {2 * np.pi / low:.4g} s); add this frequency to the scene and "
+                f"solve again"
             )
         unknown = self.stored(omega) < 0
         if len(self.omega) < FEWEST and unknown.any():
@@ -157,7 +159,7 @@ class Between:
         return out
 
     def has_limit(self, limit):
-        """Whether a limit of added mass is stored and finite for at least one motion"""
+        """Whether the limit of added mass is stored, and finite for at least one motion"""
         return limit in self.limits and bool(np.any(np.isfinite(np.diag(self.limits[limit]))))
 
     def _check(self, name):

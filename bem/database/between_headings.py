@@ -87,7 +87,8 @@ class Ring:
         return np.where(apart[near, np.arange(len(wanted))] <= SAME, near, -1)
 
     def reflected(self, wanted):
-        """(p,) whether headings beside a wall are computed from −β: not stored, and on the side with fewer"""
+        """(p,) whether headings beside a wall are computed from −β: those that are not stored and lie on the side with
+        fewer stored headings"""
         if self.wall is None:
             return np.zeros(len(wanted), bool)
         side = 1 if np.sum(np.sin(self.headings)) >= -SAME else -1
@@ -112,7 +113,7 @@ class Ring:
             stored = ", ".join(f"{np.rad2deg(b):.4g}" for b in self.headings)
             raise BetweenError(
                 f"wave direction {np.rad2deg(wanted[wide][0]) % 360:.4g}° does not lie between stored headings "
-                f"at most 45° apart ({stored}°); add it to the scene's headings and solve again"
+                f"at most 45° apart ({stored}°); add this direction to the scene's headings and solve again"
             )
         return wanted
 
@@ -182,7 +183,8 @@ class AtHeadings:
 
     @property
     def folded(self):
-        """(u,) rad, wanted headings or their mirror images on one side of every plane of symmetry, each once"""
+        """(u,) rad, the wanted headings, replaced by their mirror images on one side of every plane of symmetry, each
+        once"""
         return self._once[0]
 
     @property

@@ -71,7 +71,7 @@ def interpolated(reader, omega, headings, name):
 
 
 def one_by_one(equation, parts, errors):
-    """Deviation of equation(parts) when each quantity deviates by one number of its own, one quantity after another.
+    """Deviation of equation(parts): each quantity in turn deviates by one random number, and the effects are combined.
 
     parts : {name: array}; errors : the same of deviations
     """
@@ -86,7 +86,8 @@ def by_chance(equation, parts, errors, smooth, waves):
     """Deviation of equation(parts) under random deviations of all quantities (q, …), smooth over θ for `smooth`.
 
     waves : (q,) k times the radius of the hull, the number of harmonics of a Kochin function over its last axis
-    A shift by one number at all angles would keep their slope, and the estimated error of the moment would vanish.  The
+    A deviation that is the same at all angles would not change the slope, and the estimated error of the moment would
+    vanish.  The
     random draws are equal at all frequencies, so that an estimate does not depend on the other frequencies.
     """
     generator, value, variance = np.random.default_rng(0), equation(parts), 0.0
@@ -107,5 +108,5 @@ def by_chance(equation, parts, errors, smooth, waves):
 
 
 def _complex_normal(generator, shape):
-    """Of variance one"""
+    """Complex normal numbers of variance one"""
     return (generator.standard_normal(shape) + 1j * generator.standard_normal(shape)) / np.sqrt(2)

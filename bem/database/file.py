@@ -1,4 +1,5 @@
-"""The file behind a database: opened only if it is valid, laid out whole, visible only when complete."""
+"""The file of a database: it is opened only if it is valid, laid out with its full size, and visible only when
+complete."""
 
 from __future__ import annotations
 
@@ -185,7 +186,7 @@ def _reason(error):
     if error.errno in (11, 35) or "unable to lock" in str(error):
         return "another process has opened it"
     if "truncated file" in str(error):
-        return "it is truncated; copy it again, or give another name"
+        return "the file is truncated; copy it again, or give another name"
     return os.strerror(error.errno) if error.errno else str(error).splitlines()[0]
 
 

@@ -29,7 +29,7 @@ class DamagedError(DatabaseError):
 
 
 class VersionError(DatabaseError):
-    """The file is intact, as far as is known, and has another version of the schema."""
+    """The file has another version of the schema; no damage is known."""
 
 
 def crc(*parts):
@@ -76,7 +76,7 @@ def _schema_problems(file):
         coordinates = {axis: _read(file, axis) for axis in (*COORDINATES, *several)}
         lengths = {axis: len(values) for axis, values in coordinates.items()}
     except (TypeError, KeyError):
-        yield "a coordinate is no row of values"
+        yield "a coordinate is not a one-dimensional array"
         return
     yield from _wrong_coordinates(file, coordinates)
     yield from _wrong_scene(file)
@@ -195,7 +195,7 @@ def checks_crc(checks, wall_time):
 def check_cells(file, name, values=None, rows=None):
     """Raise DatabaseError, naming the first frequencies, if stored cells of a quantity are damaged.
 
-    rows : (n,) bool, the frequencies that count; None for all
+    rows : (n,) bool, the frequencies that are checked; None for all
     """
     damaged = damaged_cells(file, name, values)
     if damaged.ndim and rows is not None:

@@ -14,7 +14,7 @@ with s, k of x and t, q of y.  A resonance of the water in a moonpool or a gap i
 body share (`bem.kernels.poles`), and adds h_p(s) h_p(t)* to the kernel, h_p = c / (s − s_p).  Waves that meet the hull
 at the distance `lead` ahead of the origin have the phase exp(−ik lead), which is removed before the fit.  No single ℓ
 and set of echoes fits all quantities: every member of a family is fitted and weighted by the inverse fourth power of
-its error at nodes left out (Rippa, Adv. Comput. Math. 11, 1999).
+its error at nodes left out (Rippa, Advances in Computational Mathematics 11, 1999).
 """
 
 from dataclasses import dataclass, field
@@ -110,8 +110,8 @@ def abscissa(omega, depth, gravity, length):
 class Rows(NamedTuple):
     """Every kernel of the family between nodes x (n,) and places y (q,), whatever is fitted.
 
-    cardinal : (kernels, q, n) value at y of what is 1 at one node and 0 at the others; left : (kernels, q) share of
-    the variance that remains
+    cardinal : (kernels, q, n) value at y of the function that is 1 at one node and 0 at the others; left : (kernels, q)
+    remaining share of the variance
     """
 
     cardinal: np.ndarray
@@ -136,7 +136,7 @@ class Nodes:
         return _root(self._kernels(self.x, self.x))
 
     def rows(self, y):
-        """`Rows` at the places y; the last result is kept"""
+        """`Rows` of the kernels at the places y; the last result is kept"""
         key = y.smooth.tobytes()
         if key not in self._kept:
             made = self._rows(y)
@@ -177,7 +177,8 @@ class Interpolant:
     """Functions known at `nodes`: values (n, g, c), lead (g, c) or (1, c), of all groups, in lengths of the body.
 
     The c functions of a group share the weights of the members and their estimated error: a Kochin function at its
-    angles is one group, a coefficient is a group by itself.  Complex functions are one-sided, real ones are not.
+    angles is one group, a coefficient is a group by itself.  Complex functions have echoes on one side only (d > 0),
+    real functions on both.
     """
 
     nodes: Nodes
@@ -189,7 +190,7 @@ class Interpolant:
         return np.concatenate([self._value(part) for part in _blocks(y)])
 
     def deviation(self, y):
-        """(q, g) standard deviations of the modulus, in the mean over the functions of a group"""
+        """(q, g) standard deviations of the modulus, averaged over the functions of a group"""
         return np.concatenate([self._deviation(part) for part in _blocks(y)])
 
     def _value(self, y):
@@ -261,7 +262,7 @@ class Interpolant:
 
 
 class Window(NamedTuple):
-    """Nodes `first` to `last` of all nodes, and the gaps `low` to `high` between nodes in which they are used"""
+    """Nodes `first` to `last`, and the gaps `low` to `high` between nodes in which this window is used"""
 
     nodes: Nodes
     first: int
@@ -313,7 +314,7 @@ class Joined:
         return out
 
     def deviation(self, y):
-        """(q, g) standard deviations of the modulus, in the mean over the functions of a group"""
+        """(q, g) standard deviations of the modulus, averaged over the functions of a group"""
         gap, share = self._place(y)
         out = np.zeros((len(gap), self.values.shape[1]))
         for part in self._parts:

@@ -80,12 +80,12 @@ class Reader:
 
     @property
     def words(self):
-        """(n,) names of the motions: "surge" …, of several bodies "barge surge" """
+        """(n,) names of the motions: "surge" …, for several bodies "barge surge" """
         return words_of(self.bodies, self.modes)
 
     @property
     def names(self):
-        """(n,) the same as the database has them: "Surge" …, of several bodies "barge__Surge" """
+        """(n,) names of the motions in the database: "Surge" …, for several bodies "barge__Surge" """
         names = names_of(self.bodies, self.modes)
         return tuple(names[d] for d in moving(self.bodies, self.modes))
 
@@ -198,20 +198,22 @@ class Reader:
         return replace(self, viscous=None, own=self.own and not self.viscous)
 
     def without_drift(self):
-        """The same body with motions only, as one with unsymmetric restraint, whose drift has no mirror images"""
+        """The same body without mirror images of its motions and drift, as for a body with unsymmetric restraint"""
         left_out = (*DRIFT, "kochin_diffraction")
         kept = {name: values for name, values in self.between.quantities.items() if name not in left_out}
         return replace(self, between=replace(self.between, quantities=kept))
 
     def critical_damping(self, mode):
-        """2√(C (M + A)) of one mode alone, A at its natural frequency, or the end value outside the stored ones.
+        """Critical damping 2√(C (M + A)) of one mode alone, with A at its natural frequency, or at the nearest stored
+        one.
 
         Raises ValueError for a mode without restoring.
         """
         C, M = self.stiffness[mode, mode], self.inertia[mode, mode]
         if not C > 0:
             raise ValueError(
-                f"{self.words[mode]} has no restoring force, so that critical damping is not defined; give a matrix"
+                f"{self.words[mode]} has no restoring force, so its critical damping is not defined; give damping as "
+                f"a matrix"
             )
 
         def own(omega):
@@ -271,7 +273,7 @@ class Reader:
         return radiated, self.to_headings(omega, headings).value(self.ring.of_kochin(diffracted), "kochin")
 
     def motions(self, omega, headings=None):
-        """(q, p, n) complex motion about rotation_center per unit wave amplitude, m/m and rad/m.
+        """(q, p, n) complex motions about rotation_center per unit wave amplitude, m/m and rad/m.
 
         omega : (q,) rad/s; headings : (p,) rad, travelled to, None for those stored
         raises : BetweenError outside the database, and without inertia
@@ -319,8 +321,9 @@ class Reader:
         return slice(first, first + 6)
 
     def drift_of_each(self, omega, headings=None, fixed=False):
-        """(q, p, bodies, 3) mean drift per squared wave amplitude of each of several bodies, fixed ones too, about its
-        own point in its own axes, interpolated; of all fixed, or of motions as stored, whatever restrains these.
+        """(q, p, bodies, 3) mean drift per squared wave amplitude of each of several bodies, also of fixed ones, about
+        its own point in its own axes. It is interpolated from stored drift: that with all bodies fixed, or that with
+        the stored motions, even if the motions are restrained here.
 
         Raises BetweenError if it is not stored.
         """
@@ -503,7 +506,7 @@ def _known(name, values):
 
 
 def without_rows(matrices, motions):
-    """Matrices (…, n, n) with 0 in the rows and columns of `motions`"""
+    """Matrices (…, n, n) with zeros in the rows and columns of `motions`"""
     out = np.array(matrices)
     out[..., motions, :] = out[..., :, motions] = 0.0
     return out

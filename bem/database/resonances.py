@@ -79,8 +79,10 @@ def _resonances(body):
 def about(body, found, beside=()):
     """(q,) rad/s within the stored frequencies that show the shape of each peak of `found`, resonances of the body
 
-    beside : (p,) rad/s that are known anyway.  Roll and pitch of a round body resonate at one frequency but for
-    rounding: of places that near to one before or to one of `beside` there is one, so that splines go through them.
+    beside : (p,) rad/s, frequencies that are known already.  Roll and pitch of a round body resonate at one frequency
+    except for
+    rounding. Of places so near to an earlier one, or to one of `beside`, only one is kept, so that splines can pass
+    through them.
     """
     low, high = body.between.span
     omega = np.concatenate([[], *(_places(one.omega, one.damping) for one in found)])

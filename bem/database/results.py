@@ -43,7 +43,8 @@ STATUS = (
 
 
 def seal_of(file, image, later=()):
-    """The block before the image of an open HDF5 file; later : names of datasets and groups that are filled in later"""
+    """The seal, a block before the image of an open HDF5 file; later : names of datasets and groups that are filled in
+    later"""
     places, filled, first = {}, [STATUS] if later else [], file.userblock_size
 
     def add(name, item):
@@ -70,7 +71,7 @@ def check_seal(path, remedy=seals.REMEDY):
 
 
 def check_any_version(path, found=None):
-    """As `check_version`, for files of any kind including databases; found : its attribute `schema`, or None"""
+    """Like `check_version`, for files of any kind including databases; found : its attribute `schema`, or None"""
     for kind, version in READS.items():
         check_version(path, f"{OURS}{kind} {version}", found)
     if found is None:
@@ -99,7 +100,7 @@ def check_version(path, schema, found=None):
 
 
 def check_database_version(path, found=None):
-    """As `check_version`, for a database; found : its version number, None to search the bytes"""
+    """Like `check_version`, for a database; found : its version number, None to search the bytes"""
     if found is None:
         found = [struct.unpack("<q", part)[0] for part in _numbers(path, NUMBER)]
         found = [one for one in found if 0 <= one <= HIGHEST and one != SCHEMA_VERSION][-1:]
@@ -160,7 +161,7 @@ def opened_result(path, schema):
 
 
 def named(schema):
-    """What a file with a `schema` is: "hakobune mooring study 1" → "mooring study" """
+    """The kind of a file with this `schema`: "hakobune mooring study 1" → "mooring study" """
     return schema.removeprefix(OURS).rsplit(" ", 1)[0]
 
 

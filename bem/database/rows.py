@@ -82,7 +82,7 @@ def estimate_of(name):
 
 
 def row_values(file, omega, headings, names):
-    """{name: values, shaped as `append` expects them} of one frequency, or None if some of them are not stored."""
+    """{name: values, in the shape that `append` needs} of one frequency, or None if one of them is not stored."""
     (i,) = places_on(file, [omega], "omega")
     columns, found = places_on(file, headings, "wave_direction"), {}
     for name in names:
@@ -96,7 +96,7 @@ def row_values(file, omega, headings, names):
 
 
 def pending(path):
-    """Missing rows of everything that the file, by path or open, was made or extended for."""
+    """Rows still missing of all that the file was made or extended for; the file is a path or open."""
     with opened(path) as file:
         names = [name for name in QUANTITIES if name in file]
         limits = tuple(name for name in names if name in LIMITS and not file["stored"][name][()])
@@ -281,7 +281,7 @@ class Database:
         return self.reader.at(omega, name, headings)
 
     def holds(self, name: str) -> bool:
-        """Whether a limit is stored, or a quantity part of the file"""
+        """Whether a limit is stored, or whether a quantity is part of the file"""
         return name in self.names and (name not in LIMITS or self._stored(name))
 
     def checks(self) -> dict[str, np.ndarray]:
@@ -293,7 +293,7 @@ class Database:
     def estimated_errors(self) -> dict[str, np.ndarray]:
         """{name: (n, …)} of `schema.ESTIMATES` that are here: absolute errors in the unit and on the axes of each.
 
-        NaN where the method gives no estimate, and in a file of a time before there were any.
+        NaN where the method gives no estimate, and in files of versions without estimates.
         """
         names = [name for name in ESTIMATES if name in self.names]
         with self.opened() as file:
@@ -313,7 +313,7 @@ class Database:
             return [json.loads(text) for text in file["wall_time"][()][self.rows]]
 
     def interpolated_estimates(self) -> np.ndarray:
-        """(n,) whether the estimated errors of a solved frequency are those of others near it"""
+        """(n,) whether the estimated errors of a solved frequency come from neighbouring frequencies"""
         return np.array([INTERPOLATED in steps for steps in self.wall_times()], bool)
 
     @property
@@ -343,12 +343,12 @@ class Database:
 
     @property
     def dimensions(self) -> dict[str, float]:
-        """What the scene calls the body's sizes, m; empty for a body from a mesh file"""
+        """{name in the scene: size of the body, m}; empty for a body from a mesh file"""
         return dict(self.header.dimensions)
 
     @property
     def sizes(self) -> dict[str, float]:
-        """`dimensions`, and of a hull that is no box or ship those of the box about the origin that holds it, m"""
+        """`dimensions`, m; for a hull that is not a box or ship those of the box about the origin that encloses it"""
         if self.mesh is None or not len(self.mesh) or "length" in self.dimensions:
             return self.dimensions
         points = self.mesh.whole().points
@@ -364,7 +364,8 @@ class Database:
 
     @property
     def symmetry(self) -> str:
-        """Planes of symmetry of hull and water, "", "x", "y" or "xy": a wall takes the one that is parallel to it"""
+        """Planes of symmetry of hull and water, "", "x", "y" or "xy": a wall destroys the symmetry in the plane
+        parallel to it"""
         return self.mesh.symmetry if self.wall is None else self.mesh.symmetry.replace("y", "")
 
     @property
@@ -397,7 +398,7 @@ def _sum(first, second):
 
 
 def mark_whole_rows(file):
-    """Note which frequencies have all their quantities; file : or what has its datasets by name"""
+    """Mark the frequencies that have all their quantities; file : open file, or a mapping with its datasets by name"""
     whole = np.ones(len(file["omega"]), bool)
     for mark in (file[f"stored/{name}"][()] for name in file["stored"] if name not in LIMITS):
         whole &= (mark != 0).reshape(len(whole), -1).all(axis=1)

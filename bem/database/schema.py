@@ -88,5 +88,6 @@ def labels(bodies, modes=()):
 
 
 def cell_axes(name):
-    """Axes along which a quantity is filled piece by piece: (), ("omega",) or ("omega", "wave_direction")."""
+    """Axes along which the numbers of a quantity are stored piece by piece: (), ("omega",) or ("omega",
+    "wave_direction")."""
     return tuple([axis for axis in QUANTITIES[name][0] if axis in ("omega", "wave_direction")])

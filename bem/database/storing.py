@@ -1,7 +1,7 @@
-"""Frequencies that come into a database: data first, flush, then the mark that they are there.
+"""Storing of frequencies in a database: data first, then a flush, then the mark that they are stored.
 
 A write takes HDF5 0.1 to 0.2 ms, and a frequency has some forty: those that follow one another are stored together,
-each quantity in one write.  What a kill can take is what was not yet given to `store`.
+each quantity in one write.  A kill loses only what was not yet given to `store`.
 """
 
 import json
@@ -18,8 +18,8 @@ from .schema import CHECKS, LIMITS, NEEDS_MOTION, QUANTITIES, cell_axes
 class Solved(NamedTuple):
     """One frequency ready to be stored.
 
-    place : its number; columns : those of its headings; values : {name: array}; errors : {name: array} of those with
-        an estimate in the file; checks : {name: worst}; seconds : {step: wall time, s}
+    place : number of the row; columns : numbers of the headings; values : {name: array}; errors : {name: array} of
+        quantities whose errors are stored; checks : {name: worst}; seconds : {step: wall time, s}
     """
 
     place: int
@@ -148,7 +148,7 @@ def _append_checks(opened, rows, sealed):
 
 
 def put(dataset, name, rows):
-    """Write (row, value) of a quantity in ascending order, with as few writes as there are gaps"""
+    """Write (row, value) pairs of a quantity in ascending order; rows without a gap between them need one write"""
     every = list(range(dataset.shape[1])) if len(cell_axes(name)) > 1 else None
     if every is not None and any(row.columns != every for row, _ in rows):
         for row, value in rows:

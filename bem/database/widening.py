@@ -142,6 +142,8 @@ def content(file, name):
             for key, part in group.items()
         }
     except KeyError as error:
-        raise DatabaseError(f"{file.filename} is damaged: {name}: {error.args[0]}; compute the group again") from None
+        raise DatabaseError(
+            f"{file.filename} is damaged: {name}: {error.args[0]}; compute this group of results again"
+        ) from None
     scales = {key: part for key, part in datasets.items() if part[0] == (key,)}
     return {**scales, **datasets}, dict(group.attrs)

@@ -36,7 +36,7 @@ CUTOFFS = 0.8 ** np.arange(5)
 
 
 class OuterModes(NamedTuple):
-    """Modes outside at one frequency; rows are those of `Gap.outer_rows`.
+    """Modes of the water outside at one frequency; their rows are those of `Gap.outer_rows`.
 
     k : rad/m, wave_norm : ∫Z₀² dz (m), wave_rows : ⟨·, Z₀⟩ (f + 2,)
     wavenumbers : kₙ (n,) rad/m, norms : ∫Zₙ² dz (n,) m, rows : ⟨·, Zₙ⟩ (f + 2, n)
@@ -117,7 +117,7 @@ class Gap:
         return np.concatenate([self.wave_moments(k), side_integrals(self.draft, self.depth, k)])
 
     def side_wave_moments(self, k, l):
-        """⟨Z₀ on the side only, ·⟩ with Z₀ itself, a number, and with cos lζ, (l,) m"""
+        """Products over the side only of Z₀ with itself, a number, and with cos lζ, (l,) m"""
         s, d, h = self.height, self.draft, self.depth
         edge, slope = depth_factor(-d, k, h), depth_factor_slope(-d, k, h) / k
         top = l * np.sin(l * h) + k * np.tanh(k * h) * np.cos(l * h)

@@ -10,7 +10,7 @@ s from −1 to 1 over the length L, the forward end moves by 1 m or 1 rad.  With
 
 Sections stay plane and upright to the axis: u = (−(z − z₀) w′, 0, w) in vertical bending, (−y w′, w, 0) in horizontal,
 θ (0, −(z − z₀), y) in torsion: with the turn ω = (θ, −w′, v′) of a section
-u = (0, v, w) + ω × a, a = (0, y, z − z₀).  The axis keeps its length, and so products of two shapes move points by
+u = (0, v, w) + ω × a, a = (0, y, z − z₀).  The axis keeps its length; therefore products of two shapes move points by
 
     u_ij = ½ {ω_i (ω_j·a) + ω_j (ω_i·a)} − (ω_i·ω_j) a − (∫ (w_i′w_j′ + v_i′v_j′) dx, 0, 0)
 """

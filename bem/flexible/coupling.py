@@ -42,7 +42,7 @@ def of_weight(displacements, slopes, masses, gravity, rigid, second=None):
 def of_water(displacements, slopes, depths, area_vectors, density, gravity, rigid, second=None):
     """(m, m) N/m; displacements (m, q, 3) and gradients (m, q, 3, 3) at points of the hull z (q,) m
 
-    area_vectors : (q, 3) m², out of the body; rigid, second : as of `of_weight`
+    area_vectors : (q, 3) m², out of the body; rigid, second : as in `of_weight`
     """
     rise = displacements[:, :, 2] + depths * np.einsum("iqaa->iq", slopes)
     out = rise @ np.einsum("jqa,qa->qj", displacements, area_vectors)

@@ -32,7 +32,7 @@ class Table:
         return self._spline(self._own(points.reshape(-1, 3))).reshape(points.shape)
 
     def error(self, points):
-        """Of the largest displacement, at points (n, 3) m of a hull: what a spline of |x − x_k| has otherwise
+        """Difference from a spline of |x − x_k| at points (n, 3) m of a hull, as a share of the largest displacement
 
         Three to ten times the true error for shapes of a beam; the effect of points in one plane is not included.
         """

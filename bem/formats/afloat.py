@@ -1,4 +1,4 @@
-"""Data of a body in another program's file, compared with its hull.
+"""Check of the body data in another program's file against the hull.
 
     C₃₃ = ρ g A_w,    V,    m = ρ V        of the hull in its water; a length in a wrong unit shows in each of them
 
@@ -77,8 +77,8 @@ def _check(values, still):
     volume, C = values.body.get("displaced_volume"), values.body.get("hydrostatic_stiffness")
     if volume is not None and abs(volume / still.volume - 1) > SAME_VOLUME:
         raise FormatError(
-            f"the mesh displaces {still.volume:.4g} m³, the results are of {volume:.4g} m³; "
-            f"allowed: within {100 * SAME_VOLUME:g} %; give the mesh they were made with"
+            f"the mesh displaces {still.volume:.4g} m³, but the results are for a body of {volume:.4g} m³; "
+            f"allowed: within {100 * SAME_VOLUME:g} %; give the mesh that the results were computed with"
         )
     expected = values.density * values.gravity * still.waterplane_area
     if C is None or not C[2, 2] > 0 or not expected > 0 or abs(C[2, 2] / expected - 1) <= SAME_STIFFNESS:
@@ -100,7 +100,10 @@ def _with_weight(body, values, still, weight):
     old, body["hydrostatic_stiffness"] = values.body.get("hydrostatic_stiffness"), still.stiffness
     if old is None:
         return []
-    return [f"hydrostatic stiffness: {_about_weight(old, still, values)}; that of the hull with the weight is stored"]
+    return [
+        f"hydrostatic stiffness: {_about_weight(old, still, values)}; the value of the hull with its weight at "
+        f"the centre of mass is stored"
+    ]
 
 
 def _about_mass(values, still, body):
@@ -117,16 +120,16 @@ def _about_mass(values, still, body):
 
 
 def _about_weight(C, still, values):
-    """In words whether a hydrostatic stiffness includes the weight, by its roll and pitch"""
+    """States in words whether a hydrostatic stiffness includes the weight, by its roll and pitch"""
     arm = still.mass * values.gravity * (still.center_of_mass[2] - values.rotation_center[2])
     off = [abs(C[i, i] - still.stiffness[i, i]) for i in (3, 4)]
     bare = [abs(C[i, i] - still.stiffness[i, i] - arm) for i in (3, 4)]
     size = 0.02 * max(abs(still.stiffness[3, 3]), abs(still.stiffness[4, 4]))
     if max(off) <= size:
-        return "that of the files has the weight in it"
+        return "the value in the files includes the weight"
     if max(bare) <= size:
-        return "that of the files is without the weight"
-    return "that of the files is neither with this weight nor without any"
+        return "the value in the files does not include the weight"
+    return "the value in the files fits neither this weight nor no weight"
 
 
 def _with_motions(values):

@@ -1,4 +1,5 @@
-"""AQWA's NAME.AH1, of numbers alone, and NAME.LIS, its listing (Aqwa Reference Manual, "AH1 file", "Listing file").
+"""AQWA's NAME.AH1, which has numbers only, and its listing NAME.LIS (Aqwa Reference Manual, "AH1 file", "Listing
+file").
 
     .AH1   structures, headings, frequencies; GENERAL depth ρ g; COG, MASS, HYDSTIFFNESS, DISPLACEMENT of each structure
            ADDEDMASS, DAMPING   two structures, frequency, A (6, 6);  FORCERAO  structure, heading, frequency, F, φ
@@ -136,7 +137,7 @@ def _listing(place, known):
     def one(pattern):
         found = re.search(pattern + r"[\s.]*=\s*(\S+)", text)
         if found is None:
-            raise FormatError(f"{place} does not say {pattern!r}; allowed: the listing of a run of AQWA-LINE")
+            raise FormatError(f"{place} does not contain {pattern!r}; allowed: the listing of a run of AQWA-LINE")
         return float(found[1])
 
     water = Water(one(r"WATER\s+DEPTH"), one(r"DENSITY\s+OF\s+WATER"), one(r"ACCELERATION\s+DUE\s+TO\s+GRAVITY"))
@@ -158,7 +159,7 @@ def _listing(place, known):
             if len(table) == 6:
                 tables[words].setdefault(at, table)
     if center is None:
-        raise FormatError(f"{place} does not say the centre of gravity of structure {which + 1}")
+        raise FormatError(f"{place} does not give the centre of gravity of structure {which + 1}")
     A, B = tables["ADDED MASS"], tables["DAMPING"]
     omega = [at for at in A if at in B and not isinstance(at, str)]
     if not omega:

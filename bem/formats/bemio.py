@@ -102,7 +102,7 @@ def _radiation(hydro, values, A, B):
     at_infinity = A[-1] if at_infinity is None else at_infinity / values.density
     if not np.all(np.isfinite(at_infinity)):
         raise FormatError(
-            "added_mass_infinity is not finite, which this format needs; leave frequencies and limits out"
+            "added_mass_infinity is not finite, but this format needs finite values; solve the body with finite limits"
         )
     _put(hydro, "added_mass/inf_freq", at_infinity, "kg", "Infinite frequency added mass (normalized by rho)")
     _put(hydro, "added_mass/all", A.transpose(1, 2, 0), "kg", "Added mass (normalized by rho)")

@@ -25,9 +25,9 @@ def read(place, known):
     place = Path(place)
     sections, said = _sections(place)
     if known.get("water_depth") is None:
-        raise FormatError(f"--depth is missing; {place} does not say it; allowed: above 0 m, or inf")
+        raise FormatError(f"--depth is missing, and {place} does not give the depth; allowed: above 0 m, or inf")
     if float(said.get("FORWARD_SPEED", ["0"])[0].split()[0]):
-        raise FormatError(f"{place} is of a forward speed; allowed: 0")
+        raise FormatError(f"{place} is for a body with forward speed; allowed: speed 0")
     count = int((said.get("STRUCTURES_NUMBER") or ["1"])[0].split()[0])
     body_of(place, count, known)
     if count > 1:

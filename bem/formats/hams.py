@@ -2,7 +2,8 @@
 
 The results are in the files of WAMIT (`wamit`) with its time factor, made dimensionless by Reference_body_length, with
 a first column given by Output_frequency_type (`PERIOD_KINDS`); here it is written as 4, the period.  HAMS of Y. Liu
-(2019), J. Mar. Sci. Eng. 7(3).  HAMS-MREL, for several bodies, has AmssDamp.1, ExcForce.3 …, Reference_body_center_1,
+(2019), Journal of Marine Science and Engineering 7(3).  HAMS-MREL, for several bodies, has AmssDamp.1, ExcForce.3 …,
+Reference_body_center_1,
 HullMesh_1.pnl and Hydrostatic_1.in on, hulls in axes whose position in the water LCS_1 … give.
 """
 
@@ -166,7 +167,7 @@ def _given(place, known):
     own = f"_{body + 1}" if count > 1 else ""
     axes = numbers_of(said.get(f"LCS{own}", "0 0 0 0"))
     if axes[3:4] not in ([], [0.0]):
-        raise FormatError(f"{control}: LCS{own} turns the body about z; allowed: axes along those of the water")
+        raise FormatError(f"{control}: LCS{own} turns the body about z; allowed: axes parallel to those of the water")
     about = numbers_of(said.get(f"Reference_body_center{own}", "0 0 0"))[:3]
     water = {"water_depth": depth if depth > 0 else np.inf} | {name: known[name] for name in WATER}
     inputs = {"length_unit": length, "rotation_center": about, "period_kind": PERIOD_KINDS[kind], "body": body + 1}
@@ -190,7 +191,7 @@ def _control_of(path):
 def _one(path, said, key):
     numbers = numbers_of(said.get(key, ""))
     if not numbers:
-        raise FormatError(f"{path} has no number for {key}; allowed: {key} and its value on one line")
+        raise FormatError(f"{path} has no number for {key}; give {key} and its value on one line")
     return numbers[0]
 
 
@@ -202,7 +203,10 @@ def _hydrostatic_of(path):
         return {}
     rows = [numbers for line in lines_of(path) if (numbers := numbers_of(line))]
     if len(rows) < 7 or len(rows[0]) < 3 or any(len(row) < 6 for row in rows[1:7]):
-        raise FormatError(f"{path}: allowed: the centre of gravity, then six rows of six of the body's mass")
+        raise FormatError(
+            f"{path} has another content; allowed: the centre of gravity, then the mass matrix as six "
+            f"rows of six numbers"
+        )
     mass = np.array([row[:6] for row in rows[1:7]])
     body = {"center_of_mass": np.array(rows[0][:3])}
     return body | {"inertia_matrix": mass, "mass": mass[0, 0]} if mass.any() else body

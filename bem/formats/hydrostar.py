@@ -24,7 +24,7 @@ POINTS = {"crest": r"Ref\.pt incident wave\s*:\s*\(([^)]*)\)", "about": r"Refere
 
 
 def read(place, known=None):
-    """The Values of a folder, or of the one that a file lies in.  Raises FormatError."""
+    """The Values of a folder, given by its path or by the path of a file in it.  Raises FormatError."""
     place = Path(place)
     place = place if place.is_dir() else place.parent
     files = [found for path in sorted(place.iterdir()) if (found := _file(path))]
@@ -35,7 +35,7 @@ def read(place, known=None):
             f"{place} has no files of added mass and damping; allowed: AddedMass_11.rao, WaveDamping_11.rao …"
         )
     if water["speed"]:
-        raise FormatError(f"{place} is of a forward speed of {water['speed']:g} m/s; allowed: 0")
+        raise FormatError(f"{place} is for a forward speed of {water['speed']:g} m/s; allowed: 0")
     at = omega_of(
         next(rows for (kind, _), rows in tables.items() if kind == "added_mass")[:, 0], "frequency", 1.0, 9.81
     )
@@ -82,7 +82,7 @@ def _forces(place, tables, at, m):
 def _same(place, rows, at, columns):
     """Rows at the frequencies of all.  Raises FormatError."""
     if len(rows) != len(at) or rows.shape[1] < columns + 1:
-        raise FormatError(f"{place} has tables of other frequencies or headings; allowed: of one run")
+        raise FormatError(f"{place} has tables with different frequencies or headings; allowed: tables of one run")
     return rows
 
 
@@ -105,9 +105,10 @@ def _file(path):
         beta = np.radians(np.array(re.search(r"#HEADING\s+(.*)", text)[1].split(), float))
     except (TypeError, ValueError):
         raise FormatError(
-            f"{path} has another head, or other rows, than HydroStar writes; allowed: its files of one quantity each"
+            f"{path} does not have the header and rows that HydroStar writes; allowed: HydroStar's files of one "
+            f"quantity each"
         ) from None
     if rows.ndim != 2:
-        raise FormatError(f"{path} has a head and no rows; allowed: a row for each frequency")
+        raise FormatError(f"{path} has a header but no rows; allowed: a row for each frequency")
     water["depth"] = water["depth"] if water["depth"] > 0 else np.inf
     return name, mode[1], water, rows, beta

@@ -156,7 +156,9 @@ def read(place, known=None):
         if path.exists():
             own, rows = _zones(path, len(cal.headings), columns)
             if len(own) != len(omega) or not np.allclose(own, omega, rtol=1e-6):
-                raise FormatError(f"{path} has other frequencies than RadiationCoefficients.tec; allowed: the same")
+                raise FormatError(
+                    f"{path} does not have the frequencies of RadiationCoefficients.tec; allowed: the same frequencies"
+                )
             pairs = _taken(rows, forces, 2)
             X = (pairs[..., 0] * np.exp(1j * pairs[..., 1])).transpose(1, 0, 2)
             quantities[name] = X * np.exp(1j * k[:, None] * crest)[..., None]
@@ -237,7 +239,7 @@ def _cal_of(path):
         line = next(lines, "")
         found = numbers_of(line.split("!")[0])
         if len(found) < least:
-            raise FormatError(f"{path}: {line.strip()!r} stands where {least} number(s) are wanted")
+            raise FormatError(f"{path}: {line.strip()!r} stands in place of {least} number(s)")
         return found
 
     density, gravity, depth = (numbers(1)[0] for _ in range(3))
@@ -301,7 +303,7 @@ def _zones(path, count, columns):
     try:
         rows = np.array(tables)
     except ValueError:
-        raise FormatError(f"{path}: a zone is not a full table of numbers") from None
+        raise FormatError(f"{path}: a zone is not a complete table of numbers") from None
     if rows.ndim != 3:
         raise FormatError(f"{path} has no table of numbers")
     if len(tables) != count or rows.shape[2] != 2 * columns + 1:

@@ -229,7 +229,9 @@ def _read(model, place, known):
             kept = [i if abs(order[i] / w - 1) < SAME_FREQUENCY else None for i, w in zip(kept, found, strict=True)]
             common = [i for i in kept if i is not None]
             if len(common) < min(len(order), len(found)) / 2:
-                raise FormatError(f"{place}: {group} has other frequencies than the added mass; allowed: the same")
+                raise FormatError(
+                    f"{place}: {group} does not have the frequencies of the added mass; allowed: the same frequencies"
+                )
             X = X[[i is not None for i in kept]]
             order = order[common]
             quantities = {name: data if name in LIMITS else data[common] for name, data in quantities.items()}

@@ -54,7 +54,7 @@ class Values:
         if missing:
             way = "give it by --only"
             if any(name in BODY for name in missing):
-                way = "give --gyration and --center-of-gravity where it is solved or imported"
+                way = "give --gyration and --center-of-gravity to the command that solves or imports the body"
             raise FormatError(f"{', '.join(missing)} is not in the database; {way}")
         return [self.get(name) for name in names]
 
@@ -115,7 +115,8 @@ def _about_each(values, points):
 
 
 def of_each(values):
-    """[Values] of each of several bodies: its forces by the motions of all, what else is of it alone; of one itself"""
+    """[Values] of each of several bodies: its forces due to the motions of all bodies, and its own data; for a single
+    body [Values] itself"""
     if not values.bodies:
         return [values]
     return [_of_one(values, number) for number in range(len(values.bodies))]
@@ -231,7 +232,9 @@ def table_of(path, columns, separator=None):
         except ValueError:
             if not rows:
                 continue  # a heading
-            raise FormatError(f"{path}, line {number}: {line.strip()!r} is not numbers") from None
+            raise FormatError(
+                f"{path}, line {number}: {line.strip()!r} contains something that is not a number"
+            ) from None
         if row and len(row) not in columns:
             raise FormatError(
                 f"{path}, line {number} has {len(row)} numbers; allowed: {' or '.join(map(str, columns))}"
@@ -275,7 +278,7 @@ def gridded(path, coordinates, values, modes=()):
         where = np.argwhere(twice | (counts == 0))[0]
         said = ", ".join(f"{axis[i]:.6g}" for axis, i in zip(axes, where, strict=True))
         raise FormatError(
-            f"{path}: {counts[tuple(where)]} values for {said}; allowed: one value for each place of a full table"
+            f"{path}: {counts[tuple(where)]} values for {said}; allowed: exactly one value for each combination"
         )
     return axes, grid
 
@@ -320,8 +323,8 @@ def with_headings_once(values):
             if off > SAME_HEADING * np.abs(data).max(initial=0.0):
                 one, two = (np.degrees(values.wave_direction[i]) for i in (partner[0], later[0]))
                 raise FormatError(
-                    f"{name} differs by {off:.3g} between headings {one:g}° and {two:g}°, which are one; allowed: "
-                    f"{100 * SAME_HEADING:g} % of its largest value; leave one of them out"
+                    f"{name} differs by {off:.3g} between headings {one:g}° and {two:g}°, which are the same "
+                    f"direction; allowed: {100 * SAME_HEADING:g} % of its largest value; leave out one of the two"
                 )
             data = data[:, kept]
         quantities[name] = data

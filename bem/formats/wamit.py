@@ -128,7 +128,7 @@ def read(place, known):
         place, given = place.with_suffix(".1"), inputs_of(place, known)
         tables, body = tables_beside(place), {}
     if given.depth is None:
-        raise FormatError(f"--depth is missing; {place} does not say it; allowed: above 0 m, or inf")
+        raise FormatError(f"--depth is missing, and {place} does not give the depth; allowed: above 0 m, or inf")
     count = int(max(tables[".1"][1].max() + 5, 6)) // 6 if len(tables[".1"]) else 1
     if given.bodies == 1 and given.told:  # modes beyond six are of bending, or of water in a chamber
         known = {"body": 1} | {name: value for name, value in known.items() if value is not None}
@@ -191,7 +191,7 @@ def hull_of(place, known=None):
 
 
 class OtherPlaces(FormatError):
-    """A file has other periods or headings than those beside it."""
+    """Raised for a file whose periods or headings differ from those of the other files."""
 
 
 class Columns(NamedTuple):
@@ -201,7 +201,7 @@ class Columns(NamedTuple):
     modes: np.ndarray
 
     def of_body(self, table):
-        """Whether a table of forces has some of the body's"""
+        """Whether a table of forces contains forces of the body"""
         return bool(np.isin(table.rows[:, -5], self.modes).any())
 
     def omega(self, column):
@@ -220,7 +220,7 @@ def tables_beside(place):
     }
     found = {suffix: Table(path, table_of(path, widths[suffix])) for suffix, path in there.items()}
     if ".1" not in found:
-        raise FormatError(f"{place} is not there; allowed: NAME.1 with added mass and damping, or NAME.out")
+        raise FormatError(f"{place} does not exist; allowed: NAME.1 with added mass and damping, or NAME.out")
     return found
 
 
@@ -251,7 +251,7 @@ def _read_radiation(table, rho, columns):
         raise FormatError(f"{path} has no frequency between 0 and infinity")
     (omega, *_), both = gridded(path, [at[between], rows[:, 1], rows[:, 2]], rows[:, 3:5], modes=(index, index))
     if np.isnan(both[..., 1]).any():
-        raise FormatError(f"{path} lacks damping; allowed: five numbers a line of a period between 0 and infinity")
+        raise FormatError(f"{path} lacks damping; allowed: five numbers a line for each period between 0 and infinity")
     damping = size * omega[:, None, None] * both[..., 1]
     return quantities | {"added_mass": size * both[..., 0], "radiation_damping": damping}, omega
 
@@ -266,11 +266,13 @@ def _read_forces(table, omega, headings, columns, index):
         table = table[table[:, 1] == table[:, 2]]
     at = columns.omega(table[:, 0])
     if not len(table):
-        raise FormatError(f"{path} has drift of two different headings alone; allowed: that of each heading")
+        raise FormatError(
+            f"{path} has drift for pairs of different headings only; allowed: drift for each single heading too"
+        )
     coordinates = [at, np.radians(table[:, 1]), table[:, 2 + extra]]
     (found, own, _), X = gridded(path, coordinates, table[:, -2] + 1j * table[:, -1], modes=(index,))
     places = np.array([int(np.argmin(np.abs(found - w))) for w in omega])
     same = len(found) >= len(omega) and np.allclose(found[places], omega, rtol=SAME_PERIOD)
     if not same or (len(headings) and not (len(own) == len(headings) and np.allclose(own, headings, atol=1e-6))):
-        raise OtherPlaces(f"{path} has other periods or headings than the files beside it; allowed: the same")
+        raise OtherPlaces(f"{path} does not have the periods and headings of the other files; allowed: the same")
     return own, X[places]

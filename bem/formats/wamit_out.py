@@ -37,7 +37,7 @@ def read_out(place, known):
     place = Path(place)
     lines, start = before_periods(place)
     if start is None:
-        raise FormatError(f"{place} is no output of WAMIT, or it ended before the first period")
+        raise FormatError(f"{place} is not an output of WAMIT, or it ends before the first period")
     tables = {name: Table(place, np.array(rows)) for name, rows in _rows(lines[start:]).items() if rows}
     if ".1" not in tables:
         raise FormatError(f"{place} has no added mass and damping; allowed: a run with IOPTN(1) = 1")
@@ -115,7 +115,7 @@ def mass_of(path, which, density, origin):
     lines = lines_of(path)
     starts = [n for n, line in enumerate(lines) if BODY.search(line)]
     if which >= len(starts):
-        raise FormatError(f"{path} has {len(starts)} bodies; allowed: as many as the files beside it")
+        raise FormatError(f"{path} has {len(starts)} bodies; allowed: as many as the other files have")
     block = lines[starts[which] : [*starts, len(lines)][which + 1]]
     body, scale, M = {}, None, np.zeros((6, 6))
     for line in block:

@@ -78,7 +78,9 @@ def read_pairs(place, weight, kind=DIFFERENCE, length=1.0):
     for row, there in enumerate(frequency):
         if np.isnan(out[row, kind.pairs(row, len(omega))[1]]).any():
             apart = f"{there:.4g} rad/s apart" if kind is DIFFERENCE else f"whose sum is {there:.4g} rad/s"
-            raise FormatError(f"{path} lacks pairs {apart}; allowed: all pairs up to the largest {kind.name}")
+            raise FormatError(
+                f"{path} lacks pairs of frequencies {apart}; allowed: all pairs up to the largest {kind.name}"
+            )
     zero = np.where(np.isnan(out), np.nan, 0.0 * out)
     return QuadraticForces(omega, frequency, np.radians(degrees), out, zero, zero, kind=kind)
 
@@ -90,5 +92,7 @@ def _even(path, frequencies):
     step = (found[-1] - found[0]) / max(len(found) - 1, 1)
     even = found[0] + step * np.arange(len(found))
     if len(found) < 2 or np.abs(found - even).max() > EVEN * step:
-        raise FormatError(f"{path} has periods whose frequencies are not at equal steps; allowed: equal steps")
+        raise FormatError(
+            f"{path} has periods that are not at equal steps of frequency; allowed: equal steps of frequency"
+        )
     return even, step

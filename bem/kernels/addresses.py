@@ -90,7 +90,7 @@ class _Fields(AttributeTemplate):
 
 @lower_getattr_generic(Address)
 def _field(context, builder, kind, value, name):
-    """By a function of the module that is always inlined: this is less to write than its words at every place"""
+    """Read through a function of the module that is always inlined: one function replaces its code at each place"""
     place = kind.fields.index(name)
     part = context.get_data_type(kind.kinds[place])
     reads = get_or_insert_function(builder.module, ir.FunctionType(part, [value.type]), f"{kind.name}.{name}")
@@ -156,7 +156,7 @@ def _handed_over(kind, value, c):
 
 
 def know(made):
-    """Have numba take a class that is marked by its address"""
+    """Make numba pass objects of a marked class by address"""
 
     @typeof_impl.register(made)
     def _(value, purpose):

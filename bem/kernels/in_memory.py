@@ -2,8 +2,8 @@
 
 By value a tuple of ninety arrays is six hundred arguments of every kernel that it is handed to, each written and read
 again: a quarter of the time that all kernels of bodies in time took to compile.  A class marked `in_memory` is laid out
-word after word at every call from Python, and kernels pass its address.  Kernels read it and do not make or change one;
-what its arrays hold may change.  How numba reads it: `addresses`.
+word after word at every call from Python, and kernels pass its address.  Kernels read such a tuple, but neither make
+nor change one; the contents of its arrays may change.  How numba reads it: `addresses`.
 """
 
 marked = []  # classes that numba does not know yet

@@ -75,7 +75,8 @@ class Kept:
         return result
 
     def save_overload(self, signature, result):
-        """Let others call a just compiled kernel by its symbol, and store it, unless another process has"""
+        """Let other kernels call a kernel that was just compiled by its symbol, and store it unless another process has
+        done so"""
         kind = result.signature.return_type
         if not result.target_context.enable_nrt and any(
             isinstance(one, Array) for one in getattr(kind, "types", [kind])

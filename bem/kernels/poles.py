@@ -3,7 +3,8 @@
     f(x) ≈ Σⱼ wⱼ fⱼ / (x − xⱼ)  /  Σⱼ wⱼ / (x − xⱼ)
 
 at places xⱼ taken one by one, where the last function was worst, with weights w that miss the other values least
-(AAA; Nakatsukasa, Sète and Trefethen, SIAM J. Sci. Comput. 40, 2018).  Several functions share w and the poles, the
+(AAA; Nakatsukasa, Sète and Trefethen, SIAM Journal on Scientific Computing 40, 2018).  Several functions share w and
+the poles, the
 zeros of the denominator.
 """
 

@@ -65,7 +65,7 @@ def meant(text):
 
 
 class Sources:
-    """Sources below a root; `kept` : file in which what is known of them stays from one process to the next, or None"""
+    """Sources below a root; `kept` : file with their imports and digests, which later processes read, or None"""
 
     def __init__(self, root, kept=None):
         self.root, self.kept = Path(root), kept
@@ -76,7 +76,7 @@ class Sources:
             self._before = {}
 
     def of(self, file):
-        """Paths, as strings, of what a source imports, directly or through others, and its own: a set"""
+        """The set of paths, as strings, of a source and of all sources that it imports, directly or through others"""
         source = str(file)
         if source not in self._of:
             found, waiting = set(), [source]
@@ -91,7 +91,7 @@ class Sources:
         return self._of[source]
 
     def digest(self, file):
-        """16 characters, of all that a source is made of"""
+        """A digest of 16 characters of a source and of all sources that it imports"""
         if str(file) in self._digests:
             return self._digests[str(file)]
         known, below = len(self._now), len(str(self.root))

@@ -36,15 +36,18 @@ def near_field_error(run, moving):
 
     Per metre of breadth and wave amplitude squared the terms are up to ρg(1 + v)² at the waterline, water standing up
     to twice the wave at a wall, and ρω²d a² on the sides, v the vertical motion there and a that of any point of the
-    hull.  Of this a relative error of the pressures makes twice as much.  It is that estimated of coefficients and
-    forces; by the contour method, whose forces are wrong at second order and whose pressures at first, no less than
+    hull.  A relative error of the pressures causes twice this relative error in these terms.  The relative error of the
+    pressures is taken from the estimated errors of coefficients and forces; by the contour method, whose forces are
+    wrong at second order and whose pressures at first, no less than
     `bem.contour.pressure_drift.PRESSURES`.  Errors of the motions are not in it: near and far field are equal in any.
     run, moving : as of `near_field_drift`
     raises : ValueError as `near_field_drift`, and for panels without an estimate of their errors
     """
     method, radius, draft = _method(run, moving), run.prepared.radius, run.prepared.draft
     if run.errors is None:
-        raise ValueError("error of the near field of panels without an estimate of theirs; allowed: with a coarse mesh")
+        raise ValueError(
+            "near-field drift by panels has an error only if the panels have one; allowed: a run with a coarse mesh"
+        )
     rho, g = run.problem.density, run.problem.gravity
     motions, lever = np.abs(_motions(run, moving)), np.hypot(radius, draft)
     vertical = motions @ [0, 0, 1, radius, radius, 0]
@@ -71,7 +74,9 @@ def _method(run, moving):
 
         return panel_drift
     if run.problem.shapes:
-        raise ValueError("near-field drift of several bodies by contours; allowed: of one, or by panels")
+        raise ValueError(
+            "near-field drift of several bodies by the contour method; allowed: one body, or the panel method"
+        )
     if run.problem.method != "contour":
         raise ValueError(f"near-field drift by method {run.problem.method}; allowed: panel, contour")
     from ..contour import pressure_drift as contour_drift

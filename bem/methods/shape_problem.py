@@ -67,7 +67,7 @@ class PreparedShapeProblem:
     def panels(self):
         """The prepared panels; raises ValueError without panels"""
         if self.problem.panels is None:
-            raise ValueError(f"method {self.problem.method} has no panels to give pressures on")
+            raise ValueError(f"method {self.problem.method} has no panels, so there is no pressure on panels")
         return self.problem.panels.prepared()
 
     @property

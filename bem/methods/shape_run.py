@@ -24,7 +24,7 @@ class ShapeRun(FrequencyRun):
 
     @property
     def sharper(self):
-        """By a digit more; None at the last"""
+        """The run with one digit more; None if no digit is left"""
         if self.problem.method not in RESOLVED or self.solver.sharper is None:
             return None
         return partial(ShapeRun, self.prepared, *self.question, self.solver.sharper)
@@ -58,7 +58,7 @@ class ShapeRun(FrequencyRun):
 
     @cached_property
     def differences(self):
-        """From the finer body; None for strips, whose error is that of strip theory"""
+        """Differences from the finer body; None for strips, whose error is that of strip theory"""
         if self.problem.method not in RESOLVED:
             return None
         ours, fine = self.first_order, self.finer
@@ -67,13 +67,13 @@ class ShapeRun(FrequencyRun):
 
     @cached_property
     def kochin_differences(self):
-        """As `differences`, of `kochin`"""
+        """Like `differences`, for Kochin functions"""
         fine = self.finer.kochin_radiation, self.finer.kochin_diffraction
         return [H - better for H, better in zip(self.kochin, fine, strict=True)]
 
     @property
     def kochin_errors(self):
-        """As `errors`, of `kochin`"""
+        """Like `errors`, for Kochin functions"""
         return self.kochin_differences
 
     @property
@@ -118,5 +118,5 @@ class ShapeRun(FrequencyRun):
         return found
 
     def pressure(self):
-        """Of the panel method"""
+        """Pressure, which only the panel method computes"""
         return self.prepared.panels.run(self.omega, self.headings, {"pressure"}, None, None).pressure()

@@ -11,7 +11,7 @@ from .one_frequency import PanelRun
 
 
 class AxisymmetricRun(PanelRun):
-    """As `PanelRun`, from the rows of the influence matrices that belong to one sector."""
+    """Like `PanelRun`, from the rows of the influence matrices that belong to one sector."""
 
     def __init__(self, prepared, omega, *arguments, **more):
         super().__init__(prepared, omega, *arguments, **more)

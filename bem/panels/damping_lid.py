@@ -54,15 +54,15 @@ def with_damping_lids(problem):
     nodes = len(geometry.elements.nodes)
     if nodes > MOST_NODES:
         raise ValueError(
-            f"hull and lids have {nodes} nodes; allowed with damping lids: {MOST_NODES} in a symmetric part; "
-            "ask for fewer panels"
+            f"hull and lids have {nodes} nodes; allowed with damping lids: {MOST_NODES} in a symmetric part; give "
+            "fewer panels"
         )
     damping = np.repeat([one.damping for one in lids], counts * problem.nodes_per_panel)
     return geometry, damping
 
 
 class DampedRun(PanelRun):
-    """As `PanelRun`, with damping lids on the water"""
+    """Like `PanelRun`, with damping lids on the water"""
 
     def __init__(self, prepared, omega, *arguments, **more):
         super().__init__(prepared, omega, *arguments, **more)

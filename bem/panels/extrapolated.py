@@ -81,7 +81,7 @@ class ExtrapolatedRun(FrequencyRun):
 
     @cached_property
     def kochin_errors(self):
-        """As `differences`, of `kochin`"""
+        """Like `differences`, for Kochin functions"""
         return [self.left_over * error for error in self.run.kochin_errors]
 
     @cached_property

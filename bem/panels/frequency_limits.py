@@ -49,7 +49,7 @@ def unit_depth_values(z):
 
 
 def added_mass_of(prepared, potentials, which):
-    """As `added_mass_limit`, from the potentials (dofs of the class, n) of each symmetry class."""
+    """Like `added_mass_limit`, from the potentials (dofs of the class, n) of each symmetry class."""
     g, problem, T = prepared.geometry, prepared.problem, prepared.problem.transform
     modes = g.modes * g.elements.weights[: g.hull, None] * g.copies
     out = np.zeros((len(T), len(T)))

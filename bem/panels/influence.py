@@ -121,7 +121,9 @@ class Geometry:
         for mode in self.shapes:
             signs = dict(zip("xy", mode.parity(self._points_of(mode.moves)), strict=True))
             if any(signs[axis] == 0 for axis in symmetry):
-                raise ValueError(f"{mode.name} is not its own image in {symmetry}; allowed: a mesh without that plane")
+                raise ValueError(
+                    f"the shape of {mode.name} is not symmetric about {symmetry}; allowed: a mesh without that plane"
+                )
             classes.append(tuple(signs[axis] if axis in symmetry else 1 for axis in "xy"))
         return {cls: [d for d, own in enumerate(classes) if own == cls] for cls in self.classes}
 

@@ -32,7 +32,10 @@ class PanelRun(FrequencyRun):
         super().__init__(prepared, omega, headings, want, theta, dofs)
         self.refined = refined
         if self.far_field and prepared.problem.wall is not None:
-            raise ValueError("a wall leaves no far field all round: no Kochin functions and drift forces beside it")
+            raise ValueError(
+                "beside a wall the far field does not reach all round: there are no Kochin functions and "
+                "no drift forces"
+            )
         self.geometry = prepared.geometry.at(self.omega**2 / prepared.problem.gravity)
         self.whole_field = bool(self.want & {"pressure", POWER, *OF_EACH})
 
@@ -90,7 +93,7 @@ class PanelRun(FrequencyRun):
 
     @property
     def kochin_errors(self):
-        """As `errors`, of `kochin`"""
+        """Like `errors`, for Kochin functions"""
         share = share_left(self.prepared.refinement)
         return [share * (rough - H) for H, rough in zip(self.kochin, self.coarse.kochin, strict=True)]
 
@@ -165,7 +168,7 @@ class PanelRun(FrequencyRun):
 
     @property
     def force_potentials(self):
-        """As `potentials`, but possibly without harmonics that exert no force on the body"""
+        """Like `potentials`, but possibly without harmonics that exert no force on the body"""
         return self.potentials
 
     def _solved(self):

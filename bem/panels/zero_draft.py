@@ -61,7 +61,7 @@ class ZeroDraftRun(PanelRun):
         return np.ascontiguousarray((-velocities - solution.T) / K)
 
     def pressure(self):
-        """As `PanelRun.pressure` on the bottom; zero on the sides, which have no height."""
+        """Like `PanelRun.pressure` on the bottom; zero on the sides, which have no height."""
         mesh, plate = self.problem.mesh, bottom(self.problem.mesh)
         out = np.zeros((len(self.headings), self.geometry.copies, len(mesh)), complex)
         out[..., plate] = super().pressure().reshape(len(self.headings), self.geometry.copies, -1)
@@ -74,7 +74,9 @@ def rigid_surface_limit(prepared, which):
     raises : ValueError for ω → ∞, where the equation has no limit
     """
     if which != "zero":
-        raise ValueError("zero draft has no added mass at infinite frequency; a small draft by the panel method has")
+        raise ValueError(
+            "a body of zero draft has no added mass at infinite frequency; give a small draft and use the panel method"
+        )
     g, problem = prepared.geometry, prepared.problem
     table = limit_table(which, problem.depth, g.reach, g.draft)
     velocities = [g.modes[:, g.members(c)].T.astype(complex) for c in g.classes]

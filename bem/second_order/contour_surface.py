@@ -25,7 +25,7 @@ BEYOND = 6  # orders more than `orders_sent`
 
 
 class CylinderSurface:
-    """As `surface_waves.SurfaceWaves`, with points on rings only
+    """Like `surface_waves.SurfaceWaves`, with points on rings only
 
     points : `bem.contour.hull.flow.HullPoints`; surfaces : `HullSurfaces`; omega, of_force : rad/s, rising
     """

@@ -22,7 +22,7 @@ VERTICAL = [2, 3, 4]
 
 
 class ContourWaves(FirstOrderWaves):
-    """As `first_order_waves.PanelWaves`, of a `bem.methods.shape_problem.ShapeProblem`
+    """Like `first_order_waves.PanelWaves`, for a `bem.methods.shape_problem.ShapeProblem`
 
     raises : ValueError for another method, infinite depth, a floating box, the surface around a box and unresolved
         waves
@@ -43,14 +43,15 @@ class ContourWaves(FirstOrderWaves):
         k = float(wavenumber(highest, problem.depth, problem.gravity))
         if too_many((*self.body.plan.sizes, self.body.draft), k):
             raise ValueError(
-                f"wave pairs by the contour method up to {highest:.4g} rad/s; allowed: waves that it resolves"
+                f"the contour method does not resolve the waves of wave pairs up to {highest:.4g} rad/s; give lower "
+                f"frequencies, or use panels"
             )
         self.points = HullPoints(self.body, k)
         surface = surface and len(rising) > 0
         if (moving or surface) and not self.points.whole:
             raise ValueError(
-                "wave pairs by the contour method for a floating box or with the surface around a box; allowed: "
-                "a fixed box, without the surface, or panels"
+                "the contour method has wave pairs of a box only if it is fixed, and without the free-surface "
+                "forcing; use panels for others"
             )
         first = self._frequency(omega[-1], [])
         self.surfaces = self.points.surfaces(first)

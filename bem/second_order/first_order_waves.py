@@ -134,12 +134,12 @@ class PanelWaves(FirstOrderWaves):
 
 
 class WavesOfBodies(PanelWaves):
-    """As `PanelWaves`, of several bodies; flows are lists, one `HullFlow` for each body, forces and motions (…, 6N).
+    """Like `PanelWaves`, for several bodies; flows are lists, one `HullFlow` for each body, forces and motions (…, 6N).
 
     Squares of first order are integrated over each hull by itself.  Haskind's relation gives the force of the bound
     wave on a body a, and that of the potential of moving hulls: with ψ the radiation potential of a motion of a, each
     hull b that moves adds −iρΩ ∬ ψ_a ∂φ₂/∂n dS over itself (`body_forces`).  A fixed body has such a ψ too.  The far
-    field holds all bodies together: it corrects none of them.
+    field gives the drift of all bodies together only, so it cannot correct the drift of one.
 
     raises : ValueError with `surface`, and for lines that hold the bodies
     """
@@ -148,9 +148,11 @@ class WavesOfBodies(PanelWaves):
         self, problem, omega, headings, moving, of_force, surface=False, lines=None, swayed=None, kind=DIFFERENCE
     ):
         if surface:
-            raise ValueError("the forcing of the surface around several bodies; allowed: --level body")
+            raise ValueError("the free-surface forcing is not computed for several bodies; give --level body")
         if lines is not None:
-            raise ValueError("wave pairs of several bodies on lines; allowed: floating freely, or --fixed")
+            raise ValueError(
+                "wave pairs of several bodies are not computed with lines; allowed: floating freely, or --fixed"
+            )
         super().__init__(problem, omega, headings, moving, of_force, swayed=swayed, kind=kind)
         self.each, self.free = (
             of_each_body.surfaces_of_each(self.surfaces, self.prepared.geometry.mesh),
@@ -193,7 +195,7 @@ class WavesOfBodies(PanelWaves):
 
     @property
     def _sixes(self):
-        """Of each body the places of its motions and forces"""
+        """Indices of the motions and forces of each body"""
         return [slice(6 * i, 6 * i + 6) for i in range(len(self.problem.bodies))]
 
     def joined(self):

@@ -29,7 +29,7 @@ class LongWaveBody:
 
     @cached_property
     def prepared(self):
-        """Without lid, coarse mesh and band"""
+        """The problem without lid, coarse mesh and band"""
         return replace(self.problem, lid=None, coarse=None, finer=None, band=None).prepared()
 
     def forces(self, omega, number):

@@ -205,13 +205,13 @@ def frequencies_of(omega, highest, kind):
     """
     steps = np.diff(omega)
     if len(omega) < 2 or np.ptp(steps) > EVEN * steps.mean() or steps.mean() <= 0:
-        raise ValueError(
-            "forces of wave pairs at uneven frequencies; allowed: two or more increasing frequencies at equal steps"
-        )
+        raise ValueError("forces of wave pairs need two or more increasing frequencies at equal steps; these are not")
     found = kind.rows(omega, highest)
     if not len(found):
         lowest = kind.of(omega[0], omega[0])
-        raise ValueError(f"{kind.name}s of frequencies up to {highest:.4g} rad/s; allowed: {lowest:.4g} or above")
+        raise ValueError(
+            f"{kind.name}s of frequencies are requested up to {highest:.4g} rad/s; allowed: {lowest:.4g} or above"
+        )
     return found
 
 

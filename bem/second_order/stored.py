@@ -76,7 +76,7 @@ class StoredForces:
 
 
 def write_forces(path, stored):
-    """Put `StoredForces` into a database, in place of what it has of their kind"""
+    """Store `StoredForces` in a database, replacing stored forces of the same kind"""
     forces, unit, names = stored.forces, "N/m2, N m/m2", np.array(stored.names, dtype=np.bytes_)
     name_of_axis = forces.kind.name
     datasets = {

@@ -2,7 +2,8 @@
 
 Each panel side on the waterline begins a strip that ends on the circle.  Its points are Radau points from waterline to
 circle, the first on the hull, and Gauss points along the side; derivatives are those of the polynomials through them.
-Potentials on the hull are interpolated there (`hull_interpolation`), those beside it follow from the solved φ and its
+Potentials at points on the hull are interpolated (`hull_interpolation`); potentials off the hull follow from the solved
+φ and its
 normal derivative V on the panels,
 
     4πφ = ∬ (φ ∂G/∂n − V G) dS.

@@ -11,7 +11,8 @@ of ψ combine around the circle, with a factor that depends on frequencies alone
     2π C ∫ f_m(kr) f̄_n(qr) H_p(κr) r dr + …
 
 Radii are real to where all orders oscillate, then r + ix, where sent waves decay with sent and with incident ones, and
-r − ix for what comes in with the first incident wave.  All pairs share the radii of a path, and the functions there.
+r − ix for what comes in with the first incident wave.  All pairs use the same radii on a path, and the same values of
+the functions at these radii.
 
 At the sum of two frequencies (`kinds`) κ > k + q, and all products decay along r + ix.  φⱼ is Σ (−1)ⁿ c₋ₙ H_n e^{−inθ},
 in place of Σ c̄ₙ H̄_n e^{−inθ}.
@@ -92,7 +93,7 @@ class Path:
         return self._thrice(values, k, place)
 
     def bessel(self, k, most, place):
-        """As `hankel` for J_m(kr): along r + ix without e^{−ikr}, along r − ix zero"""
+        """Like `hankel` for J_m(kr): along r + ix without e^{−ikr}, along r − ix zero"""
         z = self._radii(k)[self.first :]
         values = bessel_orders(most, z)
         values[:, 1 + self.real.shape[1] :] *= np.exp(1j * k * self.edges[-1])

@@ -120,7 +120,7 @@ class Shape:
 
     @cached_property
     def velocities(self):
-        """Of sway, heave and roll along the normals of the body, (n, 3)"""
+        """Velocities of sway, heave and roll along the normals of the body, (n, 3)"""
         n, p = self.normals[self.body], self.points[self.body]
         return np.stack([n.real, n.imag, p.real * n.imag - p.imag * n.real], axis=1)
 
@@ -233,7 +233,7 @@ def _split(chain, depth, longest, tolerance):
 
 
 def _levels(chain, i, tolerance):
-    """Of the corner between edges i and i + 1 of the boundary: panels that shrink, and the exponent of the flow"""
+    """For the corner between edges i and i + 1 of the boundary: panels that shrink, and the exponent of the flow"""
     before, after = complex(chain[i].slope(1.0)), complex(chain[i + 1].slope(0.0))
     water = np.pi + np.angle(after / before)  # the water is on the right
     if abs(water - np.pi) < 1e-3:

@@ -156,7 +156,8 @@ def report_row(section):
     """The columns of the SR179 report's (1982) tables 2.1.3.1-20, by name, preceded by the arguments of the row.
 
     ξ_B = ω²b/g, b = B/2, S = Bd.  M_H, M_S over ρS, M_R over ρS b², M_SR over ρS b; N likewise and over ω;
-    E_H, E_S over ρg b, E_R over ρg b²; ε in degrees.  Beside them |R|, |T| of the fixed body and its drift over ρg/2.
+    E_H, E_S over ρg b, E_R over ρg b²; ε in degrees.  Further columns are |R| and |T| of the fixed body, and its drift
+    over ρg/2.
     """
     b, area = section.beam / 2, section.beam * section.draft
     row = {

@@ -10,7 +10,8 @@ towards the edge, where φ is like distance^(2/3), and towards the waterline; ev
 - The logarithms of ∮ G ∂φ/∂n are integrated in closed form.  In ∮ φ ∂G/∂n the sum of every row is corrected to the
   angle that the contour subtends, so that φ counts as constant, not as zero, on the unresolved last panels at the edge.
 - Errors are relative to the whole coefficient A + iB/ω: damping below the tolerance times that is not resolved.
-- Points inside, on the waterline, remove the irregular frequencies (Schenck, J. Acoust. Soc. Am. 44, 1968).
+- Points inside, on the waterline, remove the irregular frequencies (Schenck, Journal of the Acoustical Society of
+America 44, 1968).
 """
 
 from functools import cached_property, lru_cache

@@ -7,7 +7,8 @@ To every flow that is odd in y a flow g is added, driven by a potential of ±1 o
     δ = iκU,   κ = (2C/3πω) |U|,      U = U₀ + δ U_g,      φ = φ₀ + δ φ_g,      δ = iκ U₀ / (1 − iκ U_g)
 
 so that for a resistance κ, in m, a `Section` follows, in which a body moves as in any other.  The lost power is that of
-the head, ½ (4/3π) ρ C |U|³ s.  The symmetric flow (heave) has no flux from side to side.  Linearised as in
+the head, ½ (4/3π) ρ C |U|³ s.  The symmetric flow (heave) carries no water under the keel from one side to the other.
+Linearised as in
 `mooring.breakwater.loss`, which applies to any section but only to the propagating wave.
 """
 
@@ -20,7 +21,7 @@ from .finite_depth import FIXED, SectionFlow
 
 
 class KeelFlow(NamedTuple):
-    """Of a rectangle at one frequency, sway, heave, roll.
+    """The flows past a rectangle at one frequency, for sway, heave and roll.
 
     section : without loss; moved (at y = 0) : (3,) U of unit velocities; scattered : U of a unit wave; own : U_g, 1/m
     force : (3,) ∮ φ_g n dl; wave : elevation that g radiates towards +y over what a unit of φ at z = 0 is

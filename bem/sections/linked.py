@@ -123,7 +123,9 @@ def _rows(hinge, points):
     """(2 or 3, 3n) displacement of the second section relative to the first at a hinge"""
     a, b = hinge.sections
     if a == b or not (0 <= a < len(points) and 0 <= b < len(points)):
-        raise ValueError(f"a hinge holds sections {a} and {b}; allowed: two of 0 to {len(points) - 1}")
+        raise ValueError(
+            f"a hinge joins sections {a} and {b}; allowed: two different sections from 0 to {len(points) - 1}"
+        )
     out = np.zeros((3, 3 * len(points)))
     for i, sign in ((a, -1.0), (b, 1.0)):
         arm = hinge.y + 1j * hinge.z - points[i]

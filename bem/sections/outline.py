@@ -212,7 +212,7 @@ def _check_closed(edges):
         raise OutlineError(f"the outline has {len(edges)} edges; allowed: 2 or more")
     for i, (one, after) in enumerate(zip(edges, [*edges[1:], edges[0]], strict=True), 1):
         if not np.isfinite([one.start, one.end, one.bulge]).all():
-            raise OutlineError(f"edge {i} is not of finite numbers")
+            raise OutlineError(f"edge {i} has a number that is not finite")
         if one.start == one.end:
             raise OutlineError(f"edge {i} has zero length at {_named(one.start)}; leave out one point")
         if abs(after.start - one.end) > 0:

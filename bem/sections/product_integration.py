@@ -7,7 +7,7 @@ Legendre's polynomials against 1/(t₀ − t) and ln(t₀ − t), with t₀ the 
 
     ∫ P_k/(t₀ − t) dt = 2Q_k(t₀),      ∫ P_k ln(t₀ − t) dt = 2 (Q_{k+1}(t₀) − Q_{k−1}(t₀)) / (2k + 1),  k ≥ 1
 
-Helsing and Ojala, J. Comput. Phys. 227 (2008), for the use of polynomials in a complex parameter.
+Helsing and Ojala, Journal of Computational Physics 227 (2008), for the use of polynomials in a complex parameter.
 """
 
 from typing import NamedTuple

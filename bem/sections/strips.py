@@ -8,7 +8,8 @@ across it, a the half length of the row, per metre a sectional impedance Zᵢⱼ
     pitch  ∫x′² Z₃₃ dx′ = ⅔a³ Z₃₃                              yaw    ∫x′² Z₂₂ dx′ = ⅔a³ Z₂₂
 
 Froude–Krylov forces are exact, for the whole box.  The diffraction force is that of Salvesen, Tuck and Faltinsen,
-Trans. SNAME 78 (1970), at zero speed: Haskind's relation with the radiated flow of the section and the oblique wave,
+Transactions of SNAME 78 (1970), at zero speed: Haskind's relation with the radiated flow of the section and the oblique
+wave,
 
     fⱼ = iρω ∮ φⱼ ∂φ_I/∂n dl,  φ_I = −(ig/ω) Z₀ exp(iky′ sinβ′),    Fⱼ = ∫ fⱼ exp(ikx′ cosβ′) dx′
 

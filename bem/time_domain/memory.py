@@ -2,8 +2,9 @@
 
     (M + A(∞)) ν̇ + y + … = F,    ẋ = a x + b ν,    y = c x,    c (−iω − a)⁻¹ b ≈ B + iω [A(∞) − A]
 
-with velocities ν (6,) about the rotation centre, in axes of the body; of several bodies (6N,), one after another, about
-the centre of each in its own axes, then of shapes of those that bend, and passive as a whole.  The n states x are r
+with velocities ν (6,) about the rotation centre, in axes of the body. For several bodies ν has (6N,) velocities, body
+by body, each about its own centre in its own axes, then those of shapes of bodies that bend; the whole system is
+passive.  The n states x are r
 that decay and p pairs that turn as well, r + 2p = n, in the order: r, first of each pair, second of each pair,
 
     ẋ_k = −decay_k x_k + Σ_j input_jk ν_j                                            k < r
@@ -244,9 +245,10 @@ def _shorter(body, goal, motions, stored=True):
             break
     if best.deviation.max() <= CLOSE[1] and best is not goal:
         warn(
-            f"added mass and damping above {best.band[1]:.3g} rad/s contradict those below by "
-            f"{goal.deviation.max():.2g} of the largest, good: {CLOSE[0]:g}; the memory uses those below: "
-            "leave out the higher frequencies, or solve them to a smaller tolerance" + _ringing(body),
+            f"added mass and damping above {best.band[1]:.3g} rad/s contradict those at lower frequencies by "
+            f"{goal.deviation.max():.2g} of the largest, recommended: {CLOSE[0]:g}; the memory uses the lower "
+            f"frequencies only; leave out the higher frequencies, or solve them to a smaller "
+            f"tolerance" + _ringing(body),
             stacklevel=4,
         )
     return best
@@ -265,7 +267,7 @@ def _by_causality(body, goal, motions):
     warn(
         f"the stored added mass at infinite frequency contradicts the band by {goal.deviation.max():.2g} of the "
         f"largest, allowed: {CLOSE[1]:g}; the memory uses the value that follows from damping, "
-        f"with a deviation of {found.deviation.max():.2g}",
+        f"from which the band deviates by {found.deviation.max():.2g}",
         stacklevel=4,
     )
     return found
@@ -384,8 +386,9 @@ def _fitted(omega, wanted, size, group, tolerance, answered, words):
                     if tried == PATIENCE:
                         break
     raise FitError(
-        f"the memory of {', '.join(words[i] for i in group)} has an error of {best:.2g} with the best system tried; "
-        f"the tolerance is {tolerance:g}: allow a larger one, or solve the database to a smaller tolerance",
+        f"the memory of {', '.join(words[i] for i in group)} has an error of {best:.2g} with the best system that was "
+        f"tried, and the tolerance is {tolerance:g}; give a larger tolerance, or solve the database to a smaller "
+        f"tolerance",
         best / (MOVABLE if len(group) <= MOVED else COARSER),
     )
 

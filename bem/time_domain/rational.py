@@ -2,10 +2,11 @@
 
     H(s) ≈ Σ_k R_k / (s − p_k),    p_k common to all entries, real or in conjugate pairs
 
-by vector fitting (Gustavsen and Semlyen, IEEE Trans. Power Delivery 14, 1999; relaxed, 2006): poles move to the zeros
+by vector fitting (Gustavsen and Semlyen, IEEE Transactions on Power Delivery 14, 1999; relaxed, 2006): poles move to
+the zeros
 of σ = d + Σ c_k / (s − a_k) for which σ H has the poles a_k, until they stay.  The states, as many as poles times
 inputs, are reduced in balance: those that are weakly reached and weakly seen are taken to follow the others at once
-(Liu and Anderson, Int. J. Control 50, 1989), and what remains is stable.
+(Liu and Anderson, International Journal of Control 50, 1989), and what remains is stable.
 """
 
 from typing import NamedTuple

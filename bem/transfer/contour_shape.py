@@ -23,7 +23,9 @@ from ..modes import class_of
 
 
 class Answers(NamedTuple):
-    """Of one body alone, about its axis in its own axes; partial waves mode by mode, cos 0 … M and then sin 1 … M.
+    """Answers of one body alone, about its vertical axis and in its own axes.
+
+    Partial waves are ordered mode by mode, cos 0 … M and then sin 1 … M.
 
     radiation : (6, 6) ∬ φⱼ nᵢ dS of unit velocities; sent : (q, 6) by these; scattered : (q, q), column by column of
     regular waves; pressed : (6, q) ∬ φ nᵢ dS of each with what it scatters; residual : of the equations

@@ -220,7 +220,7 @@ class Coupled:
     def pairs(self):
         """((i, j), S) of all pairs, S [(q, q)] of each mode or None where nothing arrives: waves about i that j sends
 
-        Pairs of bodies of one size as far from each other in the same direction come one after another, with one S.
+        Pairs of equal bodies at equal distance and direction come one after another and share one matrix S.
         """
         alike = {}
         for i, j in product(range(len(self.each)), repeat=2):

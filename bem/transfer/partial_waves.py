@@ -22,7 +22,7 @@ LARGEST = 1e150  # of a wave where it is scaled, so that products of two are fin
 
 
 class PartialWaves(NamedTuple):
-    """Of one depth mode.
+    """The partial waves of one depth mode.
 
     kind : radiating, decaying or laplace; k : rad/m; last : highest order
     """

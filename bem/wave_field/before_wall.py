@@ -105,7 +105,7 @@ def given_back(body):
 def _check(body, wall):
     if body.between.wall is not None:
         raise WallError(
-            f"the body already has a wall at y = {body.between.wall:g} m; allowed: a database of open water"
+            f"the database already has a wall at y = {body.between.wall:g} m; allowed: a database of open water"
         )
     missing = [name for name in NEEDED if name not in body.between.quantities]
     if missing:

@@ -16,7 +16,7 @@ TRIED = 8  # points along a side of a patch, used to measure its length
 def panelled(numbers, patches):
     """Points (p, 3) and corners (n, 4) of `patches` patches whose numbers follow one another.  Raises ValueError."""
     if patches < 1:
-        raise ValueError(f"{patches} patches; allowed: 1 or more")
+        raise ValueError(f"the file has {patches} patches; allowed: 1 or more")
     splines, at = [], 0
     for _ in range(patches):
         spline, at = _patch(numbers, at)
@@ -48,7 +48,7 @@ def _patch(numbers, at):
 
     spans, orders = taken(2).astype(int), taken(2).astype(int)
     if min(*spans, *orders) < 1:
-        raise ValueError(f"a patch of {spans.tolist()} spans and order {orders.tolist()}; allowed: 1 or more")
+        raise ValueError(f"a patch has {spans.tolist()} spans and order {orders.tolist()}; allowed: 1 or more of each")
     knots = [taken(n + 2 * k - 1) for n, k in zip(spans, orders, strict=True)]
     counts = spans + orders - 1
     points = taken(3 * counts.prod()).reshape(counts[1], counts[0], 3).swapaxes(0, 1)

@@ -129,12 +129,13 @@ class _Edges:
         top, foot = (np.array_equal(np.flatnonzero(np.abs(z - at) <= reach), ends) for at in (z.max(), z.min()))
         if top:
             return (
-                f", all of its top, z = {z.max():.6g} m: if this is the waterline, move it to z = 0 "
+                f", all of them at its top, z = {z.max():.6g} m: if this is the waterline, move it to z = 0 "
                 f"(`hakobune mesh --move 0,0,{-z.max():.6g}`); otherwise close it"
             )
         if foot:
             return (
-                f", all of its foot, z = {z.min():.6g} m: a wall may end so on a bed of that depth; otherwise close it"
+                f", all of them at its foot, z = {z.min():.6g} m: a wall may end there if this is the sea bed; "
+                f"otherwise close it"
             )
         return "; close it"
 
@@ -176,7 +177,7 @@ def _position(mesh):
     if lids.any():
         yield Finding(
             "error",
-            f"{_count(lids)} in the water surface, facing up: they are dry; remove them; a lid is made separately",
+            f"{_count(lids)} in the water surface, facing up: they are dry; remove them; a lid is a separate mesh",
         )
     for axis in mesh.symmetry:
         side = mesh.vertices[..., "xy".index(axis)]
@@ -255,7 +256,7 @@ def _holes(edges, area):
         elif plane := edges.half(which):
             yield Finding(
                 "error",
-                f"the hull is open {along}, all of them in {plane} = 0: it is a half; add its image "
+                f"the hull is open {along}, all of them in {plane} = 0: it is one half of a hull; add its mirror image "
                 f"(`hakobune mesh --mirror {plane}`)",
             )
         else:

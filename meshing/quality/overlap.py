@@ -1,8 +1,9 @@
-"""Parts of a hull that overlap, by the solid angle of one part seen from another.
+"""Parts of a hull that overlap, found from the solid angle under which one part is seen from another.
 
     w(p) = (1/4π) Σ Ω(p),    tan Ω/2 = a·(b × c) / (|a||b||c| + (a·b)|c| + (b·c)|a| + (c·a)|b|)
 
-of triangles with corners a, b, c from p (Van Oosterom and Strackee, IEEE Trans. Biomed. Eng. 30, 1983) and of their
+of triangles with corners a, b, c from p (Van Oosterom and Strackee, IEEE Transactions on Biomedical Engineering 30,
+1983) and of their
 images above the water, which close a hull with an open waterline: ±1 inside, 0 outside.
 """
 

@@ -23,8 +23,7 @@ class Rings(NamedTuple):
     """number : (f,) ring of each free edge; seam : (r,) whether the ring is a closed seam
     joint : (r,) common number of the two rings of a pair that close each other
 
-    length : (r,) m; area : (r,) m², left open; widest : m, of the seams
-    Lengths and areas exclude images.
+    length : (r,) m; area : (r,) m² that is open; widest : m, of the seams Lengths and areas exclude images.
     """
 
     number: np.ndarray
@@ -51,7 +50,7 @@ class _Ring(NamedTuple):
 
 
 def rings(points, start, end, symmetry=""):
-    """Rings of directed free edges from point `start` (f,) to `end` (f,)
+    """`Rings` that directed free edges from point `start` (f,) to point `end` (f,) form
 
     symmetry : mirror planes, "", "x", "y" or "xy", whose images close rings that end on them
     """

@@ -41,13 +41,14 @@ def counter_clockwise(corners):
     least = SAME * np.ptp(corners, axis=0).max() ** 2
     if len(corners) < 3 or not (np.all(turn > -least) or np.all(turn < least)) or np.abs(turn).max() <= least:
         raise ValueError(
-            "is not a convex polygon; allowed: three or more corners in order; divide a bent gap into several parts"
+            "is not a convex polygon; allowed: three or more corners in order round it; divide a bent gap into "
+            "several convex parts"
         )
     return corners if turn.sum() > 0 else corners[::-1]
 
 
 def mirrored_in(polygons, symmetry):
-    """The planes of `symmetry` in which the polygons are mirror images of each other or of themselves"""
+    """Those mirror planes of `symmetry` in which the polygons are images of each other or of themselves"""
     return "".join(axis for axis in symmetry if all(_found(_image(p, axis), polygons) for p in polygons))
 
 
@@ -84,7 +85,7 @@ def _found(corners, polygons):
 
 
 def _inside(points, ring):
-    """By the number of crossings to the right"""
+    """Whether points lie inside: the number of crossings to the right is odd"""
     a, b = ring, np.roll(ring, -1, axis=0)
     x, y = points[:, :1], points[:, 1:]
     crosses = (a[:, 1] > y) != (b[:, 1] > y)

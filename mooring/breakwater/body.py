@@ -27,7 +27,7 @@ class Buoyant:
 
     @property
     def roll_stiffness(self):
-        """Of pressures about the centre of gravity, N"""
+        """Roll stiffness of the pressures about the centre of gravity, N"""
         return self.density * self.gravity * (self.waterline**3 / 12 + self.area * (self.buoyancy_z - self.z0))
 
     def _check(self, positive):
@@ -100,7 +100,7 @@ class OnTautLines(Buoyant):
 
     def _check_lines(self):
         if not 0 < self.angle < np.pi:
-            raise ValueError(f"lines at {np.degrees(self.angle):g}°; allowed: above 0 and below 180")
+            raise ValueError(f"the lines are at {np.degrees(self.angle):g}°; allowed: above 0 and below 180")
         for name in ("attachment", "line"):
             if not 0 < getattr(self, name) < np.inf:
                 raise ValueError(f"{name} is {getattr(self, name):g} m; allowed: above 0 and finite")

@@ -37,7 +37,9 @@ def elastic_exact(body, section, axial_stiffness):
     stiffness, stretch = stiffness_of(body, axial_stiffness)
     softest = np.linalg.eigvalsh(stiffness / np.outer([1, 1, body.radius], [1, 1, body.radius]))[0]
     if softest <= 0:
-        raise ValueError(f"the upright body is unstable: its least stiffness is {softest:.3g} N/m²; lower its weight")
+        raise ValueError(
+            f"the upright body is unstable: its smallest stiffness is {softest:.3g} N/m²; lower its centre of gravity"
+        )
     to_origin = moved_to_origin(body.z0)
     impedance, force = about_gravity(section, to_origin)
     mass = np.diag([body.mass, body.mass, body.inertia])

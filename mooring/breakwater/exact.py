@@ -35,7 +35,9 @@ def free_exact(body, section):
     check_section(body, section)
     if body.roll_stiffness <= 0:
         height = body.roll_stiffness / (body.density * body.gravity * body.area)
-        raise ValueError(f"metacentric height {height:.3g} m without lines: the body capsizes; lower its weight")
+        raise ValueError(
+            f"metacentric height {height:.3g} m without lines: the body capsizes; lower its centre of gravity"
+        )
     to_origin = moved_to_origin(body.z0)
     stiffness = np.diag([0.0, body.heave_stiffness, body.roll_stiffness])
     impedance, force = about_gravity(section, to_origin)
@@ -87,6 +89,6 @@ def check_section(body, section):
     asked = (body.waterline, body.draft, body.depth, body.density, body.gravity)
     if not np.allclose(there, asked, rtol=1e-12, atol=0):
         raise ValueError(
-            f"the section has beam, draft, depth, density, gravity {there}, and the body {asked}; use the "
-            f"section of the body"
+            f"the section has beam, draft, depth, density and gravity {there}, but the body has {asked}; give the "
+            f"section of this body"
         )

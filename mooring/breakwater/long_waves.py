@@ -70,8 +70,8 @@ def line_tensions(horizontal, vertical, angle):
     """P_F and P_B (…) of lines at `angle` (rad, below π/2) that hold a body against the forces of waves"""
     if not 0 < angle < np.pi / 2:
         raise ValueError(
-            f"lines of a fixed body at {np.degrees(angle):g}°; allowed: above 0 and below 90, since with vertical or "
-            "crossed lines the body can move"
+            f"the lines of a fixed body are at {np.degrees(angle):g}°; allowed: above 0 and below 90, since vertical "
+            "or crossed lines let the body move"
         )
     up, along = vertical / np.sin(angle) / 2, horizontal / np.cos(angle) / 2
     return up + along, up - along

@@ -41,7 +41,8 @@ def with_loss(response, coefficient, amplitude, omega, keel):
     """
     if not 0 <= coefficient <= LARGEST or not 0 <= amplitude < np.inf:
         raise ValueError(
-            f"loss coefficient {coefficient:g}, amplitude {amplitude:g} m; allowed: 0 to {LARGEST:g}, 0 or more"
+            f"loss coefficient is {coefficient:g} and amplitude {amplitude:g} m; allowed: coefficient 0 to "
+            f"{LARGEST:g}, amplitude 0 or more"
         )
     aside = np.exp(2j * wavenumber(omega, keel.depth, keel.gravity) * keel.half)
     odd, even = (response.reflection - response.transmission) * aside, response.reflection + response.transmission

@@ -63,7 +63,9 @@ def snap(body, sections, axial_stiffness, omega, amplitude, memory="states"):
     raises : ValueError
     """
     if not 0 < axial_stiffness < np.inf or not 0 <= amplitude < np.inf:
-        raise ValueError(f"EA is {axial_stiffness:g} N/m, amplitude {amplitude:g} m; allowed: above 0, finite")
+        raise ValueError(
+            f"EA is {axial_stiffness:g} N/m and the amplitude {amplitude:g} m; allowed: both above 0, finite"
+        )
     if not axial_stiffness > 2 * body.pretension:
         raise ValueError(
             f"EA is {axial_stiffness:g} N/m and the pretension is {body.pretension:.4g} N/m: the lines would "

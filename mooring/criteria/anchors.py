@@ -5,7 +5,8 @@
     pile           used = s max(H/H_u, V/V_u),  by friction V_u = ψ L c of its girth, length in the bed and cohesion
 
 UFC 4-159-03 (2005), equation 26, of drag anchors by type and soil, `tables/drag_anchors.csv`; Kihara et al. (1975),
-chapter 6, of sinkers and piles.  A drag anchor has no capacity for a pull upwards in any chart: it is told.
+chapter 6, of sinkers and piles.  No chart gives a drag anchor a capacity for an upward pull; a finding reports such a
+pull.
 """
 
 from functools import cache
@@ -102,7 +103,7 @@ def anchor_findings(names, anchors, along, up, where="at the largest tension"):
         named = shares(names, np.where(over, used, np.nan))
         yield fails(
             f"{over.sum()} of {len(known)} anchors {where} carry more than their capacity, limit 100 %: "
-            f"{named}; give a larger anchor, of the size in the anchor table, or a longer line"
+            f"{named}; give a larger anchor (the anchor table has the size), or a longer line"
         )
     lifted = [i for i in known if anchors[i].kind == "drag" and up[i] > LIFTED * along[i]]
     if lifted:
@@ -110,8 +111,8 @@ def anchor_findings(names, anchors, along, up, where="at the largest tension"):
         angle = np.degrees(np.arctan2(up[worst], along[worst]))
         yield (
             f"{len(lifted)} of {len(known)} anchors are drag anchors under uplift {where}, the most "
-            f"{names[worst]} with {up[worst] / 1e3:.3g} kN, {angle:.3g}° above the bed: their holding capacity "
-            "is valid for a horizontal pull; give more chain, or use a sinker or pile"
+            f"{names[worst]} with {up[worst] / 1e3:.3g} kN, {angle:.3g}° above the bed: their holding capacity is "
+            "valid for a horizontal pull only; give more chain, or use a sinker or pile"
         )
     charted = [anchors[i].chart for i in known if anchors[i].chart]
     unsure = dict.fromkeys(chart.source for chart in charted if chart.status == "unverified")

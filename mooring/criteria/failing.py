@@ -1,4 +1,4 @@
-"""What breaks, or fails what was asked: a line of text that says so, wherever it is kept or printed.
+"""A line of text about something that breaks, or fails a limit, wherever the line is kept or printed.
 
 A finding is one line.  A finding that begins with FAILS reports something that breaks, or that exceeds a limit, check
 or tolerance set by the user or by default; it names the thing, the number, the limit and a remedy.  Any other is a

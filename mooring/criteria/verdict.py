@@ -3,7 +3,7 @@
     at most    u = value / limit          at least   u = limit / value
     partial factors    u = (γ_mean T_mean + γ_dyn (T − T_mean)) / (0.95 T_break)        DNV-OS-E301, ch. 2 sec. 2
 
-A criterion is met where u ≤ 1.  One that no case has the quantity for is reported as not judged, never as met.
+A criterion is met where u ≤ 1.  A criterion whose quantity no case has is reported as not judged, never as met.
 """
 
 from dataclasses import dataclass
@@ -67,7 +67,8 @@ class Case(NamedTuple):
 
 
 class Use(NamedTuple):
-    """What a load case uses of a criterion: value in the unit of the criterion, utilisation, of which line or motion"""
+    """Utilisation of a criterion by a load case: value in the unit of the criterion, utilisation, and the line or
+    motion it belongs to"""
 
     case: str
     item: str

@@ -103,7 +103,7 @@ def deflection_at(fender, force):
     above = np.flatnonzero(fender.loading(grid) >= force)
     if not len(above):
         raise DolphinError(
-            f"{fender.name}: {force / 1e3:.4g} kN act on it, and its table ends with "
+            f"{fender.name}: {force / 1e3:.4g} kN act on it, but its table ends at "
             f"{fender.largest_reaction(fender.limit) / 1e3:.4g} kN; use more or larger fenders"
         )
     low, high = (grid[above[0] - 1], grid[above[0]]) if above[0] else (0.0, 0.0)

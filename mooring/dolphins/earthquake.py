@@ -12,7 +12,7 @@ line of acceleration is taken off it.
 
 In the body's motion against the ground, u = η − y_g, the ground drives as −(M + a) ÿ_g where N is small, so that a
 response spectrum S_a gives R = (M + a) S_a(T, ζ), with period and damping of the equivalent spring at its own u.  A
-spectrum of one damping is taken to another by √(0.10/(0.05 + ζ)), at least 0.55 (EN 1998-1, 3.2.2.2).
+spectrum for one damping ratio is converted to another by √(0.10/(0.05 + ζ)), at least 0.55 (EN 1998-1, 3.2.2.2).
 """
 
 from itertools import islice
@@ -106,7 +106,7 @@ def normalised_reaction(omega, mass, added_mass, damping, stiffness):
 def ground_of_record(time, acceleration, after=0.0):
     """`Ground` of a record of acceleration, m/s², with corrected base line, followed by `after` s of rest.
 
-    raises : EarthquakeError for a record with gaps, or values that are none
+    raises : EarthquakeError for a record with gaps, or with values that are not numbers
     """
     t, a = np.asarray(time, float), np.asarray(acceleration, float)
     if len(t) < 4 or t.shape != a.shape or not (np.all(np.isfinite(t)) and np.all(np.isfinite(a))):
@@ -117,8 +117,8 @@ def ground_of_record(time, acceleration, after=0.0):
     if not np.all(np.abs(steps - steps[0]) <= UNEVEN * abs(steps[0])) or steps[0] <= 0:
         i = int(np.argmax(np.abs(steps - np.median(steps))))
         raise EarthquakeError(
-            f"the record steps by {steps[i]:g} s after {t[i]:g} s, and elsewhere by {np.median(steps):g} s; "
-            f"allowed: no gaps"
+            f"the time step of the record is {steps[i]:g} s after {t[i]:g} s and {np.median(steps):g} s elsewhere; "
+            f"allowed: equal steps without gaps"
         )
     if not np.any(a):
         raise EarthquakeError("all accelerations of the record are 0; give a record with motion of the ground")

@@ -124,7 +124,7 @@ def _deflection(fender, force):
     above = np.flatnonzero(fender.loading(grid) >= force)
     if not len(above):
         raise FenderError(
-            f"{fender.name}: {force / 1e3:.4g} kN act on it, and its table ends with "
+            f"{fender.name}: {force / 1e3:.4g} kN act on it, but its table ends at "
             f"{fender.largest_reaction(fender.limit) / 1e3:.4g} kN; use more or larger fenders"
         )
     return float(np.interp(force, fender.loading(grid[: above[0] + 1]), grid[: above[0] + 1]))

@@ -53,7 +53,8 @@ def _offsets(ends, where):
         found = OFFSET.fullmatch(end)
         if not found:
             raise TableError(
-                f"{where}: the times have different time zones, one is {end!r}; allowed: Z or the same offset for all"
+                f"{where}: the times have different time zones, one of them {end!r}; allowed: Z or the same offset "
+                f"for all"
             )
         size = 0 if end == "Z" else (3600 * int(found[2]) + 60 * int(found[3])) * (-1 if found[1] == "-" else 1)
         known[end] = size
@@ -111,8 +112,8 @@ def check_rising(time, where):
     same = np.abs(rise[back]) <= HOUR
     if same.all() and months <= {3, 4, 9, 10, 11}:
         raise TableError(
-            f"{where}: {len(back)} hours are repeated, the first {time[back[0]]}, all in spring or autumn: this "
-            f"is local time with summer time; give hindcast.zone: {ALLOWED}"
+            f"{where}: {len(back)} hours are repeated, first {time[back[0]]}, all in spring or autumn: the file has "
+            f"local time with summer time; give hindcast.zone: {ALLOWED}"
         )
     raise TableError(
         f"{where}: time does not increase after {time[back[0]]}, at {len(back)} places; allowed: increasing, "

@@ -120,7 +120,7 @@ def response_of(body, points, wanted):
     first = transfer_functions(body, omega[:1], np.zeros(1), points, water)
     strange = [name for name in wanted if name not in first.names]
     if strange:
-        raise ValueError(f"there is no response {strange[0]!r}; allowed: {', '.join(first.names)}")
+        raise ValueError(f"there is no response named {strange[0]!r}; allowed: {', '.join(first.names)}")
     chosen = [first.names.index(name) for name in wanted]
     harmonics = 2 * body.radius * wavenumber(omega, body.depth, body.gravity)
     counts = HEADINGS_AT_ONCE * np.ceil(np.clip(PER_HARMONIC * harmonics, *RING) / HEADINGS_AT_ONCE).astype(int)

@@ -49,7 +49,7 @@ def read_columns(path, time, zone, wanted, location=None):
         moments = times(moments, zone, path.name)
     bare = [name for name, kind in wanted.items() if units[name] is None and kind in UNITS]
     found = {name: found[name] * _size(path, name, units[name], kind) for name, kind in wanted.items()}
-    said = [f"{', '.join(bare)} in {path.name} have no unit; m, s, degrees and m/s are assumed"] if bare else []
+    said = [f"{', '.join(bare)} in {path.name} have no units; m, s, degrees and m/s are assumed"] if bare else []
     return moments, found, said
 
 
@@ -106,7 +106,7 @@ def _of_swan(path, rows):
     heads = [row[1:] for row in rows if row[0] == "%" and len(row) > 1]
     at = next((i for i, row in enumerate(heads) if i and all(re.fullmatch(r"\[.*\]?|.*\]", one) for one in row)), None)
     if at is None:
-        raise TableError(f"{path.name} has no lines of names and [units] above its rows; give a table with headers")
+        raise TableError(f"{path.name} has no line of column names and no line of [units] above its rows; give both")
     units = re.findall(r"\[\s*(.*?)\s*\]", " ".join(heads[at]))
     rows = ([re.sub(r"^(\d{4})(\d\d)(\d\d)\.(\d\d)(\d\d)(\d\d)$", r"\1-\2-\3T\4:\5:\6", one) for one in row]
             for row in rows if row[0] != "%")  # fmt: skip
@@ -181,7 +181,8 @@ def _at(path, values, time, location):
     count = int(np.prod(sizes))
     if values.size != count * time.size or (count > 1 and location is None) or not 1 <= (location or 1) <= count:
         shown = ", ".join(f"{axis} {size}" for axis, size in values.sizes.items())
-        raise TableError(f"{path.name}: {values.name} has {shown}; allowed: {time.name} alone, or hindcast.location "
-                         f"from 1 to {count}, a place of its other axes, the last fastest")  # fmt: skip
+        raise TableError(f"{path.name}: {values.name} has {shown}; allowed: the axis {time.name} alone; or give "
+                         f"hindcast.location from 1 to {count}, counted along the other axes with the last axis "
+                         f"fastest")  # fmt: skip
     place = np.unravel_index((location or 1) - 1, sizes) if sizes else ()
     return np.asarray(values.isel(dict(zip(axes, map(int, place), strict=True))).values, float).ravel()

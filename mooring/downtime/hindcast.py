@@ -96,8 +96,8 @@ def made(time, waves, columns, where):
     count = steps / step
     if np.any(np.abs(count - np.round(count)) > 1e-6) or np.any(count < 1):
         at = int(np.argmax(np.abs(count - np.round(count))))
-        raise TableError(f"{where}: step after {time[at]} is {steps[at] / 3600:.4g} h, and the others are "
-                         f"{step / 3600:g} h; allowed: equal steps, with gaps of whole steps")  # fmt: skip
+        raise TableError(f"{where}: the step after {time[at]} is {steps[at] / 3600:.4g} h and the other steps are "
+                         f"{step / 3600:g} h; allowed: equal steps; a gap must be a whole number of steps")  # fmt: skip
     said = [*_gaps(time, np.round(count).astype(int), step)]
     waves = [WaveHours(*(_cleaned(f"{kind} of waves", part, kind, where, said) for kind, part in
                          zip(("height", "period", "direction"), one, strict=True))) for one in waves]  # fmt: skip
@@ -148,7 +148,7 @@ def _cleaned(name, values, kind, where, said):
             "in SI, or a code for missing data such as -999; if the unit is another, name it in the header, "
             'such as "hs [cm]"'
         )
-    said.append(f"{len(beyond)} values of {name} are codes for missing data, such as {values[beyond[0]]:g}")
+    said.append(f"{len(beyond)} values of {name} are taken as codes for missing data, such as {values[beyond[0]]:g}")
     values[beyond] = np.nan
     return values
 
@@ -170,5 +170,5 @@ def _calms(waves, ice, said):
     if ice_rows:
         said.append(f"{ice_rows} rows have ice and no waves; they count as calm")
     if calm_rows:
-        said.append(f"{calm_rows} rows are calms, lower than {CALM:g} m")
+        said.append(f"{calm_rows} rows are calm, with waves below {CALM:g} m")
     return out

@@ -62,7 +62,8 @@ class Interpolant:
 
 
 def fitted(x, height, used):
-    """The Interpolant of states with features x (s, d), height (s,) m and what each seed used (s, seeds) of a limit
+    """The Interpolant of states with features x (s, d), height (s,) m and the utilisation (s, seeds) of a limit by each
+    seed
 
     raises : ImportError without scikit-learn
     """

@@ -36,7 +36,7 @@ class Planes(NamedTuple):
                 yield density / np.float32(2 * np.pi)
 
     def path(self, row):
-        """Of the file of an hour"""
+        """Path of the file of one hour"""
         return self.paths[int(np.searchsorted(np.cumsum(self.counts), row, side="right"))]
 
 
@@ -52,7 +52,10 @@ def read_planes(paths, location, x_axis):
             grid = 2 * np.pi * frequency, np.mod(x_axis - towards, 2 * np.pi)
             first = first or grid
             if any(a.shape != b.shape or not np.allclose(a, b) for a, b in zip(first, grid, strict=True)):
-                raise TableError(f"the frequencies or directions of {path} differ from {paths[0]}; allowed: the same")
+                raise TableError(
+                    f"the frequencies or directions of {path} differ from those of {paths[0]}; allowed: "
+                    f"the same in all files"
+                )
             moments.append(time)
             found.append(_integrals(*grid, density / (2 * np.pi)))
         counts.append(sum(map(len, moments)) - before)
@@ -73,7 +76,7 @@ def _integrals(omega, angle, density):
 def moments_of_planes(response, omega, angle, density, orders=(0, 2)):
     """(len(orders), n, c) moments of planes (n, f, d) m² s/rad², straight between omega (f,) rad/s and angle (d,) rad
 
-    density : iterable of (m, f, d), together n; nan of an hour that is unknown
+    density : iterable of arrays (m, f, d), n hours in all; nan in an hour without data
     """
     kernel = _kernel(response, np.asarray(omega, float), np.asarray(angle, float), orders)
     parts = [part.reshape(len(part), -1) @ kernel.astype(part.dtype) for part in density]

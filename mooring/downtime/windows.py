@@ -44,7 +44,7 @@ def in_windows(found, count, steps):
 def waiting(found, known, slot, steps):
     """(n,) rows of waiting from each row for a window of `steps` rows; nan where the record does not determine it
 
-    The wait from a row inside a long enough window is 0 as long as `steps` rows of it remain.
+    The wait from a row inside a window is 0 if at least `steps` rows of the window remain.
     """
     count = len(slot)
     start = np.zeros(count, bool)

@@ -93,7 +93,9 @@ class Sea:
         ends = self.spectrum.quantile(BAND)
         low, high = ends[0] if low is None else low, ends[1] if high is None else high
         if not 0 <= low < high < np.inf:
-            raise ValueError(f"components from {low:g} to {high:g} rad/s; allowed: 0 ≤ low < high, finite")
+            raise ValueError(
+                f"components are requested from {low:g} to {high:g} rad/s; allowed: 0 ≤ low < high, finite"
+            )
         missed = 1 - self.spectrum.moment(0, low, high) / self.spectrum.moment(0)
         if missed > MOST_MISSED:
             warnings.warn(
@@ -178,7 +180,7 @@ def _shares_of_one(headings, direction):
         given = ", ".join(f"{np.rad2deg(b):g}" for b in headings)
         raise ValueError(
             f"wave direction {np.rad2deg(direction):g}° does not lie between two headings at most 45° apart "
-            f"({given}°); add it"
+            f"({given}°); add this heading"
         )
     return share
 

@@ -5,7 +5,7 @@ ISSC (SR179 report, 1982, guideline 2.5; its T_v²/2π is a misprint for T_v/2π
     S = 0.11 H² (T_v/2π) (ω/ω_v)⁻⁵ exp{−0.44 (ω/ω_v)⁻⁴},    ω_v = 2π/T_v
 
 Mitsuyasu-Bretschneider (same report, eq. 3.6.11) and Bretschneider (Kihara, Kitatani & Todoroki 1975,
-Rep. PHRI 14(2), eq. 6.1 to 6.3, with H1/3 = 1.60 H̄ and T̄ = 0.9 T1/3), S(ω) = S(f)/2π:
+Reports of the PHRI 14(2), eq. 6.1 to 6.3, with H1/3 = 1.60 H̄ and T̄ = 0.9 T1/3), S(ω) = S(f)/2π:
 
     S(f) = 0.257 H² T⁻⁴ f⁻⁵ exp{−1.03 (T f)⁻⁴},    T = T1/3
     S(f) = (3.45/8) H̄² T̄⁻⁴ f⁻⁵ exp{−0.675 (T̄ f)⁻⁴}
@@ -100,8 +100,8 @@ def jonswap_fetch(wind_speed, fetch, *, gamma=3.3, gravity=GRAVITY):
     longest = FULLY_DEVELOPED * speed**2 / g
     if fetch > longest * (1 + 1e-9):
         raise ValueError(
-            f"fetch is {fetch:g} m; after {longest:.4g} m the sea of a wind of {speed:g} m/s is fully developed, "
-            "f_p U/g = 0.13; give at most that"
+            f"fetch is {fetch:g} m; beyond {longest:.4g} m the sea of a wind of {speed:g} m/s is fully developed, f_p "
+            "U/g = 0.13; give at most that fetch"
         )
     x = g * fetch / speed**2
     peak_omega = 2 * np.pi * 3.5 * x**-0.33 * g / speed
@@ -130,7 +130,7 @@ def read_spectrum(path):
             omega, values = values[:, names.index(frequency)] * factor, values[:, names.index(density)] / factor
             return _of_file(path, omega, values)
     allowed = " or ".join(",".join(pair) for pair in COLUMNS)
-    raise TableError(f"{path} has the columns {','.join(names or ['without names'])}; allowed: {allowed}")
+    raise TableError(f"{path} has the columns {','.join(names or ['without names'])}; allowed columns: {allowed}")
 
 
 def _of_file(path, omega, values):

@@ -40,7 +40,9 @@ class Spectrum:
             raise ValueError(f"order of the moment is {order}; allowed: {', '.join(map(str, ORDERS))}")
         low, high = np.asarray(low, float), np.asarray(high, float)
         if not (np.all(low >= 0) and np.all(low <= high)):
-            raise ValueError(f"moment from {np.min(low):g} to {np.max(high):g} rad/s; allowed: 0 ≤ low ≤ high")
+            raise ValueError(
+                f"the moment is requested from {np.min(low):g} to {np.max(high):g} rad/s; allowed: 0 ≤ low ≤ high"
+            )
         value = self._moment(order, low, high)
         return value if value.ndim else float(value)
 
@@ -112,7 +114,10 @@ class Peaked(Spectrum):
     def _moment(self, order, low, high):
         low, high = low / self.peak_omega, high / self.peak_omega
         if order == 4 and np.any(np.isinf(high)):
-            raise ValueError(f"{self.name} spectrum: moment 4 of an ω⁻⁵ tail is infinite; give a finite high")
+            raise ValueError(
+                f"{self.name} spectrum: its tail is ω⁻⁵, so its fourth moment is infinite; give high, "
+                f"the highest frequency"
+            )
         value = _moment_without_peak(order, low, high)
         if self.gamma > 1:
             value = value + self._excess(order, high) - self._excess(order, low)
@@ -170,8 +175,8 @@ class Tabulated(Spectrum):
     def _moment(self, order, low, high):
         if order == -1 and self.omega[0] == 0 and self.values[0] > 0 and np.any(low == 0):
             raise ValueError(
-                f"{self.name} spectrum: moment −1 is infinite, since the density at frequency 0 is "
-                f"{self.values[0]:g} m² s; give a low above 0"
+                f"{self.name} spectrum: moment −1 is infinite, since the density at frequency 0 is {self.values[0]:g} "
+                f"m² s; give low, the lowest frequency, above 0"
             )
         return self._up_to(order, high) - self._up_to(order, low)
 

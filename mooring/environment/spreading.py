@@ -6,7 +6,8 @@
                         (Mitsuyasu et al. 1975, Goda & Suzuki 1975; s_max 10 wind waves, 25 and 75 swell)
     wrapped normal      D = Σ exp{−(θ + 2πk)²/2σ²} / √(2π)σ
 
-The circle is divided into 3600 cells; every sum over directions is one over these cells, scaled to a total of 1.
+The circle is divided into 3600 cells; every sum over directions is a sum over these cells, scaled so that the total is
+1.
 """
 
 from dataclasses import dataclass
@@ -44,8 +45,8 @@ class Spreading:
         error = np.abs(total - 1).max()
         if not error <= COARSE:
             raise ValueError(
-                f"{self!r}: the sum over cells of 0.1° misses 1 by {error:.2g}; allowed: {COARSE:g}; "
-                "a sea this narrow is long-crested (spreading None)"
+                f"{self!r}: the sum over cells of 0.1° differs from 1 by {error:.2g}; allowed: {COARSE:g}; give a "
+                "long-crested sea (spreading None) for a spreading this narrow"
             )
         return share / total
 
@@ -76,7 +77,9 @@ class CosinePower(Spreading):
     def __post_init__(self):
         within("exponent of the spreading", self.exponent, 0, 1e4)
         if not -np.pi / 2 <= self.low < self.high <= np.pi / 2:
-            raise ValueError(f"spreading from {self.low:g} to {self.high:g} rad; allowed: −π/2 ≤ low < high ≤ π/2")
+            raise ValueError(
+                f"the spreading extends from {self.low:g} to {self.high:g} rad; allowed: −π/2 ≤ low < high ≤ π/2"
+            )
 
     def __str__(self):
         sector = (
@@ -131,7 +134,7 @@ class Mitsuyasu(Spreading):
 
     def density(self, angle, omega=None):
         if omega is None:
-            raise ValueError("Mitsuyasu's spreading depends on the frequency; give omega")
+            raise ValueError("Mitsuyasu's spreading depends on the frequency; give the frequency omega")
         return _half_cosine(angle, self.exponent(omega))
 
     def exponent(self, omega):

@@ -89,14 +89,15 @@ def _row_by_row(path, text, named, width, blank):
 def column_of(path, names, wanted):
     """Place of a named column.  Raises TableError."""
     if names is None:
-        raise TableError(f"column is {wanted!r}, and {path} has no column names; leave it out")
+        raise TableError(f"column is {wanted!r}, but {path} has no column names; leave column out")
     if wanted not in names:
         raise TableError(f"{path} has no column {wanted!r}; allowed: {', '.join(names)}")
     return names.index(wanted)
 
 
 def without_rounding(time):
-    """The even times (n,) s that these are but for the digits they are written with, else these
+    """The evenly spaced times (n,) s from which these differ only by rounding in the file; if there are none, these
+    times
 
     0, 0.8, 1.6, 2.4, 3.3, … are steps of 0.814 s.  The last digit is at most a quarter of a step: no row is lost.
     """
@@ -130,8 +131,10 @@ def fault_of_steps(path, time, off, lines=None):
     where, a, b = f"{path}: line {line}", time[i], time[i + 1]
     if len(falling):
         moved = f"stays at {a:g} s" if a == b else f"goes back from {a:.8g} to {b:.8g} s"
-        return TableError(f"{where}: time {moved}; allowed: equal steps; sort the rows and remove duplicates")
-    told = f"{where}: time goes from {a:.8g} to {b:.8g} s and the step elsewhere is {usual:.6g} s"
+        return TableError(
+            f"{where}: the time {moved}; allowed: increasing times at equal steps; sort the rows and remove duplicates"
+        )
+    told = f"{where}: the time goes from {a:.8g} to {b:.8g} s, and the step elsewhere is {usual:.6g} s"
     lost = [max(0, round(step / usual) - 1) for step in steps[wrong]]
     whole = np.abs(steps[wrong] - usual * (1 + np.array(lost))) <= max(off, 0.05) * usual
     if len(wrong) and np.all(whole) and min(lost) > 0:

@@ -96,7 +96,7 @@ def read_record(path, step=None, column=None):
             f"{path}: line {lines[gaps[0]]} has no finite number{many}; fill in the value, or cut the record there"
         )
     if timed and step is not None:
-        raise TableError(f"{path} has a time column, and a step of {step:g} s is given as well; leave out the step")
+        raise TableError(f"{path} has a time column, but a step of {step:g} s is given as well; leave out the step")
     if not timed and step is None:
         raise TableError(f"{path} has one column and no times; give the step (s), or times in a first column")
     elevation = values[:, place] * (unit_of(path, names[place], "length") if names else 1.0)

@@ -5,8 +5,8 @@
     C = 0.0573 √(1 + 0.15 U₀),   I = 0.06 (1 + 0.043 U₀) (z/10)^−0.22,   T₀ = 1 h
 
 U₁₀ is a 10-minute and U₀ a one-hour mean, both 10 m above the sea.  C_H multiplies the speed, not the pressure: it is
-the square root of the height coefficient of classification rules.  It is a step table; each band includes its lower and
-excludes its upper bound; in the middle of the bands α varies from 1/17 at 23 m to 1/11 above 130 m (the report says
+the square root of the height coefficient of classification rules.  C_H is a step table; each band includes its lower
+and excludes its upper bound; in the middle of the bands α varies from 1/17 at 23 m to 1/11 above 130 m (the report says
 about 1/12 to 1/14).
 """
 
@@ -105,7 +105,7 @@ def mean_over(speed, given, wanted, height=10.0):
     reached = np.array([froya_speed_at(height, hourly, given) for hourly in tried])
     if reached.max() < speed:
         raise ValueError(
-            f"wind of {speed:.4g} m/s over {given:g} s at {height:g} m: the Frøya formula has at most "
+            f"the wind is {speed:.4g} m/s over {given:g} s at {height:g} m; the Frøya formula reaches at most "
             f"{reached.max():.4g} m/s there; give the wind at 10 m"
         )
     upper = tried[np.argmax(reached >= speed)]

@@ -35,7 +35,7 @@ class OnDolphin(Fender):
 
 
 def led_on(x, knots, values):
-    """Straight lines through values at rising knots, the last led on"""
+    """Straight lines through values at rising knots; the last line is extended"""
     slope = (values[-1] - values[-2]) / (knots[-1] - knots[-2])
     return float(np.interp(x, knots, values) + slope * max(x - knots[-1], 0.0))
 
@@ -69,8 +69,8 @@ def in_series(fender, deflection_of, points=400):
             i = falling[0]
             steepest = -np.min(np.diff(force) / np.diff(y2))
             raise FenderError(
-                f"{fender.name} on its dolphin becomes unstable at {y2[i]:.3g} m: the fender's reaction falls by up to "
-                f"{steepest / 1e3:.4g} kN/m; allowed: a dolphin stiffer than that"
+                f"{fender.name} on its dolphin becomes unstable at {y2[i]:.3g} m: the fender's reaction falls by up "
+                f"to {steepest / 1e3:.4g} kN/m, and the dolphin must be stiffer than that"
             )
     below = np.minimum(np.interp(y, back, down), up)
     stretch = float(fender.limit + deflection_of(fender.loading(fender.limit))) / fender.limit

@@ -82,8 +82,8 @@ class Fender:
         most = self.loading.integral(self.limit)
         if energy > most and np.isfinite(last):
             raise FenderError(
-                f"{self.name}: {energy / 1e3:.4g} kJ are requested and the table ends at {self.limit:.3g} m with "
-                f"{most / 1e3:.4g} kJ; choose a larger fender or give an overload stiffness"
+                f"{self.name}: an energy of {energy / 1e3:.4g} kJ is requested, but its table ends at "
+                f"{self.limit:.3g} m with {most / 1e3:.4g} kJ; choose a larger fender or give an overload stiffness"
             )
         low, high = 0.0, self.limit
         while self.loading.integral(high) < energy:
@@ -135,7 +135,8 @@ class Fender:
             raise FenderError(f"{self.name}: its deflection is {most:g} m; allowed: finite")
         if self.overload is None and most > self.limit * (1 + 1e-12):
             raise FenderError(
-                f"{self.name}: {most:.3g} m ({100 * most / self.height:.1f} %) is beyond its table, which ends at "
+                f"{self.name}: a deflection of {most:.3g} m ({100 * most / self.height:.1f} %) is beyond its table, "
+                f"which ends at "
                 f"{self.limit:.3g} m ({100 * self.limit / self.height:.1f} %); give an overload stiffness"
             )
 
@@ -198,7 +199,7 @@ def _check_points(name, height, x, up, down):
         i = over[np.argmax((down - up)[over])]
         raise FenderError(
             f"{name}: at {x[i]:g} m it unloads with {down[i] / 1e3:.4g} kN, above the loading curve of "
-            f"{up[i] / 1e3:.4g} kN, which would create energy; allowed: unloading at most as high as loading"
+            f"{up[i] / 1e3:.4g} kN, so the fender would create energy; allowed: unloading at or below loading"
         )
 
 

@@ -14,7 +14,8 @@ def deflection_of(fender, energy):
 
 
 def at_deflections(fenders, deflections):
-    """Strain of each fender itself, and its largest reaction, N, up to its deflection, m; nan where that is nan"""
+    """Strain of each fender without its dolphin, and its largest reaction, N, up to its deflection, m; nan where the
+    deflection is nan"""
     strain, reaction = np.full((2, len(fenders)), np.nan)
     for k, (one, x) in enumerate(zip(fenders, deflections, strict=True)):
         if np.isfinite(x):

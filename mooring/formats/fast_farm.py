@@ -20,9 +20,7 @@ def read_fast_farm(path, depth=None):
     count = _value(lines, "NumTurbines")
     file = _value(lines, r"(?:SharedMoorFile|MoorFile)")
     if count is None or not count.isdecimal() or file is None or not file.strip():
-        raise FormatError(
-            f"{path} has no NumTurbines or no SharedMoorFile; allowed: FAST.Farm's primary file with both"
-        )
+        raise FormatError(f"{path} lacks NumTurbines or SharedMoorFile; allowed: FAST.Farm's primary file with both")
     head = next((k for k, line in enumerate(lines) if re.match(r"\s*WT_X\s+WT_Y", line)), None)
     rows = [] if head is None else [line.split()[:3] for line in lines[head + 2 : head + 2 + int(count)]]
     try:

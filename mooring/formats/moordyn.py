@@ -131,7 +131,10 @@ def _rows(key, rows, path):
     section = SECTIONS[key]
     if len(rows) < 2:
         raise fault(
-            path, rows[0][0] if rows else None, section.title, "a line of column names and a line of units are required"
+            path,
+            rows[0][0] if rows else None,
+            section.title,
+            "the section needs a line of column names and a line of units",
         )
     names, entries = rows[0][1].split(), [line.split("#")[0].split() for _, line in rows[2:]]
     if key == "bodies" and "xcg" in map(str.lower, names):
@@ -163,7 +166,9 @@ def _columns(key, names, counts, place):
         usual = SECTIONS[key].row._fields
         moved = [name for name, field in zip(names, usual, strict=False) if known.get(name, field) != field]
         if key == "lines" and moved:
-            raise fault(*place, f"column {strange[0]!r} is unknown and {moved[0]!r} is not in its place of version 2")
+            raise fault(
+                *place, f"column {strange[0]!r} is unknown, and {moved[0]!r} is not in its place in MoorDyn version 2"
+            )
         return usual
     return [known.get(name) for name in names]
 

@@ -1,8 +1,10 @@
 """Lines of a MoorDyn file out of the water: parts above the surface have their weight in air.
 
-Lines that cannot reach the water have a type with that weight: for a line of length L with ends at z_a and z_b no point
-is lower than (z_a + z_b − L)/2, and a free point at its end no lower than L below the other end.  Other lines with an
-end above the water have it for their parts above the water (`mooring.lines.system.surfacing`); lines that float or have
+A line that cannot reach the water has a type with the weight in air. If its length is L and its ends are at z_a and
+z_b, no point of it is lower than (z_a + z_b − L)/2. A free point at one end is at most L below the other end.  Other
+lines with an
+end above the water have the weight in air for their parts above the water (`mooring.lines.system.surfacing`); lines
+that float or have
 a table of stiffness keep their weight in water there, which a warning reports.
 """
 
@@ -80,7 +82,8 @@ def weighed_differently(system):
 
 
 def out_of_water(lines, points, bodies, dry, water):
-    """The lines, those with a given end above the water with their weight in air; a message on those without.
+    """The lines; a line with a given end above the water has its weight in air, and a message names the lines that do
+    not.
 
     dry : names of `in_air`
     """
@@ -94,5 +97,5 @@ def out_of_water(lines, points, bodies, dry, water):
         else:
             made.append(line)
             left.append(line.name)
-    what = f"line {', '.join(left)} leaves the water, and its weight in water is used there too"
+    what = f"line {', '.join(left)} leaves the water; its part in the air also has its weight in water here"
     return made, [what] if left else []

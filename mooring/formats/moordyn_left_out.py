@@ -34,9 +34,13 @@ def left_out(file, moves=False):
     bent = [row.name for row in file.rod_types if file.rods and file.lines]
     heeled = [row.id for row in file.bodies if row.attachment.lower() in FREE and (row.roll0 or row.pitch0)]
     for names, what in (
-        ([row.id for row in file.failures], "failure {} of lines is left out: nothing breaks at rest"),
+        ([row.id for row in file.failures], "failure {} of lines is left out: lines do not break in the statics"),
         (bent, "bending and end forces of rods of type {} are not included"),
-        (heeled, "free body {} starts heeled (r0, p0): not used, its equilibrium is sought from upright"),
+        (
+            heeled,
+            "free body {} starts heeled (r0, p0): the heel is not used; the search for its equilibrium starts "
+            "from upright",
+        ),
         (joints, "rod {} has no length: the bending moment that it transmits is not included"),
     ):
         if names:
@@ -60,8 +64,8 @@ def _of_types(file, moves):
         ),
         (
             [row.name for row in rows if is_syrope(row)],
-            "the fast stiffness of the Syrope rope {} is not included, since at rest its slow working curve "
-            "applies; Tmean0 is not used, since the equilibrium gives the tension",
+            "the fast stiffness of the Syrope rope {} is not included, since its slow working curve applies at rest; "
+            "Tmean0 is not used, since the tension follows from the equilibrium",
         ),
         ([row.name for row in rows if row.Cl], "vortex-induced vibration (Cl) of {} is not included"),
     ):
@@ -75,7 +79,7 @@ def _of_options(file):
         key = name.lower()
         if key in BROUGHT_IN:
             if not _nought(value):
-                yield f"{BROUGHT_IN[key]} ({name} {value}) left out: still water over a flat bed is used"
+                yield f"{BROUGHT_IN[key]} ({name} {value}) is left out: the water is still and the bed is flat"
         elif f" {key} " not in IN_TIME + UNDERSTOOD:
             unknown.append(name)
     if unknown:

@@ -41,17 +41,20 @@ class WorkingCurves(NamedTuple):
         """(k, 2) strain and tension, N, at rest, of a rope whose mean tension has been `largest`, N, its first 0"""
         strain, tension = self.original.T
         if not 0 <= largest <= tension[-1]:
-            raise ValueError(f"a mean tension of {largest:g} N; allowed: 0 to {tension[-1]:g} N, the range of its OWC")
+            raise ValueError(
+                f"the mean tension is {largest:g} N; allowed: 0 to {tension[-1]:g} N, the range of its "
+                f"original working curve (OWC)"
+            )
         if largest == 0:
             return self.original
         end = float(np.interp(largest, tension, strain))
         begin = end - largest / self.k1 if self.form == "linear" and self.k1 >= 1 else self.k1 * end
         if not begin < end:
-            raise ValueError(f"working curves that begin at the strain {begin:g} and end at {end:g}; allowed: rising")
+            raise ValueError(f"working curves begin at the strain {begin:g} and end at {end:g}; allowed: rising curves")
         xi = np.linspace(0.0, 1.0, 2 if self.form == "linear" else POINTS)
         worked = np.column_stack([begin + (end - begin) * xi, largest * self._share(xi)])
         if not np.all(np.diff(worked[:, 1]) > 0):
-            raise ValueError(f"a working curve that falls, k2 {self.k2:g}; allowed: rising")
+            raise ValueError(f"a working curve falls (k2 is {self.k2:g}); allowed: rising curves")
         return np.concatenate([worked, self.original[tension > largest]])
 
     def _share(self, xi):
@@ -109,7 +112,7 @@ def largest_tensions(file, path):
             what = (
                 f"line {min(unknown)} is unknown"
                 if unknown
-                else (f"{text.strip()!r} does not give lines, Tmax0 and Tmean0")
+                else (f"{text.strip()!r} does not give line numbers, Tmax0 and Tmean0")
             )
             raise FormatError(f"{path}, section SYROPE IC: {what}; allowed: line numbers such as 1,2, and two numbers")
         found |= dict.fromkeys(words[0].split(","), value)
@@ -125,7 +128,9 @@ def _working_curves(folder, name):
     k1, k2 = (finite_number(given.get(key, "")) for key in ("k1", "k2"))
     form = given.get("wctype", "").lower()
     if "owc" not in given or form not in FORMS or k1 is None or k2 is None:
-        raise FormatError(f"{path}: allowed: a file OWC, WCType {', '.join(FORMS).upper()}, and numbers k1, k2")
+        raise FormatError(
+            f"{path} is not a Syrope rope; allowed: a file OWC, WCType {', '.join(FORMS).upper()}, and numbers k1, k2"
+        )
     return WorkingCurves(_table(folder / given["owc"]), form, k1, k2)
 
 
@@ -137,8 +142,10 @@ def _table(path):
         if len(values) == 2 and None not in values:
             rows.append(values)
         elif rows and values:
-            raise FormatError(f"{path}, line {number}: {line.strip()!r}; allowed: a strain and a tension")
+            raise FormatError(f"{path}, line {number} is {line.strip()!r}; allowed: a strain and a tension")
     table = np.array(rows).reshape(-1, 2)
     if len(table) < 2 or np.any(table[0] != 0) or np.any(np.diff(table, axis=0) <= 0):
-        raise FormatError(f"{path}: {len(table)} rows; allowed: strain and tension, at least two, rising from 0, 0")
+        raise FormatError(
+            f"{path} has {len(table)} rows; allowed: at least two rows of strain and tension, rising from 0, 0"
+        )
     return table

@@ -61,7 +61,7 @@ def system_of_moordyn(file: MoorDynFile, path="MoorDyn file", depth=None, moves=
     """
     if not file.lines:
         others = ", ".join(title for title, rows in (("BODIES", file.bodies), ("RODS", file.rods)) if rows)
-        raise FormatError(f"{path}: there are no LINES, only {others}; give lines")
+        raise FormatError(f"{path} has no section LINES, only {others}; give lines")
     depth, said = _depth(file, path, depth)
     water = _Water(_option(file, path, 1025.0, DENSITY), _option(file, path, 9.80665, GRAVITY), path)
     friction = _option(file, path, 0.0, FRICTION)
@@ -134,7 +134,9 @@ def _depth(file, path, given):
             f"WtrDpth is missing; the bed is assumed at the lowest point, {lowest:g} m; give the depth if this is wrong"
         )
     elif depth < lowest:
-        said.append(f"depth is {depth:g} m and the lowest point at {lowest:g} m; the bed is taken there")
+        said.append(
+            f"depth is {depth:g} m, but the lowest point lies at {lowest:g} m; the bed is taken at the lowest point"
+        )
     return max(lowest, depth or 0.0), said
 
 
@@ -179,7 +181,7 @@ def _points_and_bodies(file, water, lines, turbines):
     points = [_point(row, file.bodies, water.path, turbines) for row in file.points]
     idle = [point.name for point in points if isinstance(point, FreePoint) and point.name not in used]
     points = [point for point in points if point.name not in idle]
-    said = [f"point {', '.join(idle)} is free and held by no line: ignored"] if idle else []
+    said = [f"point {', '.join(idle)} is free and no line holds it, so it is ignored"] if idle else []
     bodies, idle = [], []
     for row in file.rods:
         if {f"R{row.id}A", f"R{row.id}B"} & used:
@@ -189,10 +191,14 @@ def _points_and_bodies(file, water, lines, turbines):
         else:
             _check_idle(row, file, water.path)
             idle.append(row.id)
-    said += [f"rod {', '.join(idle)} carries no line: ignored except for its weight on a free body"] if idle else []
+    said += (
+        [f"rod {', '.join(idle)} carries no line, so it is ignored except for its weight on a free body"]
+        if idle
+        else []
+    )
     borne = {point.body for point in points if isinstance(point, Fairlead)}
     idle = [row.id for row in file.bodies if f"body {row.id}" not in borne]
-    said += [f"body {', '.join(idle)} carries no line: ignored"] if idle else []
+    said += [f"body {', '.join(idle)} carries no line, so it is ignored"] if idle else []
     bodies = [_body(row, file, water) for row in file.bodies if row.id not in idle] + bodies
     placed = [(f"turbine {number}", place) for number, place in turbines.items()]
     bodies = [MooredBody(name, (*place, 0.0, 0.0, 0.0), ()) for name, place in placed if name in borne] + bodies
@@ -207,8 +213,8 @@ def _check_idle(row, file, path):
     body = _body_of(kind.removesuffix("pinned"), file.bodies)
     if kind.endswith("pinned") and body is not None and body.attachment.lower() in FREE:
         raise FormatError(
-            f"{path}, section RODS: rod {row.id} is attached to {row.attachment} and turns; allowed on a free body: "
-            "rods that are rigid on it (Body and its id)"
+            f"{path}, section RODS: rod {row.id} is attached to {row.attachment} by a hinge; allowed on a free body: "
+            "rods fixed rigidly to it (Body and its id)"
         )
 
 
@@ -233,7 +239,7 @@ def _rod(row, file, water):
     if body is None:
         raise FormatError(
             f"{water.path}, section RODS: attachment of rod {row.id} is {row.attachment!r}; "
-            "allowed: Fixed, Coupled, Free, or Body and the id of one of BODIES (none that is pinned)"
+            "allowed: Fixed, Coupled, Free, or Body and the id of one of BODIES (not pinned)"
         )
     return [Fairlead(name, f"body {body.id}", place) for name, place in zip(names, ends, strict=True)], []
 
@@ -312,8 +318,8 @@ def _body(row, file, water):
     turns = np.radians([row.roll0, row.pitch0, row.yaw0])
     if np.count_nonzero(turns) > 1:
         raise FormatError(
-            f"{path}, section BODIES: body {row.id} has {np.count_nonzero(turns)} angles that are not 0, "
-            "and MoorDyn's versions turn in different orders; allowed: one"
+            f"{path}, section BODIES: body {row.id} has {np.count_nonzero(turns)} angles that are not 0, and versions "
+            "of MoorDyn apply them in different orders; allowed: one angle"
         )
     position = (row.x0, row.y0, row.z0, *turns)
     kind, name = row.attachment.lower().rstrip("0123456789"), f"body {row.id}"  # MoorDyn counts them: Coupled1

@@ -5,8 +5,8 @@ An axial wave of the shortest segment, l long, has the angular frequency and the
     ω = 2 √(EA/m) / l,    σ = 4 BA / (m l²) = 2 ζ ω,
 
 a node at the bed ω² = k d/m and σ = c d/m with the bed's kBot and cBot, a bent one ω = 4 √(EI/m) / l².  A free point
-with half the mass of the segments at it and its own mass, ω² ≤ 2 Σ(EA/l) / (½ Σ m l + M), is no faster than the fastest
-of its lines.  MoorDyn's scheme, Runge–Kutta of second order, is stable for a decaying motion up to σ dt = 2; an
+has half the mass of the segments at it and its own mass. With ω² ≤ 2 Σ(EA/l) / (½ Σ m l + M) it is no faster than the
+fastest of its lines.  MoorDyn's scheme, Runge–Kutta of second order, is stable for a decaying motion up to σ dt = 2; an
 undamped one grows by (ω dt)⁴/8 a step.  dtM is the least of 0.2/ω and 1/σ, rounded down.  Masses are those in air:
 added mass only slows the nodes down. MoorDyn 2.7 documentation, "Inputs" (names of options) and "Troubleshooting" (time
 step).
@@ -77,21 +77,23 @@ def moordyn_of_system(system: System, source: MoorDynFile | None = None) -> Moor
     lighter = weighed_differently(system)
     if lighter:
         warnings.warn(
-            f"line {', '.join(lighter)} comes out of the water; the part above has its weight in water here, and its "
-            "weight in air in MoorDyn",
+            f"line {', '.join(lighter)} comes out of the water; its part in the air has its weight in water here, but "
+            "its weight in air in MoorDyn",
             stacklevel=2,
         )
     lost = [line.name for line in system.lines if np.isfinite(line.breaking_load)]
-    told = f"; breaking loads are not in it, those of {', '.join(lost)} are lost" if lost else ""
+    told = f"; breaking loads are not in the file: those of {', '.join(lost)} are lost" if lost else ""
     if lost or any(not line.name.isdigit() for line in system.lines):
         numbers = ", ".join(f"{i} is {line.name}" for i, line in enumerate(system.lines, 1))
         warnings.warn(
-            f"the MoorDyn file numbers its lines: {numbers}{told}; keep the file they come from", stacklevel=2
+            f"the MoorDyn file has numbers instead of names for lines: {numbers}{told}; keep the original file",
+            stacklevel=2,
         )
     moved = [body.name for body in system.bodies if body.freedom]
     if moved:
         warnings.warn(
-            f"{', '.join(moved)} may move here, and the MoorDyn file holds it where it is given (Coupled)", stacklevel=2
+            f"{', '.join(moved)} may move here, but the MoorDyn file fixes it at its given place (Coupled)",
+            stacklevel=2,
         )
     options = {
         "dtM": repr(stable_step(system, longest, *bed)),

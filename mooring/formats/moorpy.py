@@ -46,12 +46,16 @@ def system_of_moorpy(data, path="YAML file", depth=None) -> System:
         site, data = data.get("site"), data["mooring"]
     unknown = sorted(str(key) for key in data if key not in READ)
     if unknown:
-        warnings.warn(f"{path}: not read: {', '.join(unknown)}; known: {', '.join(READ)}", stacklevel=3)
+        warnings.warn(
+            f"{path}: these tables are not read: {', '.join(unknown)}; known tables: {', '.join(READ)}", stacklevel=3
+        )
     data = {**site, **data} if isinstance(site, dict) else data
     if data.get("file"):
         return read_moordyn_system(Path(path).parent / data["file"], depth)
     if data.get("bodies"):
-        raise FormatError(f"{path}: bodies is not read, MoorPy does not define it yet; use points of type vessel")
+        raise FormatError(
+            f"{path}: the table bodies is not read, since MoorPy does not define it yet; use points of type vessel"
+        )
     density = _number(data, ("water_density", "rho_water", "rho"), path, "the file", 1025.0)
     given, depth = depth, _number(data, ("water_depth", "depth"), path, "the file", depth)
     if given is not None and given != depth:
@@ -67,11 +71,12 @@ def system_of_moorpy(data, path="YAML file", depth=None) -> System:
 def _check_kind(data, path):
     """Raises FormatError for a file that is no table of MoorPy or RAFT; the message names its kind if known"""
     if not isinstance(data, dict):
-        raise FormatError(f"{path}: the file is not a table of keys; this is no MoorPy file")
+        raise FormatError(f"{path}: the file is not a table of keys, so it is not a MoorPy file")
     if FAMODEL & set(data):
         raise FormatError(
-            f"{path} is an ontology of FAModel ({', '.join(sorted(FAMODEL & set(data)))}), which lays out whole arrays "
-            "and is not read; allowed: the system that FAModel makes of it (getMoorPyArray), unloaded as MoorDyn input"
+            f"{path} is an ontology of FAModel ({', '.join(sorted(FAMODEL & set(data)))}), which describes whole "
+            "arrays and is not read; allowed: the system that FAModel builds from it (getMoorPyArray), written as "
+            "MoorDyn input"
         )
     known = data.get("mooring") or data
     if not (data.get("array_mooring") or (isinstance(known, dict) and (known.get("file") or set(KNOWN) & set(known)))):
@@ -87,7 +92,9 @@ def _turbines(array, path):
         keys, rows = list(array["keys"]), array["data"]
         places = [[float(row[keys.index(key)]) for key in ("x_location", "y_location")] for row in rows]
     except (KeyError, TypeError, ValueError, IndexError):
-        raise FormatError(f"{path}: array has no x_location and y_location of its turbines; allowed: both") from None
+        raise FormatError(
+            f"{path}: the table array lacks x_location or y_location of its turbines; give both"
+        ) from None
     return {number: (*place, 0.0) for number, place in enumerate(places, 1)}
 
 

@@ -39,8 +39,8 @@ def system_of_orcaflex(data, path="YAML file", depth=None) -> System:
     """The System of nested dictionaries; depth : m, if the file has none.  Raises FormatError, which names the key."""
     rows = data.get("Lines")
     if not rows:
-        more = f": it holds what differs from {data['BaseFile']}" if data.get("BaseFile") else ""
-        raise FormatError(f"{path}: no Lines in it{more}; allowed: a model saved whole as text")
+        more = f": it contains only the differences from {data['BaseFile']}" if data.get("BaseFile") else ""
+        raise FormatError(f"{path} has no Lines{more}; allowed: a complete model saved as text")
     units = _units(data.get("General") or {}, path)
     water = data.get("Environment") or {}
     depth = _number(water, "WaterDepth", "Environment", path, units.length, depth)
@@ -52,8 +52,8 @@ def system_of_orcaflex(data, path="YAML file", depth=None) -> System:
         kinds = _types(row, name, named, units, density, path)
         if light := next((kind for kind, _ in kinds if kind.weight <= 0), None):
             warnings.warn(
-                f"{path}: line {name} floats ({light.name}, {light.weight:.4g} N/m in water) and is left out, with its "
-                "pull; allowed: sections that sink",
+                f"{path}: line {name} floats ({light.name}, {light.weight:.4g} N/m in water) and is left out together "
+                "with its pull; allowed: sections that sink",
                 stacklevel=3,
             )
             continue
@@ -86,7 +86,9 @@ def _named(data, section, path):
     if isinstance(rows, dict):
         rows = [{"Name": name, **(row or {})} for name, row in rows.items()]
     if not isinstance(rows, list) or not all(isinstance(row, dict) and row.get("Name") for row in rows):
-        raise FormatError(f"{path}: {section} is no list with a Name each; allowed: as OrcaFlex writes it")
+        raise FormatError(
+            f"{path}: {section} is not a list of entries with a Name each; allowed: the list that OrcaFlex writes"
+        )
     return {str(row["Name"]): row for row in rows}
 
 
@@ -109,7 +111,9 @@ def _end(row, line, number, letter, vessels, units, depth, path):
     """Point of an end, and the MooredBody that it belongs to, or None"""
     kinds = column(row, "Connection") or [*column(row, "EndAConnection"), *column(row, "EndBConnection")]
     if len(kinds) != 2:
-        raise FormatError(f"{path}: line {line} has {len(kinds)} connections; allowed: two, of ends A and B")
+        raise FormatError(
+            f"{path}: line {line} has {len(kinds)} connections; allowed: two, one for each of ends A and B"
+        )
     new = [column(row, f"Connection{axis}") for axis in "XYZ"]
     old = [column(row, f"End{letter}{axis}") for axis in "XYZ"]
     place = [values[number] for values in new] if all(new) else [values[0] for values in old if values]
@@ -139,7 +143,9 @@ def _vessel(row, name, units, path):
     except (TypeError, ValueError):
         position = []
     if len(position) != 3 or len(turn) != 3 or np.count_nonzero(turn[:2]):
-        raise FormatError(f"{path}: vessel {name} has no InitialPosition of three, or heels; allowed: upright")
+        raise FormatError(
+            f"{path}: vessel {name} has no InitialPosition of three numbers, or it heels; allowed: an upright vessel"
+        )
     return MooredBody(name, (*(units.length * value for value in position), 0.0, 0.0, float(np.radians(turn[2]))))
 
 
@@ -149,7 +155,7 @@ def _types(row, name, types, units, density, path):
     if not kinds or len(kinds) != len(lengths) or any(str(kind) not in types for kind in kinds):
         raise FormatError(
             f"{path}: line {name} has the types {', '.join(map(str, kinds)) or 'none'} and {len(lengths)} lengths; "
-            f"allowed: of LineTypes, {', '.join(types)}, with a length each"
+            f"allowed: types of LineTypes ({', '.join(types)}), each with a length"
         )
     contents = _number(row, "ContentsDensity", f"line {name}", path, units.mass / units.length**3, 0.0)
     made = [_type(types[str(kind)], str(kind), units, density, contents, path) for kind in kinds]

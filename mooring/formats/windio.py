@@ -59,7 +59,9 @@ def _joints(platform):
 def _point(node, places, path):
     place = node["location"] if "location" in node else places.get(node["joint"])
     if place is None:
-        raise FormatError(f"{path}: joint {node['joint']} of node {node['name']} is in no joints of floating_platform")
+        raise FormatError(
+            f"{path}: joint {node['joint']} of node {node['name']} is not among the joints of floating_platform"
+        )
     return {"name": node["name"], "type": node["node_type"], "location": [float(value) for value in place]}
 
 
@@ -67,7 +69,8 @@ def _type(row, path):
     missing = [key for key in ("mass_density", "stiffness") if key not in row]
     if missing:
         raise FormatError(
-            f"{path}: line type {row['name']} of windIO has no {' and no '.join(missing)}, and which diameter its "
-            f"{row.get('type', 'diameter')} of {row.get('diameter')} m has is not said; allowed: both, kg/m and N"
+            f"{path}: line type {row['name']} of windIO has no {' and no '.join(missing)}, and its "
+            f"{row.get('type', 'diameter')} of {row.get('diameter')} m may be the nominal or the volume-equivalent "
+            f"diameter; give both, in kg/m and N"
         )
     return {key: value for key, value in row.items() if key != "type"}

@@ -24,7 +24,7 @@ DIFFERENCE = 1e-5  # finite-difference step of a parameter, over its unit
 class Decay(NamedTuple):
     """a : 1, b : 1/m, linear_only : a with b = 0; linear, quadratic : β₁ 1/s, β₂ 1/m; omega : Ω rad/s; mean : x₀ m
 
-    with_cubic : β₁ 1/s, β₃ s/m², and the deviation that remains with them
+    with_cubic : β₁ 1/s, β₃ s/m², and the remaining deviation with both
     extremes : (n,) m, absolute; fitted : (q,) m, the solution; off : deviation from the record over the record's own
     """
 
@@ -91,7 +91,7 @@ def _extinction(X):
     a, b = np.linalg.lstsq(np.stack([middle, middle**2], axis=1), lost, rcond=None)[0]
     alone = float(lost @ middle / (middle @ middle))
     if not alone > 0:
-        raise RecordError(f"the motion grows by {-100 * alone:.3g} % in half a cycle; allowed: a decaying motion")
+        raise RecordError(f"the motion grows by {-100 * alone:.3g} % in half a cycle; allowed: a motion that decays")
     return float(a), float(b), alone
 
 

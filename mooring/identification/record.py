@@ -36,8 +36,8 @@ def checked(time, *columns):
     if len(wrong):
         i = int(wrong[0])
         raise RecordError(
-            f"the record steps by {t[i + 1] - t[i]:g} s after {t[i]:g} s, and elsewhere by {step:g} s; allowed: "
-            f"increasing, without gaps"
+            f"the time step of the record is {t[i + 1] - t[i]:g} s after {t[i]:g} s and {step:g} s elsewhere; "
+            f"allowed: increasing times without gaps"
         )
     return t - t[0], *columns
 

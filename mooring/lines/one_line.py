@@ -28,7 +28,7 @@ class OneLine:
 
     @property
     def floats(self):
-        """Whether it is lighter than water: its bed is the sea surface"""
+        """Whether the line is lighter than water, so that the sea surface acts as its bed"""
         return self.type.weight < 0
 
     @property
@@ -67,7 +67,7 @@ class OneLine:
 def tension_curve(one, points=120, span=0.0):
     """Spans from slack to the breaking load (or a taut line), or to `span`, m, and the forces: (m,) m, LineSolution
 
-    None is behind the anchor, or where the bed would be above the fairlead.
+    No span lies behind the anchor, or where the bed would be above the fairlead.
     """
     weight = abs(one.type.weight)
     top = 0.8 * one.type.breaking_load if np.isfinite(one.type.breaking_load) else 20 * weight * one.length

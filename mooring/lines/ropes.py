@@ -53,8 +53,8 @@ def rope(name, bollard, fairlead, main, pretension, *, tail=None, tail_length=0.
     for part in (main, tail):
         if part is not None and not (part.breaking_load > 0 and 0 < part.strain < 2 and 0.2 <= part.exponent <= 5):
             raise LineSystemError(
-                f"rope {name}: breaking load {part.breaking_load:g} N, strain {part.strain:g}, exponent "
-                f"{part.exponent:g}; allowed: above 0, 0 to 2, 0.2 to 5"
+                f"rope {name} has breaking load {part.breaking_load:g} N, strain {part.strain:g} and exponent "
+                f"{part.exponent:g}; allowed: above 0 N, strain 0 to 2, exponent 0.2 to 5"
             )
     if not 0 <= pretension < weakest:
         raise LineSystemError(

@@ -87,7 +87,7 @@ def _require(name, value, low, high):
     if not low * (1 - 1e-9) <= value <= high * (1 + 1e-9):
         span = f"{low:g} to {high:g}" if high < np.inf else f"from {low:g} on"
         raise ValueError(
-            f"{name} = {value:.4g} is too far outside the current force tests to extrapolate them ({span}); give "
+            f"{name} = {value:.4g} is too far outside the current force tests ({span}) for an extrapolation; give "
             "current "
             "coefficients"
         )
@@ -103,11 +103,11 @@ def _beyond(name, value, taken):
     if abs(value / taken - 1) <= SAME:
         return ""
     more = (
-        "; narrower sections have more drag than this, a square one of B/d = 2 about 1.5 times as much"
+        "; narrower sections have more drag than that: a square one (B/d = 2) about 1.5 times as much"
         if name == "B/d" and value < 5
         else ""
     )
-    return f"current force: {name} = {value:.4g} is outside the tests; used is {taken:g}{more}"
+    return f"current force: {name} = {value:.4g} is outside the tests; the value for {taken:g} is used{more}"
 
 
 def _tested(slender, wide, relative):
@@ -219,6 +219,6 @@ def _guesses(slender, given):
         yield f"current force: L/B = {slender:.4g} lies between the tested 1.2 and 2; it is interpolated linearly"
     if slender != 2.0 or given > 2.0 * (1 + SAME):
         yield (
-            f"current moment of L/B = {given:.4g} is a guess, lever {0.09 * (min(given, 2.0) - 1):.2g} L at 45°; "
-            "only that of L/B = 2 is printed; give current coefficients"
+            f"current moment for L/B = {given:.4g} is a guess (lever {0.09 * (min(given, 2.0) - 1):.2g} L at 45°): "
+            "the report prints only that for L/B = 2; give current coefficients"
         )

@@ -45,7 +45,9 @@ def drag_table(angle, x, y, lever=None):
     columns = [np.asarray(v, float) for v in (angle, x, y, lever)]
     sizes = [v.shape for v in columns]
     if len(set(sizes)) != 1 or len(sizes[0]) != 1 or sizes[0][0] < 2:
-        raise ValueError(f"drag coefficients have shapes {sizes}; allowed: one list of at least two values each")
+        raise ValueError(
+            f"drag coefficients have shapes {sizes}; allowed: lists of the same length, at least two values"
+        )
     if not np.all(np.isfinite(columns)):
         raise ValueError("drag coefficients are not all finite numbers")
     table = DragTable(*columns)

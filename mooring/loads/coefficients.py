@@ -59,7 +59,9 @@ def hull_coefficients(angle, x, y, n, *, area_x, area_y, length, area_n=None, he
     columns = [np.asarray(v, float) for v in (angle, x, y, n)]
     sizes = [v.shape for v in columns]
     if len(set(sizes)) != 1 or len(sizes[0]) != 1 or sizes[0][0] < 4:
-        raise ValueError(f"hull coefficients have shapes {sizes}; allowed: one list of at least four values each")
+        raise ValueError(
+            f"hull coefficients have shapes {sizes}; allowed: lists of the same length, at least four values"
+        )
     if not np.all(np.isfinite(columns)):
         raise ValueError("hull coefficients are not all finite numbers")
     area_n = area_y if area_n is None else area_n
@@ -90,7 +92,9 @@ def shallow_coefficient(deep, draft, depth, exponent=2.0, grounded=3.2):
     if not draft <= depth:
         raise ValueError(f"depth is {depth:g} m; allowed: at least the draft {draft:g} m")
     if not deep <= grounded:
-        raise ValueError(f"coefficient in deep water is {deep:g}; allowed: at most that at T/d = 1, {grounded:g}")
+        raise ValueError(
+            f"the coefficient in deep water is {deep:g}; allowed: at most the coefficient at T/d = 1, {grounded:g}"
+        )
     return deep + (grounded - deep) * (draft / depth) ** exponent
 
 

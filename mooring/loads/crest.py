@@ -8,7 +8,8 @@ of the tests to the crest are joined:
     deep side     u = (b − b₀) / (r − b₀),    shallow side   u = (b₁ − b) / (b₁ − r)
     f = F(u, h) + (13u¹² − 12u¹³) (f_crest(h) − F(1, h))
 
-F joins the columns and the second term adds crests measured between columns.  Over h the curves run in d/H. Every given
+F connects the columns, and the second term adds crests that were measured between columns.  Over h the curves run in
+d/H. Every given
 value is returned exactly; value and both slopes are continuous, also across the crest, where ∂f/∂b = 0. The deepest
 values belong to a tank `tank` beams deep, d/H = 1/(tank b); a deeper sea has the same values.
 """
@@ -34,7 +35,7 @@ class Point(NamedTuple):
 class CrestSurface:
     """Surface through Points: full columns of h, crests, and deepest values at h = tank b.
 
-    The crest at the largest b is the last one: in deeper water the coefficient rises up to that edge.
+    The last crest is the one at the largest b: in deeper water the coefficient rises up to this edge.
     """
 
     def __init__(self, points, tank):

@@ -53,5 +53,5 @@ def wet_part(start, end, wave, phase):
 
 
 def moved(force, about, other):
-    """(p, 6) of forces (p, 6) with moments about a place (3,) m, with moments about another"""
+    """Forces (p, 6) with moments about a point (3,) m, converted to moments about another point"""
     return np.concatenate([force[:, :3], force[:, 3:] + np.cross(about - other, force[:, :3])], axis=1)

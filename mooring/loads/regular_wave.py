@@ -37,7 +37,7 @@ class RegularWave:
     def met_period(self):
         """s from crest to crest at a fixed place, past which the current at the surface carries the wave
 
-        inf for a wave held in place by the current, below 0 for a wave carried back.
+        The value is inf if the current holds the wave in place, and below 0 if the current carries the wave back.
         """
         met = self.omega
         if self.current is not None:

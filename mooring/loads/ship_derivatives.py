@@ -3,7 +3,7 @@
     Y = ½ρL²V (Y'_v v + L Y'_r r),   N = ½ρL³V (N'_v v + L N'_r r)
 
 regressions of captive tests of merchant ships, Clarke, Gedling and Hine, "The application of manoeuvring criteria in
-hull design using linear theory", Trans. RINA 125 (1983), with T the draft and C_B the block coefficient,
+hull design using linear theory", Transactions of RINA 125 (1983), with T the draft and C_B the block coefficient,
 
     Y'_v = −π(T/L)² (1 + 0.40 C_B B/T)              Y'_r = −π(T/L)² (−1/2 + 2.2 B/L − 0.080 B/T)
     N'_v = −π(T/L)² (1/2 + 2.4 T/L)                 N'_r = −π(T/L)² (1/4 + 0.039 B/T − 0.56 B/L)
@@ -23,7 +23,7 @@ from .box_drag import check_positive
 
 
 class ShipDerivatives(NamedTuple):
-    """Without dimension, of the equations of the module"""
+    """Dimensionless derivatives in the equations of the module"""
 
     Y_v: float
     Y_r: float

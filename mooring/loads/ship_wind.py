@@ -28,7 +28,7 @@ def blendermann(ship, length, front_area, side_area, side_height):
     """
     known = {row["ship"]: row for row in packaged_rows(__package__, "ship_wind")}
     if ship not in known:
-        raise ValueError(f"there are no wind coefficients of a {ship!r}; allowed: {'; '.join(known)}")
+        raise ValueError(f"there are no wind coefficients for a ship of type {ship!r}; allowed: {'; '.join(known)}")
     across, ahead, astern, cross, roll = (float(value) for value in list(known[ship].values())[1:])
     to = np.deg2rad(np.arange(0.0, 180.0 + 0.5 * STEP, STEP))  # direction that the wind blows to, from the bow
     gamma = np.pi - to

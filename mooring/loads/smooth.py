@@ -18,7 +18,7 @@ def smooth(x, y, flat=()):
 
 
 def parabolic(x, y, flat=()):
-    """As `smooth`, for at least two points."""
+    """Like `smooth`, for at least two points."""
     x, y = np.asarray(x, float), np.asarray(y, float)
     return _through(x, y, np.gradient(y, x, axis=0), flat)
 

@@ -210,6 +210,6 @@ def _notes(slender):
         )
     if slender > 1.0:
         yield (
-            f"turning coefficients of L/B = {slender:.4g}: the report's C_y has up to 0.13 at β = r = 0 (A0), "
-            "which a box cannot have; it is not used"
+            f"turning coefficients of L/B = {slender:.4g}: the report's C_y is up to 0.13 at β = r = 0 (A0), where "
+            "symmetry requires 0 for a box; this value is not used"
         )

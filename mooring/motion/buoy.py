@@ -170,7 +170,7 @@ def buoy_arrays(buoy):
     if body.lever != 0 and not (body.lever > 0 and righting > 0):
         raise ValueError(
             f"a buoy on hawsers {body.lever:.3g} m over its lines, its metacentric height {righting:.3g} m, does not "
-            "stand up; allowed: both above 0"
+            "float upright; allowed: both above 0"
         )
     upright = body.upright(system) if body.lever > 0 else 1.0
     displaced = density * area * draft

@@ -56,7 +56,7 @@ class Berth:
 
     @property
     def names(self):
-        """Of fenders and ropes, in the order of the arrays"""
+        """Names of fenders and ropes, in the order of the arrays"""
         return tuple(one.name for one in (*self.fenders, *self.ropes))
 
 

@@ -4,7 +4,8 @@
         = F₁ + F₂ + F_wind + F_current + F_lines + F_fenders + F_ropes + F_given
 
 η = (x, y, z, φ, θ, ψ) is the displacement of the rotation centre from rest, in space, roll and pitch, and the heading,
-which is unlimited.  ν = (u, v, w, φ̇, θ̇, ψ̇), forces and memory are in axes that turn with the heading.  νₛ is the slow
+which is unlimited.  ν = (u, v, w, φ̇, θ̇, ψ̇), forces and memory are in axes that turn with the heading.  νₛ is the
+slow
 velocity (after a filter, below): the centripetal forces of wave-frequency motion are part of the drift.  C(νₛ) is skew,
 so that it does no work; with a current its moment on the added mass (Munk's) is part of the current coefficients and is
 not included here.  Hinges between bodies (`links`) add their constraint forces.
@@ -358,7 +359,7 @@ def of_shapes_on_body(body, b, y, rate, force, work):
 def of_group(scene, g, t, y, rate):
     """All that acts on group g of the shapes of a `Scene` but moorings; y, rate : (n,) of all
 
-    The work of each load is counted with that on the body.
+    The work of each load on the shapes is added to the work of this load on the body.
     """
     work, body = scene.work, scene.body
     count, K, B = body.heading.size, body.shapes.stiffness, body.damping

@@ -68,8 +68,8 @@ def share_beyond(runs):
 def rare(largest):
     """(q,) number of runs whose largest value is beyond RARE times their median; largest : (runs, q), above 0
 
-    0 with fewer than FEWEST runs.  Otherwise a line snaps in few runs, or a fender is touched in few: one more run may
-    go far beyond all of them.
+    0 with fewer than FEWEST runs.  If a line snaps, or a fender is touched, in few runs only, one more run may have
+    values far beyond all of them.
     """
     largest = np.asarray(largest, float)
     if len(largest) < FEWEST:

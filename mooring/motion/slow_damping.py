@@ -20,8 +20,9 @@ LIGHT = 0.02  # damping ratio below which slow motion counts as lightly damped
 def drift_damping_ring(forces, weather, depth, gravity):
     """(HEADINGS + 3, 6) B over headings of the body, rows (surge, sway, yaw) by (surge, sway), in its axes; N s/m …
 
-    Wave drift damping (`mooring.response.wave_drift_damping`) of all seas together, from the drift of `WaveForces`.  It
-    acts on the slow velocity over ground: what a current adds at rest, B V, is in the drift of `wave_loads.wave_table`.
+    Wave drift damping (`mooring.response.wave_drift_damping`) of all seas together, from the drift of `WaveForces`.
+    The damping acts on the slow velocity over ground; the drift B V that a current adds at rest is part of the drift of
+    `wave_loads.wave_table`.
     """
     headings, omega = np.arange(HEADINGS) * (2 * np.pi / HEADINGS), forces.omega
     B = drift_damping(forces, omega, depth, gravity)[1].reshape(len(omega), HEADINGS, 6)
@@ -81,8 +82,9 @@ def findings(moored, body, mean, constant, dragged):
         if much:
             beside = ", in addition to the drag of the water" if dragged else ""
             yield (
-                'left out: the memory of the water: memory = "constant" damps slow motion like waves of '
-                f'{mean:.3g} rad/s: {", ".join(much)}{beside}; its σ is too small; give memory = "states"'
+                'left out: the memory of the water: memory = "constant" damps slow motion as much as waves of '
+                f"{mean:.3g} rad/s do: {', '.join(much)}{beside}; so the σ of slow motion is too small; give "
+                'memory = "states"'
             )
         return
     still = dragged or np.any(body.quadratic.reshape(-1, 6)[: len(drift), PLANE] > 0)

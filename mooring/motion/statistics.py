@@ -30,7 +30,7 @@ FEW = 8.0  # frequencies in a record, below which it has lines and no spectrum, 
 
 
 class RecordStatistics(NamedTuple):
-    """Of one record, in its unit; periods in s.
+    """Statistics of one record, in the unit of the record; periods in s.
 
     slow, wave : standard deviations of its two parts; mean_third, mean_tenth : of the highest maxima, from the mean
     largest, smallest : values; extreme : amplitude expected to be the largest, of the formula, or nan

@@ -67,11 +67,11 @@ class Weather:
         object.__setattr__(self, "beside_newman", tuple(self.beside_newman))
         if self.beside_newman and len(self.beside_newman) != len(self.seas):
             raise ValueError(
-                f"weather has {len(self.beside_newman)} forces of pairs beside Newman's and {len(self.seas)} seas; "
-                "allowed: one for each sea"
+                f"weather has {len(self.beside_newman)} forces of wave pairs (beside_newman) and {len(self.seas)} "
+                "seas; allowed: one force for each sea"
             )
         if self.gusts is not None and self.wind is None:
-            raise ValueError("weather has gusts and no wind; give the mean wind")
+            raise ValueError("weather has gusts but no wind; give the mean wind")
 
 
 @dataclass(frozen=True)

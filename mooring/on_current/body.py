@@ -22,7 +22,8 @@ STEPS = 8  # spline steps of added mass and damping between stored frequencies
 
 @dataclass(frozen=True, eq=False)
 class OnCurrent(Reader):
-    """A `Reader` whose `motions` are those on the current of a `Carrier`; all else, drift too, is of still water.
+    """A `Reader` whose `motions` are those on the current of a `Carrier`; all other quantities, including drift, are
+    those in still water.
 
     omega of its functions is the frequency in which waves are given, absolute or intrinsic (`waves.Carrier`); forces,
     drift and far field use the intrinsic one
@@ -72,7 +73,7 @@ class OnCurrent(Reader):
         return np.concatenate([of(own[:, [p]].ravel(), [beta], **words) for p, beta in enumerate(headings)], axis=1)
 
     def at(self, omega, name, headings=None):
-        """As `Reader.at`; the error is that in still water"""
+        """Like `Reader.at`; the error is that in still water"""
         value, error = self.still.at(omega, name, headings)
         return (self.motions(omega, headings) if name == "rao" else value), error
 

@@ -119,7 +119,7 @@ def check_blocked(carrier, sea, depth, gravity):
     if blocked > BLOCKED[0]:
         yield (
             f"the current of {speed:.3g} m/s blocks {100 * blocked:.3g} % of the wave energy, which cannot travel "
-            "against it: these waves are included as if they arrived; give the spectrum at the body, or "
+            "against it: here they are included as if they reached the body; give the spectrum at the body, or "
             f"current.waves = "
             '"still"'
         )
@@ -128,7 +128,7 @@ def check_blocked(carrier, sea, depth, gravity):
             f"the current changes the drift to first order in V/C_g, which is valid up to {FIRST_ORDER:g}: V/C_g is "
             f"{slowest:.2g} at the mean frequency, and above the limit in {100 * steep:.3g} % of the wave "
             f"energy; treat drift "
-            'on the current as approximate, or compare current.waves = "still"'
+            'on the current as approximate, or compare with current.waves = "still"'
         )
 
 

@@ -62,6 +62,9 @@ def beyond(moored, passing, track):
     """Messages on values beyond the range of the tests"""
     near, share = abs(track.distance) / moored.length, passing.length / moored.length
     if near <= NEAREST:
-        yield f"distance is {near:.3g} of the moored ship's length; the curves are for more than {NEAREST:g}"
+        yield f"the distance is {near:.3g} of the moored ship's length; the curves are valid above {NEAREST:g}"
     if not LENGTHS[0] <= share <= LENGTHS[1]:
-        yield f"the passing ship is {share:.3g} times as long; the curves are for {LENGTHS[0]:g} to {LENGTHS[1]:g}"
+        yield (
+            f"the passing ship is {share:.3g} times as long as the moored one; the curves are valid for "
+            f"{LENGTHS[0]:g} to {LENGTHS[1]:g}"
+        )

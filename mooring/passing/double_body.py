@@ -5,8 +5,8 @@ where they lie, and Lagrange's equations (Lamb, art. 137) give the force on the 
 
     Fⱼ = −d/dt (a_js U) + ½ U² ∂a_ss/∂qⱼ,     s the surge of the passing ship, d/dt = U d/dξ
 
-The first part is the unsteady pressure, the second that of the squares of the flow; the latter is computed for surge,
-sway and yaw, is smaller by an order of the ship's slenderness, and is computed at fewer places.
+The first part is the force of the unsteady pressure, the second that of the squares of the flow. The second part is
+smaller by an order of the ship's slenderness; it is computed for surge, sway and yaw only, and at fewer places.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ def double_body(hulls, track, stagger, depth, *, wall=None, density=1025.0, each
     """
     stagger = np.asarray(stagger, float)
     if len(stagger) < DEGREE + 2:
-        raise ValueError(f"{len(stagger)} places along the track; allowed: at least {DEGREE + 2}")
+        raise ValueError(f"the track has {len(stagger)} places; allowed: at least {DEGREE + 2}")
     places, step = [], STEP * abs(track.distance)
     few = np.union1d(stagger[::EACH], stagger[-1:])
     places += [(x, track.distance, 0.0) for x in stagger]

@@ -1,4 +1,5 @@
-"""Forces of a passing ship by slender bodies (Wang 1975, J. Waterways, Harbors and Coastal Eng. 101).
+"""Forces of a passing ship by slender bodies (Wang 1975, Journal of the Waterways, Harbors and Coastal Engineering
+Division 101).
 
 The surface is a rigid lid.  The passing ship is a line of sources of the slope of its section area S₂, and each section
 of the moored ship is in the flow at its place: its added mass is ρS₁, that of a circle, so that
@@ -7,8 +8,8 @@ of the moored ship is in the flow at its place: its added mass is ρS₁, that o
     Fx = ρ ∫ S₁ dφₓ/dt dx₁,   Fy = 2ρ ∫ S₁ dφ_y/dt dx₁,   Mz = 2ρ ∫ x₁ S₁ dφ_y/dt dx₁,   d/dt = U d/dξ
 
 Images in the bed, n from −∞ to ∞, are summed in shallow water as 1/h [−ln R + 2 Σₘ K₀(mπR/h)] (Poisson), with R² = (x₂
-+ ξ − x₁)² + η². Section areas are parabolas as in Wang's paper, S (1 − 4x²/L²).  The blockage of the flow under the
-keel by S₁ is neglected.
++ ξ − x₁)² + η². Section areas are parabolas as in Wang's paper, S (1 − 4x²/L²).  The theory neglects that the moored
+hull S₁ blocks the flow under its keel.
 """
 
 import math
@@ -33,7 +34,9 @@ class Slender:
 
     def __post_init__(self):
         if not (0 < self.length < math.inf and 0 < self.area < math.inf):
-            raise ValueError(f"length {self.length} m, section {self.area} m²; allowed: positive, finite")
+            raise ValueError(
+                f"the length is {self.length} m and the section area {self.area} m²; allowed: positive, finite"
+            )
 
 
 def wang(moored, passing, track, stagger, depth=math.inf, density=1025.0):
@@ -78,7 +81,7 @@ def _slopes(R, depth):
 
 
 def _by_images(R, depth):
-    """As `_slopes`, image by image, with those beyond the last replaced by integrals from half a step behind it"""
+    """Like `_slopes`, image by image, with those beyond the last replaced by integrals from half a step behind it"""
     high = 2 * depth * np.arange(1, IMAGES + 1)[:, None, None]
     r = np.sqrt(R**2 + high**2)
     end = 2 * depth * (IMAGES + 0.5)

@@ -105,7 +105,7 @@ def group_speed(omega, depth, gravity):
 def of_sea(db, sea) -> BoundWaveForces:
     """`BoundWaveForces` of an opened database in a Sea.  raises : ValueError for short crests and several systems"""
     if not isinstance(sea, Sea) or sea.spreading is not None:
-        raise ValueError("forces of wave pairs need one long-crested system; the sea has several directions")
+        raise ValueError("forces of wave pairs need a sea of one long-crested system; this sea has several directions")
     mean = float(sea.spectrum.moment(1) / sea.spectrum.moment(0))
     return bound_wave_forces(problem_of(db), sea.spectrum.quantile((1e-4, 0.999)), mean, sea.direction)
 
@@ -199,16 +199,16 @@ def left_out(body, sea, way='qtf = "auto" in a response study or a simulation in
         return
     if (steep := ursell(body, sea)) > STOKES:
         yield (
-            f"left out: the slow force of bound long waves, which is unknown: kh is {kh:.2g} at the mean "
-            f"wave period and Hλ²/h³ {steep:.3g}, allowed: {STOKES:g}: the second-order expansion is not valid "
-            f"for such long and high waves"
+            f"left out: the slow force of bound long waves, which is unknown: Hλ²/h³ is {steep:.3g}, allowed: "
+            f"{STOKES:g} (kh is {kh:.2g} at the mean wave period): the second-order expansion is not valid for such "
+            f"long and high waves"
         )
         return
     size = f"{bound / newman:.1f} times the slow force by Newman's approximation"
     if bound > RATIO * newman:
-        size = f"σ {bound / 1e3:.3g} kN, where Newman's approximation has {newman / 1e3:.2g} kN"
+        size = f"σ {bound / 1e3:.3g} kN, against {newman / 1e3:.2g} kN by Newman's approximation"
     yield (
-        f"left out: bound long waves, whose slow force at kh = {kh:.2f} of the mean wave period is about {size}; {way}"
+        f"left out: bound long waves; at the mean wave period (kh = {kh:.2f}) their slow force is about {size}; {way}"
     )
 
 

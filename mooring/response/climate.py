@@ -53,13 +53,13 @@ class Climate:
     def long_term(self, name) -> LongTerm:
         """LongTerm of one response; ValueError for an unknown name, or a response that is zero"""
         if name not in self.names:
-            raise ValueError(f"there is no response {name!r}; allowed: {', '.join(self.names)}")
+            raise ValueError(f"there is no response named {name!r}; allowed: {', '.join(self.names)}")
         i = self.names.index(name)
         return long_term(self.m0[:, i], self.m2[:, i], self.probability)
 
     @property
     def excited(self):
-        """(c,) whether a response exceeds rounding relative to the known ones; True for unknown ones"""
+        """(c,) whether a response is larger than rounding errors of the other responses; True for unknown ones"""
         largest = dict.fromkeys(self.units, 0.0)
         for unit, m0 in zip(self.units, self.m0.T, strict=True):
             largest[unit] = np.fmax.reduce(m0, initial=largest[unit])
@@ -196,7 +196,8 @@ def _energy_beyond(body, probability, missed):
         time = probability[poor].sum() / probability.sum()
         yield (
             f"in {100 * time:.0f} % of the time more than {100 * MISSED:g} % of the wave energy is beyond the stored "
-            f"{low:.3g} to {high:.3g} s, at most {100 * missed.max():.0f} %; add periods to the scene and solve again"
+            f"{low:.3g} to {high:.3g} s (in the worst sea {100 * missed.max():.0f} %); add periods to the scene and "
+            f"solve again"
         )
 
 
@@ -214,8 +215,9 @@ def _drift_beyond(body, probability, drift, beyond):
         share = (probability @ beyond)[:2].max() / max((probability @ np.abs(drift))[:2].max(), 1e-300)
         if share > MISSED:
             yield (
-                f"{100 * share:.1f} % of the mean drift force over all time is from waves beyond the stored ones, with "
-                f"drift held at its value at {body.omega[-1]:.3g} rad/s; add frequencies and solve again"
+                f"{100 * share:.1f} % of the mean drift force over all time is due to waves beyond the stored "
+                f"frequencies, for which the drift at {body.omega[-1]:.3g} rad/s is used; add frequencies and solve "
+                f"again"
             )
 
 
@@ -236,5 +238,6 @@ def _too_high(body, spectra, scatter):
             i = np.argwhere(there)[-1][0]
             yield (
                 f"{there.sum()} classes of the scatter diagram, {100 * probability[there].sum():.3g} % of the time, "
-                f"{words}, such as that of {scatter.heights[i]:g} m; give them longer periods or leave them out"
+                f"{words}, such as the class of {scatter.heights[i]:g} m; give these classes longer periods or leave "
+                f"them out"
             )

@@ -24,7 +24,7 @@ def bandwidth(m0, m2, m4):
     """ε from moments; 0 for one frequency.  Raises ValueError for moments that no spectrum has."""
     m0, m2, m4 = (np.asarray(m, float) for m in (m0, m2, m4))
     if np.any(m0 <= 0) or np.any(m2 <= 0) or np.any(m2**2 > m0 * m4 * (1 + 1e-9)):
-        raise ValueError("the moments do not belong to a spectrum; allowed: above 0, with m2² at most m0 m4")
+        raise ValueError("these moments are not those of a spectrum; allowed: above 0, with m2² at most m0 m4")
     return np.sqrt(np.maximum(1 - m2**2 / (m0 * m4), 0.0))
 
 
@@ -32,7 +32,10 @@ def bandwidth_of_periods(peak_to_peak, zero_crossing):
     """ε from the mean periods between maxima and between upward zero crossings, s."""
     ratio = np.asarray(peak_to_peak, float) / zero_crossing
     if np.any(~(ratio > 0)) or np.any(ratio > 1):
-        raise ValueError(f"period between maxima is {np.max(ratio):.4g} of that of zero crossings; allowed: 0 to 1")
+        raise ValueError(
+            f"the period between maxima is {np.max(ratio):.4g} times the period of zero crossings; "
+            f"allowed: 0 to 1 times"
+        )
     return np.sqrt(1 - ratio**2)
 
 
@@ -74,7 +77,7 @@ def crossings(duration, zero_crossing):
     """Number of upward zero crossings in `duration` s, n√(1−ε²); ValueError where it is too small for an extreme."""
     count = np.asarray(duration, float) / zero_crossing
     if np.any(~(count > np.e)):
-        raise ValueError(f"the duration has {np.min(count):.3g} zero crossings; allowed: above 3")
+        raise ValueError(f"the duration contains {np.min(count):.3g} zero crossings; allowed: above 3")
     return count
 
 

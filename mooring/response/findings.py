@@ -157,8 +157,8 @@ def drift_outside(body, spectrum, inside, beyond):
     if share > MISSED:
         end = -int(np.argmax(np.abs(beyond)[:, :2].max(axis=1)))  # 0 or −1, the end with the larger part
         yield (
-            f"{100 * share:.1f} % of the mean drift force is from waves beyond the stored frequencies, with drift held "
-            f"at its value at {body.omega[end]:.3g} rad/s; limit {100 * MISSED:g} %; "
+            f"{100 * share:.1f} % of the mean drift force is due to waves beyond the stored frequencies, for which "
+            f"the drift at {body.omega[end]:.3g} rad/s is used; limit {100 * MISSED:g} %; "
             f"{_solve_to(spectrum, end, energy_outside(body.omega, spectrum)[end] * MISSED / share)}"
         )
 
@@ -171,29 +171,32 @@ def drift_of_each(body, slow):
         return
     if not body.own:
         yield (
-            "drift of each body is that stored for free motions: damping, stiffness and hinges added to those of the "
-            "database change it where they change the motions"
+            "the drift of each body is the stored one, for free motions; damping, stiffness and hinges that are added "
+            "here change the motions and so the true drift"
         )
         return
     away = np.abs(sum_about_origin(slow.of_each, body.bodies) - slow.drift)[:2].max()
     largest = np.abs(slow.of_each[:, :2]).max()
     if away > EACH * largest:
         yield (
-            f"the sum of the drift of the bodies differs by {100 * away / max(largest, 1e-300):.3g} % of the "
-            f"largest from the far-field drift; limit {100 * EACH:g} %; add frequencies or panels to the scene"
+            f"the sum of the drift forces on the bodies differs from the far-field drift by "
+            f"{100 * away / max(largest, 1e-300):.3g} % of the largest; limit {100 * EACH:g} %; add frequencies or "
+            f"panels to the scene"
         )
 
 
 def current_along_waves(carrier, heading, weights, damping):
-    """What a current across waves changes in their drift is not known where the slope over the headings is not"""
+    """A line on a current across the waves, whose effect on drift is unknown if the slope of drift over the headings is
+    unknown"""
     if carrier is None or damping is not None:
         return  # `damping` is of the slope over the headings
     share = np.mean(np.atleast_2d(weights), axis=0)
     across = float(share @ np.abs(carrier.velocity[1] * np.cos(heading) - carrier.velocity[0] * np.sin(heading)))
     if across > ACROSS * np.hypot(*carrier.velocity):
         yield (
-            f"the current runs at {across:.2g} m/s across the waves: its effect on their drift is not included, for "
-            f"which the database needs headings on both sides of {np.rad2deg(heading[0]):.4g}°; add them to the scene"
+            f"the current runs at {across:.2g} m/s across the waves: its effect on their drift is not included, since "
+            f"the database lacks headings on both sides of {np.rad2deg(heading[0]):.4g}°; add these headings to the "
+            f"scene"
         )
 
 

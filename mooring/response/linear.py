@@ -24,8 +24,8 @@ NEAREST = 1e-4, 2e-3
 FINEST = 2**20  # steps between two stored frequencies at a narrow resonance: spars have damping ratios of 1e-5
 LEAST = 1e-9  # damping ratio that `resonances` gives for none
 UNDAMPED = (
-    "the resonance of {} has no damping; give linear_damping, quadratic_damping or damping_ratio of the "
-    "study, or [viscous] of the scene"
+    "the resonance of {} has no damping; give linear_damping, quadratic_damping or damping_ratio in the study, or "
+    "[viscous] in the scene"
 )
 
 

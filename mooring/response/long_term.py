@@ -37,7 +37,7 @@ class LongTerm(NamedTuple):
 
         cycles = self.crossing_rate(0.0) * time
         if not 1 < cycles < np.inf:
-            raise ValueError(f"{time:.3g} s contain {cycles:.3g} cycles; allowed: more than 1, finite")
+            raise ValueError(f"a time of {time:.3g} s contains {cycles:.3g} cycles; allowed: more than 1, finite")
         largest = self.sigma[self.probability > 0].max()
         high = largest * np.sqrt(2 * np.log(cycles)) + largest
         return brentq(lambda x: np.log(max(self.crossing_rate(x) * time, TINY)), 0.0, high, xtol=1e-12 * high)

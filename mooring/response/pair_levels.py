@@ -29,10 +29,10 @@ if TYPE_CHECKING:  # it loads the panel method, which Newman's approximation doe
 LEVELS = ("newman", "bound-wave", "body", "full", "auto")
 ENOUGH = 0.05  # largest part, over Newman's slow force, that "auto" neglects
 # both from docs/slow_forces.md: slow forces by either level relative to the whole
-OF_BOUND = "without the other terms slow forces are up to 1.5 times too large on boxes in 12 and 20 m of water"
+OF_BOUND = "without the other terms, slow forces on boxes in 12 and 20 m of water are up to 1.5 times too large"
 OF_NEWMAN = (
-    "on boxes in 10 to 20 m of water the whole slow force is 0.7 to 1.2 times Newman's in surge and sway, 1 to 2 times "
-    "in yaw"
+    "for boxes in 10 to 20 m of water the complete slow force is 0.7 to 1.2 times that by Newman's approximation in "
+    "surge and sway, and 1 to 2 times in yaw"
 )
 SAME = 1e-6  # rad, below which two headings are equal
 MOST_OUTSIDE = (
@@ -84,7 +84,7 @@ class PairForces:
         return known * slow_share((one - two) / self.highest)
 
     def newman(self, one, two):
-        """(q, 3) by Newman's rule at frequencies (q,)"""
+        """(q, 3) mean drift at frequencies (q,), as Newman's approximation uses it"""
         both = (one, self.drift), (two, self.drift if self.second is None else self.second)
         return newman(*(np.stack([np.interp(w, self.omega, d) for d in drift.T], axis=-1) for w, drift in both))
 
@@ -170,31 +170,30 @@ def beside_newman(db, sea, level, spread=False):
         return of_sea(db, sea), ()
     if (steep := ursell(db.reader, sea)) > STOKES:
         return None, (
-            'left out: the force of wave pairs beyond Newman\'s approximation (qtf = "auto" takes newman): '
-            f"of waves with "
-            f"Hλ²/h³ {steep:.3g} (allowed: {STOKES:g}) it is not known",
+            'left out: the force of wave pairs beyond Newman\'s approximation (qtf = "auto" uses newman): '
+            f"for waves with Hλ²/h³ of {steep:.3g} (allowed: {STOKES:g}) it is not known",
         )
     ratio = bound_to_newman(db.reader.floating(), sea)
     if ratio is None or ratio < ENOUGH:
         size = "it is unknown without drift and inertia"
         if ratio is not None:
             size = f"their force is {100 * ratio:.3g} % of its slow force"
-        return None, (f'qtf = "auto" takes newman: of bound long waves {size}',)
+        return None, (f'qtf = "auto" uses newman: of bound long waves {size}',)
     size = f"about {ratio:.2g} times the slow force of" if ratio <= RATIO else "a slow force that is nearly zero by"
     size = f"the force of bound long waves is {size} Newman's approximation"
     try:
         found = stored_pairs(db, sea, "auto", spread)
-        return found, (f'qtf = "auto" takes {found.level}: {size}', *_surface_left_out(db, sea, found.level))
+        return found, (f'qtf = "auto" uses {found.level}: {size}', *_surface_left_out(db, sea, found.level))
     except ValueError as missing:
         kh, lacks = depth_in_waves(db.reader, sea), _lacks(db, sea, missing)
     beside = (
-        f'left out: the force of wave pairs beyond Newman\'s approximation (qtf = "auto" takes newman at kh = {kh:.2g})'
+        f'left out: the force of wave pairs beyond Newman\'s approximation (qtf = "auto" uses newman at kh = {kh:.2g})'
     )
     if kh >= SHALLOW:
         return None, (f"{beside}: {OF_NEWMAN}; {lacks}",)
     try:
         return of_sea(db, sea), (
-            'left out: the force of wave pairs other than that of bound long waves (qtf = "auto" takes '
+            'left out: the force of wave pairs other than that of bound long waves (qtf = "auto" uses '
             "bound-wave): "
             f"{size}, {OF_BOUND}; {lacks}",
         )
@@ -216,7 +215,7 @@ def beside_newman_of_bodies(db, sea, level):
     except ValueError as missing:
         if level != "auto":
             raise
-        return None, (f'left out: {beyond} (qtf = "auto" takes newman): {_lacks(db, sea, missing)}',)
+        return None, (f'left out: {beyond} (qtf = "auto" uses newman): {_lacks(db, sea, missing)}',)
     return found, ("left out: the free-surface forcing around several bodies, a part of " + beyond + ", is not known",)
 
 
@@ -287,8 +286,8 @@ def stored_pairs(db, sea, level="body", spread=False, body=None):
     first, last = sea.spectrum.quantile((MOST_OUTSIDE, 1 - MOST_OUTSIDE))
     if not (low <= first and last <= high):
         raise ValueError(
-            f"pairs are stored from {low:.4g} to {high:.4g} rad/s; 90 % of the wave energy lies within {first:.4g} to "
-            f"{last:.4g}: 'hakobune qtf {db.path}' of a wider database"
+            f"wave pairs are stored from {low:.4g} to {high:.4g} rad/s, but 90 % of the wave energy lies within "
+            f"{first:.4g} to {last:.4g}; run 'hakobune qtf {db.path}' on a database of a wider band"
         )
     return found
 

@@ -19,7 +19,8 @@ sum over all pairs is ⟨D⁺⟩⟨D⁺⟩ + ⟨D⁻⟩⟨D⁻⟩ of the means o
 
 Half wave by half wave (Remery and Hermans 1971, Hsu and Blenkarn 1970; SR179 report (1982), eq. 3.7.1.5): between two
 zero crossings Δt apart the force is constant, D(ω) ζ² with ω = π/Δt and ζ the largest elevation between them.  In a
-narrow spectrum its mean is 2∫SD dω.  In a broad one it is not: ζ² of the extremes is 12 % more than twice the energy
+narrow spectrum the mean of this force is 2∫SD dω.  In a broad one it is not: ζ² of the extremes is 12 % more than twice
+the energy
 (ISSC; 8 to 10 % JONSWAP), and half waves lie at other frequencies than their energy.  For a box of 100 × 50 × 10 m in
 20 m of water, whose drift has a peak at 10 s, the mean deviates from the integral by +16, +27, +2 % in head seas and by
 +19, +17, −7 % at 60° (ISSC, T01 8, 10, 12 s), and by +15, +24 % (JONSWAP, Tp 11 s), means of four records of three
@@ -68,8 +69,9 @@ def component_drift(body, components, hold=False):
     share = outside_band(body, components)
     if share > MOST_OUTSIDE and not hold:
         raise BetweenError(
-            f"{100 * share:.1f} % of the wave energy is outside the database, {low:.4g} to {high:.4g} rad/s; "
-            f"allowed: {100 * MOST_OUTSIDE:g} %; add frequencies to the scene, or hold drift at the ends (hold=True)"
+            f"{100 * share:.1f} % of the wave energy is outside the database's {low:.4g} to {high:.4g} rad/s; "
+            f"allowed: {100 * MOST_OUTSIDE:g} %; add frequencies to the scene, or keep the drift constant beyond the "
+            f"ends (hold=True)"
         )
     held = np.clip(omega, low, high)
     if np.ptp(direction) == 0:
@@ -259,7 +261,9 @@ def half_waves(elevation, step, amplitude="extreme") -> HalfWaves:
     at = before + y[before] / (y[before] - y[before + 1])
     samples = np.diff(at)
     if samples.mean() < 8:
-        raise ValueError(f"half waves have {samples.mean():.3g} samples on average; allowed: at least 8, shorten step")
+        raise ValueError(
+            f"half waves have {samples.mean():.3g} samples on average; allowed: at least 8; give a shorter step"
+        )
     inside, starts = slice(0, before[-1] + 1), before[:-1] + 1
     if amplitude == "extreme":
         size = np.maximum.reduceat(_peaks(y)[inside], starts)

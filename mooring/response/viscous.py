@@ -119,7 +119,9 @@ def linearised(body, sea, laws):
         share = 2 / 3 if before is None else _share(_ratio(damping, damping_before), _ratio(found, before))
         damping_before, before = damping, found
         damping = damping ** (1 - share) * found**share
-    raise ValueError(f"viscous damping and the motion it leaves do not agree after {MOST} passes; give linear damping")
+    raise ValueError(
+        f"the iteration of viscous damping and motion did not converge in {MOST} passes; give linear damping"
+    )
 
 
 def _ratio(a, b):

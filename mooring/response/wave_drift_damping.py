@@ -46,7 +46,7 @@ def drift_and_damping(body, omega, heading, fixed=False):
 
 
 def along_waves(body, omega, heading):
-    """As `drift_and_damping` for drift known at single headings: its derivative over heading is taken as zero"""
+    """Like `drift_and_damping` for drift known at single headings: its derivative over heading is taken as zero"""
     value = body.drift(omega, heading)
     return value, _damping(body, omega, heading, value, np.gradient(value, omega, axis=0, edge_order=2), 0 * value)
 

@@ -35,7 +35,7 @@ def too_high(spectrum, depth, gravity=GRAVITY):
     height, single = spectrum.significant_height, float(breaking_height(spectrum.Tp, depth, gravity))
     if height > single:
         raise BreakingError(
-            f"significant height is {height:.4g} m at a peak period of {spectrum.Tp:.4g} s, and single waves break at "
+            f"significant height is {height:.4g} m at a peak period of {spectrum.Tp:.4g} s, but single waves break at "
             f"{single:.4g} m in {depth:g} m of water; give at most {largest_height(spectrum.Tp, depth, gravity):.3g} m"
         )
     if height > SATURATED * depth:

@@ -63,7 +63,9 @@ def ndbc(path, text, x_axis, time):
         return _plain(path, frequency, density)
     rows = [_row(place, read_text(place, TableError), time or _times(text)[0], False) for place in beside]
     if any(len(row[0]) != len(frequency) or np.abs(row[0] - frequency).max() > 1e-4 for row in rows):
-        raise TableError(f"{path}: {beside[0].name} has other frequencies; allowed: the same in all its files")
+        raise TableError(
+            f"{path}: {beside[0].name} has different frequencies; allowed: the same frequencies in all its files"
+        )
     values = [np.where(row[1] >= MISSING, np.nan, row[1]) for row in rows]
     scale = 0.01 if path.suffix == ".txt" or path.name.endswith(".txt.gz") else 1.0
     spread = directions.of_moments(scale * values[2], scale * values[3], *np.radians(values[:2]))
@@ -84,7 +86,7 @@ def datawell(path, text, x_axis, time):
 
 
 def history(path, text, x_axis, time):
-    """Raise TableError: a .his has no densities; the message quotes its first row, or that of the time"""
+    """Raise TableError, since a .his file has no densities; the message quotes its first row, or the row of the time"""
     rows = [re.split(r"[,\t ]+", line.strip()) for line in text.splitlines() if line.strip()]
     rows = [row for row in rows if time is None or row[0].startswith(str(time).strip().replace(" ", "T"))]
     if not rows:
@@ -168,17 +170,17 @@ def one_of(path, times, time):
         return found[0]
     state = "several times" if time is None else f"no time {time}" if not found else f"several times {time}"
     raise TableError(
-        f"{path} has {state}; it has {len(times)} times from {times[0]} to {times[-1]}; choose one with time"
+        f"{path} has {state}; it has {len(times)} times from {times[0]} to {times[-1]}; choose one with the key time"
     )
 
 
 def check_height(path, sea, height):
-    """Raise TableError where the height of a Sea differs from that in its file, m; NaN if unknown"""
+    """Raise TableError if the height of a Sea differs from the height that its file states, m; NaN if unknown"""
     read = float(sea.spectrum.significant_height)
     if np.isfinite(height) and height > 0 and abs(read / height - 1) > OFF:
         raise TableError(
             f"{path}: 4√m₀ of its spectrum is {read:.4g} m, its own significant height {height:.4g} m; allowed: within "
-            f"{100 * OFF:g} %: a unit, a column or part of the band was misread"
+            f"{100 * OFF:g} %: a unit, a column or a part of the band was misread"
         )
 
 
@@ -221,7 +223,9 @@ def _row(path, text, time, of_density=True):
     head = [word for word in lines[0].split() if re.fullmatch(r"\d*\.\d+", word)]
     paired = "(" in lines[-1]
     if of_density and (re.search(r"alpha[12]_|r[12]_1", lines[0]) or re.fullmatch(r".{5}[dijk]\d{4}.*", path.name)):
-        raise TableError(f"{path} has directions or moments; give the file of densities beside it, w… or .data_spec")
+        raise TableError(
+            f"{path} has directions or moments; give the file of densities that belongs to it, w… or .data_spec"
+        )
     if not paired and len(head) < 3:
         named = ", ".join(word for word in lines[0].lstrip("#").split() if word in ("WVHT", "DPD", "APD", "MWD"))
         more = f" but heights and periods ({named}): give height, a period and a direction" if named else ""
@@ -259,7 +263,7 @@ def _measured(path, frequency, density, time):
     gaps = int(missing[first : last + 1].sum())
     if gaps:
         raise TableError(
-            f"{path}: {row} has {gaps} densities of {MISSING:g}, which stands for none, from {frequency[first]:g} to "
+            f"{path}: {row} has {gaps} densities of {MISSING:g}, which means no value, from {frequency[first]:g} to "
             f"{frequency[last]:g} Hz; choose another time, or fill them"
         )
     return np.where(missing, 0.0, density)

@@ -4,7 +4,8 @@
     φ₁ = (c₁ − c₂ c₁*) / (1 − |c₁|²),   φ₂ = c₂ − φ₁ c₁,   c₁ = r₁ e^{iα₁},   c₂ = r₂ e^{2iα₂}
 
 has the moments c₁, c₂ = ∫ D e^{iα} dα, ∫ D e^{2iα} dα and is nowhere negative, unlike their Fourier sum (Lygre and
-Krogstad 1986, J. Phys. Oceanogr. 16).  From a spread σ alone it is cos²ˢ{(α − α₁)/2}, s = 2/σ² − 1 (Kuik et al. 1988).
+Krogstad 1986, Journal of Physical Oceanography 16).  From a spread σ alone it is cos²ˢ{(α − α₁)/2}, s = 2/σ² − 1 (Kuik
+et al. 1988).
 Angles α are directions that waves come from, clockwise from north.
 """
 

@@ -30,8 +30,8 @@ def faults(record, step, mean_period, gravity=9.80665):
     if len(wild):
         i = int(wild[np.argmax(np.abs(record[wild] - middle))])
         yield (
-            f"{len(wild)} values are beyond {LARGEST:g} deviations of the record, {LARGEST * deviation:.3g} m, the "
-            f"largest {record[i]:.4g} m at {i * step:.4g} s: these are spikes; remove them"
+            f"{len(wild)} values exceed {LARGEST:g} standard deviations of the record, {LARGEST * deviation:.3g} m; "
+            f"the largest is {record[i]:.4g} m at {i * step:.4g} s: these are spikes; remove them"
         )
     length = max(2, int(np.ceil(WAVES * mean_period / step)))
     whole = len(record) // length

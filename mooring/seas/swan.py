@@ -29,11 +29,11 @@ class Swan:
 
     def fault(self, wanted):
         n, line = self.lines[min(self.at, len(self.lines) - 1)]
-        return TableError(f"{self.path}: line {n} is {line.strip()[:40]!r}; wanted: {wanted}")
+        return TableError(f"{self.path}: line {n} is {line.strip()[:40]!r}; expected: {wanted}")
 
     def words(self):
         if self.at >= len(self.lines):
-            raise self.fault("more lines, the file ends")
+            raise self.fault("more lines, but the file ends")
         self.at += 1
         return self.lines[self.at - 1][1].split()
 

@@ -2,7 +2,7 @@
 
     S(ω) = Σ_i S_i(ω),    D(θ; ω) = Σ_i S_i(ω) D_i(θ) / S(ω)
 
-Systems are independent: energies add, and so do mean forces.  Slow forces include pairs of all waves.
+Systems are independent: their energies add up, and so do their mean forces.  Slow forces include pairs of all waves.
 """
 
 from dataclasses import dataclass

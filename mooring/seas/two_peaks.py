@@ -1,4 +1,4 @@
-"""Wind sea and swell in one spectrum: six parameters (Ochi & Hubble 1976, Proc. 15th ICCE, eq. 11 and table 2b).
+"""Wind sea and swell in one spectrum: six parameters (Ochi & Hubble 1976, 15th ICCE, eq. 11 and table 2b).
 
     S = ¼ Σ_j (b_j ω_j⁴)^λ_j / Γ(λ_j)  H_j² ω^−(4λ_j+1) exp(−b_j ω_j⁴/ω⁴),    b_j = λ_j + ¼
 
@@ -55,7 +55,9 @@ class OneSystem(Spectrum):
         a, b = self.shape - order / 4, self.shape + 0.25
         if a <= 0:
             if np.any(np.isinf(high)):
-                raise ValueError(f"{self.name}: moment {order} has no end at shape {self.shape:g}; give a high")
+                raise ValueError(
+                    f"{self.name}: moment {order} is infinite at shape {self.shape:g}; give high, the highest frequency"
+                )
             return self._by_rule(order, low, high)
         with np.errstate(divide="ignore"):
             u, v = b * (low / self.peak_omega) ** -4.0, b * (high / self.peak_omega) ** -4.0
@@ -158,7 +160,7 @@ def ochi_hubble(height, **period):
     given = [kind for kind, value in period.items() if value is not None]
     if given:
         raise ValueError(
-            f"ochi_hubble: {' and '.join(given)} is given; give no period, since periods follow from the height"
+            f"ochi_hubble: {' and '.join(given)} is given; leave out the period, since periods follow from the height"
         )
     H = within("wave height", positive("wave height", height, "m"), 0.1, HIGHEST, "m")
     whole = H / np.hypot(0.84, 0.54)

@@ -39,7 +39,7 @@ def read_wavewatch(path, text, x_axis, time, location):
     words, size = words[frequencies + directions :], frequencies * directions
     block = 2 + points * (1 + PLACE + size)
     if not words or len(words) % block:
-        raise TableError(f"{path}: after the directions stand {len(words)} words; wanted: {block} for each time")
+        raise TableError(f"{path}: {len(words)} words follow the directions; expected: {block} for each time")
     times = [f"{words[i]} {words[i + 1]}" for i in range(0, len(words), block)]
     if time is None and len(times) > 1:
         raise TableError(f"{path} has {len(times)} times, the first is {times[0]}; choose one with time")
@@ -54,7 +54,9 @@ def read_wavewatch(path, text, x_axis, time, location):
 
 def _whole(path, word):
     if not word.isdecimal() or not 1 <= int(word) <= MOST:
-        raise TableError(f"{path}: its head has {word!r}; wanted: numbers of frequencies, directions and points")
+        raise TableError(
+            f"{path}: its header has {word!r}; expected: the numbers of frequencies, directions and points"
+        )
     return int(word)
 
 
@@ -63,7 +65,7 @@ def _numbers(path, words, count, thing):
         found = np.array([float(word) for word in words])
     except ValueError:
         wrong = next(word for word in words if not re.fullmatch(r"[-+]?\d*\.?\d*([eEdD][-+]?\d+)?", word))
-        raise TableError(f"{path} has {wrong!r}; wanted: numbers, {thing}") from None
+        raise TableError(f"{path} has {wrong!r}; expected: numbers, the {thing}") from None
     if len(found) != count or not np.all(np.isfinite(found)):
-        raise TableError(f"{path} has {len(found)} {thing}; wanted: {count}, finite")
+        raise TableError(f"{path} has {len(found)} {thing}; expected: {count}, all finite")
     return found

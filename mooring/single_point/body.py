@@ -2,8 +2,8 @@
 
 Hawsers are weightless and inextensible here, the buoy has no inertia, lines are in their static form, as in the SR179
 report (1982), section 3.6.1; but the buoy lies where the forces on it balance in the plane, not on the line from its
-place at rest to the bow (eq. 3.6.5).  The energy of the lines is convex in the place of the buoy, so that this place is
-unique.  Axes of the body: x forward, y to port, from its centre of mass.
+place at rest to the bow (eq. 3.6.5).  The energy of the lines is a convex function of the buoy's place, so the buoy has
+only one place of rest.  Axes of the body: x forward, y to port, from its centre of mass.
 """
 
 from __future__ import annotations
@@ -82,11 +82,11 @@ class SinglePoint:
             )
         if len(ends) == 2 and not abs(np.diff(lengths)[0]) < np.hypot(*(ends[1] - ends[0])) < lengths.sum():
             raise SinglePointError(
-                f"two hawsers of {lengths[0]:g} and {lengths[1]:g} m do not meet ahead of their ends, "
+                f"two hawsers of {lengths[0]:g} and {lengths[1]:g} m do not meet ahead of their ends, which are "
                 f"{np.hypot(*(ends[1] - ends[0])):g} m apart; lengthen them"
             )
         if len(self.system.bodies) != 1 or self.system.free_points:
-            raise SinglePointError(f"{self.system!r} has to contain one body, the buoy, on lines to anchors")
+            raise SinglePointError(f"{self.system!r} must contain one body, the buoy, on lines to anchors")
 
     @cached_property
     def inverse(self):

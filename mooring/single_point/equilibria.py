@@ -101,7 +101,7 @@ def equilibria(point: SinglePoint):
                 start = found[-1].lines.pose if found else None  # loads from one side pull equally at all headings
                 found.append(_at(point, heading, force, end, length, tension, start))
     if not found:
-        raise SinglePointError(f"no heading is at rest: {_why_none(point)}")
+        raise SinglePointError(f"no heading is in equilibrium: {_why_none(point)}")
     return sorted(found, key=lambda one: one.heading)
 
 
@@ -111,11 +111,12 @@ def _why_none(point):
         return "wind, current and waves exert no force; give one of them"
     if not np.any(_about(force, point.apex)):
         return (
-            "wind, current and waves do not turn the body about its attachment, so that it lies at any heading; give "
-            "attachment another place, or coefficients with their moment"
+            "wind, current and waves do not turn the body about its attachment, so every heading is in equilibrium; "
+            "move the attachment, or give coefficients with a yaw moment"
         )
     return (
-        "where no moment is left, wind, current and waves push the body onto its mooring, or pull by one hawser alone"
+        "at headings without yaw moment, wind, current and waves push the body onto its mooring, or load only one of "
+        "its hawsers"
     )
 
 

@@ -72,7 +72,8 @@ def ropes_of(run: Run):
 
 
 def largest_of(run: Run, waves):
-    """Largest tensions of hawsers (k,) and lines (n,), N, plus the report's fifth if `waves` lack slow drift"""
+    """Largest tensions of hawsers (k,) and lines (n,), N; a fifth is added, as in the report, if the `waves` have no
+    slow drift"""
     more = SLOW_DRIFT if waves and not run.drifts else 1.0
     return more * run.record.hawser.max(axis=0), more * run.record.lines.max(axis=0)
 

@@ -2,8 +2,8 @@
 
 The motion is computed from one largest heading ψ to the next.  A period at the amplitude A changes ψ by Δψ = gA, where
 g near the onset of slewing is linear in A² (Hopf): a line through two periods predicts where g = 0, and the deviation
-from the mean of the period is scaled to it.  A cycle is attractive where g falls with A; elsewhere the motion continues
-unscaled, and after MOST periods the result is the range of the heading.
+from the mean of the period is scaled to it.  A cycle attracts the motion if g falls with A. Otherwise the motion
+continues without scaling, and after MOST periods the result is the range of the heading.
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ def limit_cycle(steady, turn=START) -> LimitCycle:
     """
     if steady.slewing.stable:
         raise SinglePointError(
-            f"the heading of {np.degrees(steady.heading) % 360:.1f}° is stable: no slewing begins there"
+            f"the heading of {np.degrees(steady.heading) % 360:.1f}° is stable, so slewing does not start from it"
         )
     point, longest = steady.point, LATEST / abs(steady.roots[0])
     state = until_turn(point, turned_state(point, steady.state, turn), +1.0, longest, ACCURACY).y[:, -1]
@@ -81,7 +81,7 @@ def limit_cycle(steady, turn=START) -> LimitCycle:
         state, before = _scaled(point, now, share, longest), now
     raise SinglePointError(
         f"no cycle within {MOST} periods: the heading still swings {np.degrees(now.amplitude):.3g}° to either side and "
-        f"changes by {100 * now.change:.3g} % a period; run it in time with [slewing]"
+        f"changes by {100 * now.change:.3g} % a period; simulate it in time with [slewing]"
     )
 
 

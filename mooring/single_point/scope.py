@@ -18,7 +18,7 @@ def length_without_uplift(tension, weight, height):
     square = height * (2 * tension / weight - height)
     if np.any(square < height**2 * (1 - 1e-12)):
         raise ValueError(
-            f"a tension of {tension.min():.4g} N does not carry {height:g} m of a line of {weight:g} N/m; "
+            f"a tension of {tension.min():.4g} N cannot carry the weight of {height:g} m of line, {weight:g} N/m; "
             f"allowed: at least {weight * height:.4g} N"
         )
     return np.sqrt(square)

@@ -149,7 +149,8 @@ def until_turn(point: SinglePoint, start, direction, longest, tolerance):
         raise NotFollowedError(f"the motion cannot be followed{refused[0]}")
     if found.status != 1:
         raise SinglePointError(
-            f"the heading does not turn back within {longest:.3g} s, it is at {np.degrees(found.y[2, -1]) % 360:.1f}°"
+            f"the heading does not turn back within {longest:.3g} s and is then at "
+            f"{np.degrees(found.y[2, -1]) % 360:.1f}°"
         )
     return found
 

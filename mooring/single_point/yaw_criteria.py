@@ -1,12 +1,13 @@
-"""Published criteria of the yaw stability of a ship at a single point, beside the quartic (`criterion`).
+"""Published criteria for the yaw stability of a ship at a single point, in addition to the quartic (`criterion`).
 
 static         a > N_ψ/Y_ψ: the attachment lies ahead of the point where the side force of a small heading acts; behind
                it the heading diverges without oscillation to one of two oblique ones (a pitchfork), whatever the length
-               of the hawser.  D > 0 of the quartic.  Papoulias and Bernitsas, J. Ship Research 32 (1988); Leite et al.,
+               of the hawser.  D > 0 of the quartic.  Papoulias and Bernitsas, Journal of Ship Research 32 (1988); Leite
+               et al.,
                Applied Ocean Research 20 (1998)
 straight line  Y_v N_r − N_v (Y_r − MU) > 0, for a free-running ship, about its centre of mass: Abkowitz, "Stability
                and motion control of ocean vehicles" (1969).  MI times the limit of B for a long line with a small pull,
-               as for the towed ship of Strandhagen, Schoenherr and Kobayashi, Trans. SNAME 58 (1950)
+               as for the towed ship of Strandhagen, Schoenherr and Kobayashi, Transactions of SNAME 58 (1950)
 hawser         ABC − C² − A²D > 0 (Routh and Hurwitz), as in Wichers, "A simulation model for a single point moored
                tanker" (Delft 1988) and Sharma, Jiang and Schellin (17th Symp. on Naval Hydrodynamics, 1988): where a
                length of the line changes its sign a limit cycle begins (Hopf)

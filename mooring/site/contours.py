@@ -143,7 +143,7 @@ def _of_periods(scatter, share, heights):
     h, counts = heights[there], scatter.probability[there]
     ends = np.log(np.maximum(_edges(scatter.periods), 1e-9))
     if not np.any(np.count_nonzero(counts, axis=1) > 1):
-        raise ValueError("every class of height has one class of period; there is no spread to fit")
+        raise ValueError("every class of height has only one class of period, so there is no scatter of periods to fit")
 
     def unlikely(x):
         mean, spread = x[0] + x[1] * h ** np.exp(x[2]), np.exp(x[3]) + np.exp(x[4] - np.exp(x[5]) * h)

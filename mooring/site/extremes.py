@@ -163,7 +163,7 @@ def _checked(period):
 
 
 class Extreme(NamedTuple):
-    """value with its interval, low and high (equal to it where it is given); fit : ExtremeFit, or None"""
+    """value, and low and high of its interval (all equal if the user gives the value); fit : ExtremeFit, or None"""
 
     value: float
     low: float
@@ -178,7 +178,9 @@ def extreme(maxima, family, years, confidence):
     """
     maxima = np.asarray(maxima, float)
     if np.any(maxima <= 0):  # such as −999 where a year is missing
-        raise ValueError(f"a yearly maximum is {maxima.min():g}; allowed: above 0, and no row where none is known")
+        raise ValueError(
+            f"a yearly maximum is {maxima.min():g}; allowed: above 0; leave out a year without a known maximum"
+        )
     fit = fit_extremes(maxima, family)
     found = Extreme(float(fit.value(years)), *fit.interval(years, confidence), fit)
     if not found.value > 0:
@@ -198,5 +200,5 @@ def _doubts(found, years, confidence):
     if years >= count and found.value < most:
         yield (
             f"the value of {years:.0f} years by {found.fit.family}, {found.value:.4g}, is below {most:.4g}, the "
-            f"largest of {count} years measured; take another family, or the measured one"
+            f"largest of the {count} measured years; use another family, or the measured value"
         )

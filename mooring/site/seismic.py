@@ -36,7 +36,7 @@ def seismic_coefficient(rule, **factors):
 
 
 def seismic_force(coefficient, weight, surcharge=0.0):
-    """Horizontal force in the unit of the weights, with what is laid upon it.  Raises ValueError."""
+    """Horizontal force in the unit of the weights; surcharge : weight that lies on the structure  Raises ValueError."""
     within("seismic coefficient", coefficient, 0.0, 2.0)
     within("surcharge", surcharge, 0.0, math.inf)
     return coefficient * (positive("weight", weight, "") + surcharge)

@@ -26,6 +26,7 @@ def tsunami_current(rise, period, depth, gravity=9.80665):
     length = period * np.sqrt(gravity * depth)
     if length < LONG * depth:
         raise ValueError(
-            f"levels.tsunami_period is {period:g} s; allowed: above {LONG * depth / length * period:.3g}, long waves"
+            f"levels.tsunami_period is {period:g} s; allowed: above {LONG * depth / length * period:.3g} s, so that "
+            f"the tsunami is a long wave"
         )
     return float(rise * np.sqrt(gravity / depth))

@@ -1,4 +1,4 @@
-"""Input of a study of moored hulls: each hull as a box in its place, with its wind, current and waves."""
+"""Input of a study of moored hulls: each hull as a box at its place, and wind, current and waves."""
 
 from collections.abc import Callable
 from dataclasses import dataclass

@@ -31,8 +31,8 @@ def lines_in_air(state):
     ]
     if told:
         yield (
-            f"above still water, with the weight in water: {', '.join(told)}; limit {IN_AIR:g}; lower the end that "
-            "is out, or give a line that is dry throughout its weight in air"
+            f"these lines are above still water with their weight in water: {', '.join(told)}; limit {IN_AIR:g}; "
+            "lower the end that is in the air, or give the weight in air to a line that is dry throughout"
         )
 
 

@@ -30,7 +30,7 @@ STILL = 1e-3  # m/s, or rad/s times the length, below which a motion counts as z
 
 
 class LongPeriod(NamedTuple):
-    """Of surge, sway and yaw, (3,) each: period s, nan without restoring; ν; x_s m, rad
+    """Values of surge, sway and yaw, (3,) each: period s, nan without restoring; ν; x_s m, rad
 
     quick, by_spectrum : standard deviations, m, rad; split : rad/s, upper end of slow motion
     """

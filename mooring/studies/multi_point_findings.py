@@ -39,7 +39,7 @@ def findings(result, db):
         )
         yield from resonances(result, waves.period)
         if db.has_viscous_motions:
-            yield "motions and drift hold the viscous damping of the database's scene, linearised in these waves"
+            yield "motions and drift include the viscous damping of the database's scene, linearised in these waves"
         else:
             yield from _undamped(result, db, waves)
         yield from _stiff_modes(result, db.bodies_reader.stiffness, words)
@@ -62,8 +62,9 @@ def _uncertain(body, waves):
         named += [f"{name} {100 * off:.0f} %"] if off > UNSURE else []
     if named:
         yield (
-            f"waves of {waves.period:g} s towards {np.rad2deg(waves.direction) % 360:.4g}° lie between stored ones, "
-            f"estimated errors: {', '.join(named)}; limit {100 * UNSURE:g} %; add period and heading to the scene"
+            f"waves of {waves.period:g} s towards {np.rad2deg(waves.direction) % 360:.4g}° lie between stored waves; "
+            f"the estimated errors are {', '.join(named)}; limit {100 * UNSURE:g} %; add this period and heading to "
+            f"the scene"
         )
 
 
@@ -73,7 +74,7 @@ def _of_the_sea(result):
     x, y, turn = np.where(np.abs(effects.slow) > ROUNDING * np.max(effects.slow[:2]), effects.slow, 0.0)
     yield (
         f"slow drift about the mean, standard deviations Fx {x / 1e3:.3g}, Fy {y / 1e3:.3g} kN, Mz {turn / 1e3:.3g} "
-        f"kN m, moves the body at its natural periods; this is not in the tensions: {IN_TIME}"
+        f"kN m, moves the body at its natural periods; the tensions do not include this motion: {IN_TIME}"
     )
 
 
@@ -136,8 +137,8 @@ def _held(periods):
     ]
     if held:
         named = ", ".join(held)
-        where = "outside the solved frequencies, or where water of a gap rings"
-        yield f"natural periods {where}, with added mass of the nearest one: {named}"
+        where = "outside the solved frequencies, or near a resonance of the water in a gap"
+        yield f"natural periods {where}; they use the added mass at the nearest good frequency: {named}"
 
 
 def _unstable(result):
@@ -153,13 +154,13 @@ def _outside_the_method(result, depth):
     turn = np.abs(result.displacement[2::3]).max()
     if turn > TURNED:
         yield (
-            f"the steady forces turn the body by {turn:.2g} rad, limit {TURNED:g}: forces and motions are those "
-            "at its heading at rest"
+            f"the steady forces turn the body by {turn:.2g} rad, limit {TURNED:g}, but forces and motions are "
+            "computed at its heading at rest"
         )
     if result.conditions.waves and result.conditions.method == "regular_wave" and depth <= SHALLOW:
         yield (
-            f"water depth {depth:g} m is not above {SHALLOW:g} m: there simulations in heavy seas exceed this "
-            f"method (SR179 report, section 5.5.3); {IN_TIME}"
+            f"water depth {depth:g} m is not above {SHALLOW:g} m: in such depths, simulations in heavy seas give more "
+            f"than this method (SR179 report, section 5.5.3); {IN_TIME}"
         )
 
 
@@ -174,7 +175,8 @@ def _line_findings(result):
         ((mean.status == State.SLACK) & (rest.status != State.SLACK), "slack under the steady forces"),
         (
             unheld(rest) | unheld(mean),
-            "without tension on a bed steeper than friction holds, taken to lie there: give more friction or less line",
+            "slack on a bed that is too steep for their friction, but computed as lying there: give more friction or "
+            "less line",
         ),
         (laid & (mean.vertical_a < 0) & ~beyond, "lifting the anchor under the steady forces"),
         (
@@ -183,7 +185,7 @@ def _line_findings(result):
         ),
         (
             np.isinf(result.system.breaking_load),
-            "without a breaking load, how much of it they use is unknown: give breaking_load of their type",
+            "without a breaking load, so that their utilisation is unknown: give breaking_load of their type",
         ),
     )
     for chosen, text in groups:
@@ -199,14 +201,14 @@ def _broken(result, beyond):
     if np.any(beyond):
         named = some([names[i] for i in np.flatnonzero(beyond)], LINES_NAMED)
         yield fails(
-            f"{beyond.sum()} of {len(names)} lines beyond reach at the largest displacement: an inextensible line "
-            f"cannot follow, give its EA or more length: {named}"
+            f"{beyond.sum()} of {len(names)} lines cannot reach the fairlead at the largest displacement, since they "
+            f"are inextensible; give EA or more length: {named}"
         )
     stretched = (strain > LONGEST_STRAIN) & ~beyond
     if np.any(stretched):
         yield fails(
-            f"{stretched.sum()} of {len(names)} lines at the largest tension stretched by more than "
-            f"{100 * LONGEST_STRAIN:g} % of their length, where any rope parts: "
+            f"{stretched.sum()} of {len(names)} lines are stretched by more than {100 * LONGEST_STRAIN:g} % of their "
+            f"length at the largest tension, where any rope parts: "
             f"{shares(names, np.where(stretched, strain, np.nan))}; give a longer line or a nearer anchor"
         )
     yield from overused(names, np.where(beyond, np.nan, result.utilisation), result.allowable, "at the largest tension")

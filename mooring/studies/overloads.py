@@ -8,15 +8,18 @@ from ..response.findings import LINES_NAMED, some
 
 
 def overloads(state, curves=(), losses=None):
-    """Failures and remarks on lines at rest, at offsets, with a line broken: above the breaking load, stretched by more
-    than a half, without an equilibrium; beyond their table.
+    """Failures and remarks on lines at rest, at offsets and after the loss of a line: tensions above the breaking load,
+    stretch of more than a half, missing equilibria, and elongations beyond the table.
 
     state : SystemEquilibrium; curves : OffsetCurves of it
     losses : {line: SystemEquilibrium without it, or an exception}
     """
     yield from _of_one("at rest", state.system, state.tension, state.lines.utilisation)
     for curve in curves:
-        where = f"held at offsets up to {np.abs(curve.offset).max():g} m along {np.degrees(curve.direction):g}°"
+        where = (
+            f"with the body held at offsets up to {np.abs(curve.offset).max():g} m along "
+            f"{np.degrees(curve.direction):g}°"
+        )
         yield from _missed(curve)
         largest, used = np.fmax.reduce(curve.tension), np.fmax.reduce(curve.utilisation)
         yield from _of_one(where, state.system, largest, used)
@@ -43,8 +46,8 @@ def _of_one(where, system, tension, used):
     broken = _named(system, used, 1.0)
     if broken:
         yield fails(
-            f"{where}, tension in % of the breaking load: {broken}; limit 100 %, there a line parts; "
-            "give a stronger type or a longer line"
+            f"{where}, tension in % of the breaking load: {broken}; limit 100 %, at which a line parts; give a "
+            "stronger type or a longer line"
         )
     stretched = _named(system, strains(system, tension), LONGEST_STRAIN)
     if stretched:

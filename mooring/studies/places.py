@@ -23,7 +23,7 @@ def check_places(system, hulls):
             raise ValueError(
                 f"line {line.name}: its fairlead ({x:g}, {y:g}, {z:g}) m is {out:.4g} m off the hull of "
                 f"{hull.length:g} by {hull.beam:g} m, z {-hull.draft:g} to {hull.freeboard:g} m; allowed: up to "
-                f"{BESIDE * hull.length:.3g} m; its coordinates begin in the middle of the hull"
+                f"{BESIDE * hull.length:.3g} m; coordinates are measured from the middle of the hull"
             )
         away = float(np.linalg.norm(fairlead - anchor))
         if away > (1 + LONGEST_STRAIN) * line.length and not isinstance(line, Hawser):
@@ -44,10 +44,10 @@ def place_findings(system, hulls):
         if inside > NEAR * hull.length:
             through.append(f"{line.name} {inside:.3g} m")
     if beside:
-        yield f"fairleads beside the hull: {some(beside, LINES_NAMED)}; {limit}; check where they are"
+        yield f"fairleads away from the hull: {some(beside, LINES_NAMED)}; {limit}; check their coordinates"
     if through:
         yield (
-            "lines through the hull, on the straight way from fairlead to anchor: "
+            "lines that pass through the hull on the straight path from fairlead to anchor: "
             f"{some(through, LINES_NAMED)}; {limit}; check fairleads and headings"
         )
 
@@ -63,7 +63,9 @@ def off_the_mesh(system, body, mesh):
     off = [f"{point.name} {out:.3g} m" for point, out in zip(own, away, strict=True) if out > NEAR * length]
     if off:
         limit = f"limit {NEAR * length:.3g} m"
-        yield f"fairleads off the hull of the database: {some(off, LINES_NAMED)}; {limit}; check where they are"
+        yield (
+            f"fairleads away from the hull of the database: {some(off, LINES_NAMED)}; {limit}; check their coordinates"
+        )
 
 
 def _ends(system, hulls):

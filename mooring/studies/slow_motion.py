@@ -14,8 +14,8 @@ from Gaussian: with independent complex normal z_j
 
     x = Σ_j λ_j |z_j|²,    λ the eigenvalues of  Q_il = H(ω_i − ω_l) √(D_i D_l) 2√(S_i S_l) Δω
 
-(Kac and Siegert 1947, Naess 1986), to which gusts and waves add a Gaussian.  With f the density of the sum, from its
-characteristic function, levels are crossed f(x) σ_ẋ/√2π times a second.  Its largest value in head seas is a third
+(Kac and Siegert 1947, Naess 1986), to which gusts and waves add a Gaussian.  The characteristic function of the sum
+gives its density f, and a level x is crossed f(x) σ_ẋ/√2π times a second.  Its largest value in head seas is a third
 above that of a Gaussian of the same variance.  The rule for comparison (DNV-OS-E301, chapter 2, section 2) is the
 larger of slow significant + fast largest and slow largest + fast significant, both Gaussian.
 """
@@ -44,7 +44,7 @@ NEAR = 1.5  # a natural period within this factor of a wave period is reported
 
 
 class SlowMotion(NamedTuple):
-    """Of surge, sway and yaw (3,), m, m, rad: mean offset, deviations of slow motion and of that of the waves, with
+    """Values of surge, sway, yaw (3,), m, m, rad: mean offset, deviations of slow motion and of that of the waves, with
     mean zero-crossing periods s; drift_share : of the slow variance, the rest gusts; period s, ratio of damping to
     critical of each mode; estimates (3, 2) of the deviation, flat spectrum and beating force; largest : of all
     together, and rule : DNV's, both expected and from rest
@@ -152,7 +152,7 @@ def _modes(held, mass, damping):
             )
         if not N[i] > 0:
             raise ValueError(
-                f"slow {name} has damping {N[i]:.3g}, of the waves' drift and the study; allowed: above 0; give "
+                f"slow {name} has damping {N[i]:.3g} (wave drift and study together); allowed: above 0; give "
                 f"body.damping_ratio = {{ {name} = 0.05 }} or so for the drag of lines and hull"
             )
     return _Modes(period, C, N, N / (2 * np.sqrt(C * M)))
@@ -260,7 +260,7 @@ def _flags(modes, sea):
         near = [f"{n} {T:.4g} s" for n, T in zip(NAMES, modes.period, strict=True) if peak / NEAR < T < peak * NEAR]
         if near:
             yield (
-                f"natural period of {', '.join(near)} is within a factor of {NEAR:g} of the waves' peak period "
+                f"natural period of {', '.join(near)} is within a factor of {NEAR:g} of the peak period of the waves, "
                 f"{peak:.4g} s; change the stiffness of the lines"
             )
     light = [f"{n} {100 * v:.3g} %" for n, v in zip(NAMES, modes.ratio, strict=True) if v < 0.02]

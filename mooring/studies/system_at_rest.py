@@ -87,7 +87,7 @@ def _following(inner, pulled):
     good, b = held > FREE * held.max(), left.T @ (pulled / size[:, None])
     if np.abs(b[~good]).max(initial=0.0) > PULLED * np.abs(b).max(initial=0.0):
         raise LineSystemError(
-            "a free point or another body is held by nothing in some direction; hold it, or give it weight"
+            "a free point or another body is not held in some direction; add a line that holds it, or give it weight"
         )
     return (right[good].T @ (b[good] / held[good, None])) / size[:, None]
 

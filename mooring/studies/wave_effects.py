@@ -3,8 +3,9 @@
 Irregular waves: drift is 2∫SD dω, motions the largest expected in a duration (`mooring.response.sea_state`).
 
 Regular wave: the SR179 report (1982), section 5.1.1, replaces irregular waves by a regular wave with the significant
-height as its height and the mean period as its period.  It has twice their energy, all of it at one frequency: its
-drift may be several times that of the sea, its motions between a quarter and twice the largest.
+height as its height and the mean period as its period.  Such a wave has twice the energy of the sea, all of it at one
+frequency. Its drift may be several times that of the sea, and its motions a quarter to twice the largest motions in the
+sea.
 """
 
 from contextlib import suppress
@@ -80,7 +81,7 @@ def _irregular(reader, conditions):
     try:
         body, _ = in_sea(on_current(reader, carrier_of(conditions.current)), sea)
     except BetweenError as error:
-        raise BetweenError(f'{error}, or say method = "regular_wave"') from None
+        raise BetweenError(f'{error}, or give method = "regular_wave"') from None
     state = sea_state(body, sea, conditions.duration)
     slow = state.slow
     drift = _of_moving(body, slow.of_each) if body.bodies else slow.drift
@@ -104,7 +105,7 @@ def _of_moving(body, of_each):
     """(3,) per moving body, one after another, of the drift (bodies, 3) of several; None if unknown"""
     if of_each is None:
         raise BetweenError(
-            'drift of each of several bodies is known without a current that carries the waves; say waves = "still" '
+            'the drift of each of several bodies is known only for waves in still water; give waves = "still" '
             "under [current]"
         )
     return of_each[[i for i, one in enumerate(body.bodies) if not one.fixed]].ravel()
@@ -130,8 +131,8 @@ def _regular(reader, conditions):
     warnings = tuple(check_blocked(carrier, w, body.depth, body.gravity))
     if body.lacks_motions:
         warnings += (
-            "motions on the current are those of still water: the database has no coefficients that they follow from; "
-            "run its command again with --only motions,radiation",
+            "motions on the current are taken from still water, since the database lacks the coefficients to compute "
+            "them; run its command again with --only motions,radiation",
         )
     near = np.clip(w.omega * (1 + BESIDE * np.array([-1.0, 0.0, 1.0])), *body.between.span)
     _, coefficients, known = drift_on_current(body, np.unique(near), [w.direction])

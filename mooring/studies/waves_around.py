@@ -27,7 +27,7 @@ class Map(NamedTuple):
 def frequency(period, omega):
     """rad/s from whichever of the two is given.  Raises ValueError."""
     if (period is None) == (omega is None):
-        raise ValueError("give period in s or omega in rad/s, one of the two")
+        raise ValueError("give either period in s or omega in rad/s")
     value = omega if period is None else period
     if not (0 < value < np.inf):
         raise ValueError(f"{'omega' if period is None else 'period'} is {value:g}; allowed: above 0, finite")
@@ -83,16 +83,18 @@ def remarks(around, db, amplitude=None):
     viscous = db.bodies_reader.viscous
     if around.motion is not None and viscous is not None:
         height = 2 * (viscous.wave_amplitude if amplitude is None else amplitude)
-        yield f"the body's motion has its viscous damping in waves of {height:.3g} m"
+        yield f"the body's motion includes its viscous damping in waves of {height:.3g} m"
     if db.bodies:
         yield (
-            "no elevation is computed between the bodies, inside their common outline, where the far field "
-            "does not hold"
+            "no elevation is computed between the bodies, inside their common outline, where the far field is not valid"
         )
     if around.missed > MISSED:
         yield fails(
-            f"the sources in the hull miss {around.missed:.1%} of its far field; allowed: {MISSED:.0%}; take the waves "
-            "near it with care, or lower ones"
+            f"the sources in the hull miss {around.missed:.1%} of its far field; allowed: {MISSED:.0%}; the waves "
+            "near the hull are uncertain; choose waves of a lower frequency"
         )
     if around.pierces:
-        yield "waves that decay within a depth or a wave length of the hull are left out; it may be higher there"
+        yield (
+            "waves that decay within a depth or a wave length of the hull are left out; the elevation may be higher "
+            "there"
+        )

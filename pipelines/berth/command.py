@@ -16,7 +16,8 @@ def berth(
     output: Annotated[Path | None, Parameter(help="time series, .csv, or all results, .h5")] = None,
     plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
     measured: Annotated[
-        bool, Parameter(negative=(), help="the fifty measured berthings of Ueda (1981) instead of a study")
+        bool,
+        Parameter(negative=(), help="instead of a study: compare with the fifty measured berthings of Ueda (1981)"),
     ] = False,
 ):
     """Compute the energy of a berthing ship, the reaction of its fenders, and its course in time.

@@ -91,12 +91,13 @@ def _ship(study, approach, db):
         told.append(f"{', '.join(others)} held still: the memory is that of {one.name} beside them, as fixed bodies")
     if abs(displaced / ship.mass - 1) > MASS_DIFFERS:
         told.append(
-            f"the body of {db.path} displaces {displaced / 1e3:.4g} t, and the ship has {ship.mass / 1e3:.4g} "
-            "t; the ship's mass is used"
+            f"the body of {db.path} displaces {displaced / 1e3:.4g} t, but the ship has {ship.mass / 1e3:.4g} t; the "
+            "ship's mass is used"
         )
     if study.depth is not None and abs(db.water_depth / study.depth - 1) > DEPTH_DIFFERS:
         told.append(
-            f"the memory of {db.path} holds for a water depth of {db.water_depth:g} m, and depth is {study.depth:g} m"
+            f"the memory of {db.path} is valid for a water depth of {db.water_depth:g} m, but depth is "
+            f"{study.depth:g} m"
         )
     return made, told
 
@@ -250,8 +251,8 @@ def _failures(study, approach, course):
     _, (reaction,) = at_deflections([stiff], [deflection_of(stiff, approach.energy)])
     if table.dolphin_yield is not None and reaction > 1e3 * table.dolphin_yield:
         yield fails(
-            f"at {high:g} of its reaction the fender pushes the dolphin with {reaction / 1e3:.4g} kN, which yields at "
-            f"{table.dolphin_yield:.4g} kN; give a softer fender or a stronger dolphin"
+            f"the stiffest fender of a batch ({high:g} times its reaction) pushes with {reaction / 1e3:.4g} kN, and "
+            f"the dolphin yields at {table.dolphin_yield:.4g} kN; give a softer fender or a stronger dolphin"
         )
     if course is None:
         return

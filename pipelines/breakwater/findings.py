@@ -9,14 +9,15 @@ from ..printing.number import significant
 
 
 def failures(optimisation, found):
-    """What fails: lines that go slack, pretensions that cannot be, anchors that are too small, no design good enough"""
+    """Failures: lines that go slack, impossible pretensions, anchors that are too small, or no design that meets the
+    target"""
     held, sea = found.pretension, found.sea
     if held is not None:
         yield from _of_pretension(held)
     if held is not None and held.given is not None and sea is not None and (sea.least or 0.0) > held.given:
         yield fails(
-            f"the pretension of {_kN(held.given)} is less than the {_kN(sea.least)} that keep lines "
-            "taut in the sea; give more"
+            f"the pretension of {_kN(held.given)} is less than the {_kN(sea.least)} that keep the "
+            "lines taut in the sea; give more pretension"
         )
     for one in found.anchors:
         if one.utilisation is not None and one.utilisation > 1:
@@ -38,7 +39,7 @@ def _of_pretension(held):
         where = ", ".join(f"{end} at {level} water" for level, end in held.slack)
         yield fails(
             f"lines go slack: {where}; linear tensions are not valid there, and lines snap when they become "
-            f"taut again; give more pretension than {_kN(held.used)}"
+            f"taut again; give a pretension above {_kN(held.used)}"
         )
     if held.most is not None and held.most < held.least:
         yield fails(
@@ -47,8 +48,8 @@ def _of_pretension(held):
         )
     elif held.most is not None and held.most < held.used:
         yield fails(
-            f"the pretension of {_kN(held.used)} exceeds {_kN(held.most)}, the most within the allowable "
-            "tension; give less, or stronger lines"
+            f"the pretension of {_kN(held.used)} exceeds {_kN(held.most)}, the most that the allowable "
+            "tension permits; give less pretension, or stronger lines"
         )
 
 
@@ -59,7 +60,7 @@ def wanted(optimisation, front):
     if len(enough):
         i = enough[0]
         sizes = ", ".join(f"{name} {x:.4g}" for name, x in zip(front.names, front.designs[i], strict=True))
-        yield f"{wanted:g} or less behind needs at least {_kN(front.tension[i])}: {sizes}"
+        yield f"for waves of {wanted:g} or less behind, the least tension is {_kN(front.tension[i])}: {sizes}"
 
 
 def _kN(value):

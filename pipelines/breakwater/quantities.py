@@ -132,7 +132,7 @@ def behind_of(asked, found):
         made |= quantities(f"lines in the greatest of {sea.waves:.0f} waves of the sea", {
             "sea.amplitude": (sea.greatest, "N/m", "greatest amplitude"),
             "sea.tension": (sea.tension, "N/m", "greatest tension at the worst level"),
-            "sea.slack": (sea.slack, "%", "slack in this share of the cycles"),
+            "sea.slack": (sea.slack, "%", "share of the cycles with slack lines"),
         }, "end")  # fmt: skip
         made |= quantities("", {"sea.deviation": (sea.deviation, "N/m", "standard deviation")}, "end")
         made["sea.least_pretension"] = Quantity(sea.least, (), "N/m", "least pretension that keeps lines taut in it")
@@ -149,7 +149,7 @@ def snapping_of(asked, found):
     return quantities("", when) | quantities(title, {
         "snap.largest": (snap.largest, "N/m", "snaps to"),
         "snap.mean": (snap.peaks, "N/m", "mean of the cycles"),
-        "snap.slack": (snap.slack, "%", "slack for this share of the time"),
+        "snap.slack": (snap.slack, "%", "share of the time with slack lines"),
     }, "end"), {}  # fmt: skip
 
 

@@ -58,7 +58,7 @@ def _check_directions(study):
                 f"{key}.obliquity_deg is {table.obliquity_deg:g}; allowed: {-MOST_OBLIQUE} to {MOST_OBLIQUE}"
             )
     if study.loss is not None and (study.waves.obliquity_deg or (study.sea is not None and not study.sea.is_normal)):
-        raise StudyError("loss is given with waves at an angle; it holds for waves along the normal only")
+        raise StudyError("loss is given with waves at an angle, but it is valid for waves along the normal only")
 
 
 def periods(study):
@@ -169,7 +169,7 @@ def _check_needs(study):
 def _check_map(study):
     asked = study.map
     if asked.period is None and study.sea is None:
-        raise StudyError("map has no waves; give map.period or [sea]")
+        raise StudyError("map needs waves; give map.period or [sea]")
     if asked.period is not None:
         positive("map.period", asked.period)
     check_count("map.units", asked.units, 1, MOST_UNITS, StudyError)

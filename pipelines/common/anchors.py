@@ -11,8 +11,8 @@ def warn_of_anchors(heights, depth):
     high = [f"{name} (z = {z:g} m)" for name, z in heights.items() if z > HIGHEST]
     if high:
         warnings.warn(
-            f"anchors above the water: {', '.join(high)}, limit {HIGHEST:g} m, the height of a quay; z is 0 at still "
-            "water and negative below it",
+            f"anchors above the water: {', '.join(high)}, limit {HIGHEST:g} m, the height of a high quay; z is 0 at "
+            "still water and negative below it",
             stacklevel=2,
         )
     limit = max(OFF_BED[0], OFF_BED[1] * depth)

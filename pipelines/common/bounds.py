@@ -1,4 +1,5 @@
-"""Memory and time of a command, against those available: refused before the computation, in one line with a remedy.
+"""Memory and time that a command needs, compared with those available. Too much is refused before the computation, in
+one line with a remedy.
 
 Estimates are within a factor of about three; refused work would exceed any available machine.
 """

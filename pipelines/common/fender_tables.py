@@ -100,14 +100,15 @@ def _inclined(table, where, fender):
     if table.angle_deg == 0:
         if table.width is not None:
             raise StudyError(
-                f"{where}.width is {table.width:g} m without an angle_deg; the width is for an inclined face"
+                f"{where}.width is {table.width:g} m but angle_deg is missing; the width applies to an inclined face "
+                f"only"
             )
         return fender
     width = table.width if table.width is not None else table.length
     if width is None:
         raise StudyError(
-            f"{where}.angle_deg is {table.angle_deg:g} without a width; give the width of the panel, m, or of a "
-            "cell fender the flange, 1.1 to 1.3 of the height"
+            f"{where}.angle_deg is {table.angle_deg:g} without a width; give the width of the panel, m (for a cell "
+            "fender that of the flange, 1.1 to 1.3 times its height)"
         )
     return inclined(fender, below(f"{where}.width", width, WIDEST), math.radians(table.angle_deg))
 
@@ -128,10 +129,13 @@ def pair_of(table, fender, where="fender"):
 
 
 def causes_of(table):
-    """What the reaction of a fender varies by; of pneumatic ones only ±10 % of manufacture is known (SR179, 3.3.2)"""
+    """The bands within which the reaction of a fender varies; for pneumatic fenders only ±10 % by manufacture is known
+    (SR179, 3.3.2)"""
     if table.causes is not None:
         if not table.causes:
-            raise StudyError(f"fender.causes is empty; give some of {', '.join(bands())}, or leave it out for all")
+            raise StudyError(
+                f"fender.causes is empty; give one or more of {', '.join(bands())}, or leave causes out for all"
+            )
         return table.causes
     return ["manufacture"] if table.family == "pneumatic" else list(bands())
 
@@ -160,9 +164,9 @@ def beyond_batch(what, energy, table, fender):
         rated = pair_of(table, fender).rated_energy
         yield fails(
             f"{what}: {energy / 1e3:.4g} kJ are {100 * energy / soft.rated_energy:.4g} % of the "
-            f"{soft.rated_energy / 1e3:.4g} kJ that the softest fender of a batch absorbs at its rated strain, with "
-            f"{factor:g} of the catalogue's reaction (Ueda 1981, section 6), and {100 * energy / rated:.4g} % of the "
-            "catalogue's; choose a larger fender or more fenders"
+            f"{soft.rated_energy / 1e3:.4g} kJ that the softest fender of a batch absorbs at its rated strain "
+            f"({factor:g} times the catalogue's reaction; Ueda 1981, section 6), and {100 * energy / rated:.4g} % of "
+            f"the energy in the catalogue; choose a larger fender or more fenders"
         )
 
 
@@ -174,7 +178,7 @@ def _of_family(table, where):
     for key in ("rated_strain", "allowable_strain", "return_length"):
         if getattr(table, key) is not None:
             raise StudyError(
-                f"{where}.{key} is given with a family, which defines it already; it is for a fender with a table"
+                f"{where}.{key} is given with a family, which already defines it; give it only with a table"
             )
     return fender_of_family(
         table.family,

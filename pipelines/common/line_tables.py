@@ -239,7 +239,7 @@ def line_of(where, name, table, types, ends=("", ""), density=1025.0, gravity=9.
     if table.type in types and types[table.type].straight:
         if table.bodies or table.bed:
             raise StudyError(
-                f"{where} ({name}): a hawser has neither bodies nor a bed; these belong to a line of segments"
+                f"{where} ({name}): a hawser has neither bodies nor a bed; give these only for a line of segments"
             )
         return hawser_of(where, name, table.type, types[table.type], _length(where, table), ends)
     parts = table.segments or [SegmentTable(type=table.type, length=table.length)]
@@ -306,8 +306,8 @@ def hawser_at_tension(where, name, kind_name, kind, distance, tension):
         length = distance - tension / (1e3 * positive(f"{place}.spring_kN_per_m", kind.spring_kN_per_m))
     if not length > 0:
         raise StudyError(
-            f"{where} ({name}): the unstretched spring would be {length:.4g} m long over a distance of "
-            f"{distance:.4g} m; allowed: above 0; give a stiffer spring or less pretension"
+            f"{where} ({name}): for this pretension over {distance:.4g} m the unstretched spring would be "
+            f"{length:.4g} m long; allowed: above 0 m; give a stiffer spring or less pretension"
         )
     return hawser_of(where, name, kind_name, kind, length)
 
@@ -375,7 +375,8 @@ def _friction(where, bed, of_segments):
     if len(set(of_segments)) > 1:
         low, high = min(of_segments), max(of_segments)
         raise StudyError(
-            f"{where}: bed_friction of its types is {low:g} to {high:g}, and a line has only one; give bed.friction"
+            f"{where}: bed_friction of its types is {low:g} to {high:g}, but a line has only one friction; give "
+            f"bed.friction"
         )
     return of_segments[0]
 

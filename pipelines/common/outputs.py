@@ -13,7 +13,7 @@ def check_ending(path, endings):
     path = Path(path)
     if path.suffix.lower() not in endings:
         has = f"the suffix {path.suffix!r}" if path.suffix else "no suffix"
-        raise ValueError(f"{path} has {has}; allowed: {', '.join(endings)}")
+        raise ValueError(f"{path} has {has}; allowed suffixes: {', '.join(endings)}")
 
 
 def check_output(path, kind, is_one, endings, inputs=()):

@@ -40,7 +40,7 @@ def save(figure, path, dpi):
 
 
 def draw_streams(axes, towards):
-    """Arrows of {name: rad that it travels to}, one below the other left of the matplotlib axes"""
+    """Draw an arrow for each of {name: rad that it travels to}, one below the other, left of the matplotlib axes"""
     import numpy as np
 
     (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
@@ -56,7 +56,8 @@ def draw_streams(axes, towards):
 
 
 def font_file(text):
-    """Path of an installed font with the letters of a text for VTK, whose own has none but Latin, or None for that"""
+    """Path of an installed font that has the letters of a text, for VTK, whose own font has only Latin letters; None if
+    its own font suffices"""
     if text.isascii():
         return None
     found = font_with({letter for letter in text if not letter.isascii() and letter.isprintable()})

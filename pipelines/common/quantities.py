@@ -43,7 +43,7 @@ def level_of(key, value):
     from hakobune.mooring.response.pair_levels import LEVELS
 
     if value not in LEVELS:
-        raise StudyError(f"{key} is {value!r}; allowed: {', '.join(LEVELS)}")
+        raise StudyError(f"{key} is {value!r}; allowed levels: {', '.join(LEVELS)}")
     return value
 
 

@@ -10,8 +10,9 @@ friction = 0.2                                            break_strain = 0.1
 shear = 2000.0                                            tail_length = 8.0 …
 
 A fender touches the flat side of the hull in front of it; x, y, z in m with the body at rest, forces in kN. With
-several bodies `body` is the one that touches it, or has the fairlead; `to` is the one with the fender or the bollard,
-whose place is in its coordinates; without `to` the fender or bollard is fixed, in coordinates of the scene.
+several bodies, `body` is the body that touches the fender or has the fairlead. `to` is the body that carries the fender
+or the bollard, whose position is in the coordinates of `to`. Without `to` the fender or bollard is fixed, in
+coordinates of the scene.
 """
 
 import math
@@ -106,8 +107,8 @@ def berth_of_tables(fenders, dolphins, ropes, hull, center):
     for where, one in (*(("fender", one) for one in fenders), *(("rope", one) for one in ropes)):
         if one.body or one.to:
             raise StudyError(
-                f"{where} {one.name}: body {one.body or one.to!r} is given, and the database is of one; leave body and "
-                "to out"
+                f"{where} {one.name}: body {one.body or one.to!r} is given, but the database contains one body; leave "
+                "out body and to"
             )
     known = _dolphins(fenders, dolphins)
     made = [_fender(f"fender[{i}] ({one.name})", one, known.get(one.on), hull) for i, one in enumerate(fenders)]
@@ -137,8 +138,8 @@ def berth_between(fenders, dolphins, ropes, hulls, bodies):
             if _inside(other.own(face), other.box):
                 x, y, z = face
                 raise StudyError(
-                    f"{where} lies inside both {body.name} and {table.to}, at {x:.4g}, {y:.4g}, {z:.4g} m of the "
-                    "scene; allowed: between their sides"
+                    f"{where} lies inside both {body.name} and {table.to}, at {x:.4g}, {y:.4g}, {z:.4g} m in the axes "
+                    "of the scene; allowed: between their sides"
                 )
         placed = msgspec.structs.replace(table, position=tuple(map(float, own.own(face))), body="", to="")
         one = _fender(where, placed, known.get(table.on), own.box)
@@ -156,10 +157,10 @@ def berth_between(fenders, dolphins, ropes, hulls, bodies):
 def _ends(where, table, moving, bodies):
     """`bem.modes.Body` of both ends, None for a fixed end.  Raises StudyError."""
     if table.body not in moving:
-        raise StudyError(f"{where}: body is {table.body!r}; allowed: one that moves, {', '.join(moving)}")
+        raise StudyError(f"{where}: body is {table.body!r}; allowed: a body that moves, {', '.join(moving)}")
     if table.to and (table.to == table.body or table.to not in bodies):
         others = ", ".join(name for name in bodies if name != table.body)
-        raise StudyError(f"{where}: to is {table.to!r}; allowed: another body, {others}, or none")
+        raise StudyError(f"{where}: to is {table.to!r}; allowed: another body, {others}; or leave it out")
     return bodies[table.body], bodies.get(table.to)
 
 
@@ -185,7 +186,7 @@ def _dolphins(fenders, dolphins):
             )
     for name in known:
         if name not in stands:
-            raise StudyError(f"dolphin {name!r} carries no fender; name the dolphin in the key on of one")
+            raise StudyError(f"dolphin {name!r} carries no fender; name the dolphin in the key on of a [[fender]]")
     return known
 
 
@@ -286,11 +287,13 @@ class HingeTable(Table):
             value = getattr(self, name)
             if not (math.isfinite(value) and value >= 0) or (value and self.kind not in DRIVEN):
                 raise StudyError(
-                    f"{where}.{name} is {value:g} of a {self.kind}; allowed: 0 or more, of a {' or '.join(DRIVEN)}"
+                    f"{where}.{name} is {value:g} for a {self.kind}; allowed: 0 or more, for a {' or '.join(DRIVEN)} "
+                    f"only"
                 )
         if not math.isfinite(self.rest) or (self.rest and not self.stiffness):
             raise StudyError(
-                f"{where}.rest is {self.rest:g} and its stiffness {self.stiffness:g}; allowed: finite, with a spring"
+                f"{where}.rest is {self.rest:g} with stiffness {self.stiffness:g}; allowed: a finite rest, and a "
+                f"stiffness above 0 with it"
             )
         rest = math.radians(self.rest) if self.kind == "hinge" else self.rest
         drive = 1e3 * self.damping, 1e3 * self.stiffness, rest
@@ -319,8 +322,8 @@ class StationTable(Table):
         beams = [m.shape for m in db.modes if m.body == owner and isinstance(m.shape, Beam)]
         if not beams:
             raise StudyError(
-                f"{where} is given, and {self.body or 'the body'} is not a beam; solve its scene with [[modes]], "
-                "or leave the stations out"
+                f"{where} is given, but {self.body or 'the body'} is not a beam; solve its scene with [[modes]], or "
+                "leave the stations out"
             )
         outside = [x for x in self.x if not beams[0].start <= x <= beams[0].end]
         if outside:

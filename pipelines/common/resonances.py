@@ -47,4 +47,7 @@ def _uncertain(one):
     share = one.error / one.peak
     if share <= UNSURE:
         return ""
-    return f"; the peak is uncertain by {100 * share:.3g} %, limit {100 * UNSURE:g} %: also solve {one.omega:.6g} rad/s"
+    return (
+        f"; the peak is uncertain by {100 * share:.3g} %, limit {100 * UNSURE:g} %; add {one.omega:.6g} rad/s to "
+        f"the frequencies"
+    )

@@ -15,7 +15,8 @@ def damping(
     /,
     *,
     mass: Annotated[
-        float | None, Parameter(help="t, with added mass, for a decay; t m² for a rotation", allow_leading_hyphen=True)
+        float | None,
+        Parameter(help="mass with added mass, t (for a rotation t m²); for a decay only", allow_leading_hyphen=True),
     ] = None,
     plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
 ):

@@ -19,7 +19,7 @@ from .running import Ran, base_of, factors_of, grouped, judged_case, key_of, rep
 
 NOTHING = (
     "No change was tried: the study has no catalogue size, rope, pretension or number of lines that could change. "
-    "Change the layout, or the kind of line or fender."
+    "Change the layout, or use another kind of line or fender."
 )
 
 
@@ -94,7 +94,7 @@ def after_lines_move(advice, ran):
     ]
     if not (left and advice.tried):
         return advice
-    first = f"This advice rests on static lines ({left[0]}). Run the lines in motion first."
+    first = f"This advice was computed with static lines ({left[0]}). Run the lines in motion first."
     return advice._replace(beyond=" ".join(filter(None, (first, advice.beyond))))
 
 
@@ -112,7 +112,7 @@ def _beyond(judged, cases, fixed):
         )
     missed = [one.criterion for one in judged if one.met is False and one.criterion.quantity in fixed]
     words = ", ".join(f"{one.name}, {one.quantity} {one.sense} {one.limit:.4g}" for one in missed)
-    return f"No change of lines affects {words}: the project gives these values." if missed else ""
+    return f"No change of lines affects {words}, since the project gives these values." if missed else ""
 
 
 def _shaken(judged, cases):

@@ -115,8 +115,7 @@ def check_cases(read, scenes):
         other = files.setdefault(file_name(case).lower(), case.state)
         if other != case.state:
             raise StudyError(
-                f"states {other!r} and {case.state!r} would write files of the same name; give "
-                f"each state a name of its own"
+                f"states {other!r} and {case.state!r} would write files of the same name; give each state its own name"
             )
         try:
             read.kind.checked(case.study, bodies[case.level], read.folder)

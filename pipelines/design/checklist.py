@@ -17,7 +17,7 @@ class Requirement(NamedTuple):
 
 
 def checklist(read):
-    """[Requirement] of a Read project; [] of a kind of study that is not simulated by the project"""
+    """[Requirement] for a Read project; [] for a kind of study that the project does not simulate"""
     if not read.kind.MOVED:
         return []
     in_time = read.project.simulation is not None
@@ -54,10 +54,10 @@ def _earthquakes(read):
         return Requirement(text, None, "lines leave the hull with long natural periods")
     given = [table.name for table in read.project.earthquakes]
     if not given:
-        return Requirement(text, False, "not a load case; give [[earthquakes]]")
+        return Requirement(text, False, "earthquakes are not a load case; give [[earthquakes]]")
     timed = [table.name for table in read.project.earthquakes if "record" in _raw(read.folder / table.study)]
     if not timed:
-        return Requirement(text, False, f"no record in time for {', '.join(given)}; give [record] in its study")
+        return Requirement(text, False, f"earthquake {', '.join(given)} has no time record; give [record] in its study")
     return Requirement(text, True, f"records of {', '.join(timed)}")
 
 
@@ -77,7 +77,7 @@ def _directions(states, in_time):
     if not waves:
         return Requirement(text, None, "there are no waves")
     if not in_time:
-        return Requirement(text, False, "one regular wave with the significant height; give [simulation]")
+        return Requirement(text, False, "a single regular wave of the significant height is used; give [simulation]")
     long = [state.name for state in states if state.waves is not None and state.waves.spreading is None]
     if long:
         return Requirement(text, False, f"long-crested waves in {', '.join(long)}; give waves.spreading")

@@ -37,7 +37,7 @@ def fatigue(read, ran):
             return Judged(
                 criterion,
                 (),
-                f"{state.name} has a regular wave, whose cycles do not represent a sea; give irregular waves",
+                f"{state.name} has a regular wave, and its cycles do not represent a sea; give irregular waves",
             )
         cases = [one for one in ran if one.case.state == state.name and not one.case.lost and one.case.factor == 1]
         for one in cases if state.share else ():
@@ -51,8 +51,8 @@ def fatigue(read, ran):
     carrying = total[worst] ** 2 / squares[worst] if squares[worst] > 0 else np.inf
     if carrying < FEWEST * (1 - 1e-9):
         return Judged(
-            criterion, (), f"the damage of {one.numbers.names[worst]} comes from {carrying:.1f} cycles of the "
-            f"runs; below {FEWEST} cycles it has no 90 % interval; give a longer simulation.duration_hours or "
+            criterion, (), f"the damage of {one.numbers.names[worst]} is due to only {carrying:.1f} cycles of the "
+            f"runs; a 90 % interval needs {FEWEST} cycles; give a longer simulation.duration_hours or "
             f"more seeds",
         )  # fmt: skip
     name = max(parts, key=lambda part: part[1][worst])[0]

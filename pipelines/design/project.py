@@ -65,7 +65,7 @@ STATISTICS = ("largest", "amplitude", "peak to peak")
 class Read(msgspec.Struct, frozen=True):
     """A project with the files it names: raw, nested dictionaries of the project; study, raw tables of its study
 
-    kind : module of `kinds` for such studies; study_text, text : of the files
+    kind : module of `kinds` for studies of this kind; study_text, text : text of the study and of the project
     criteria : chosen from the rules; folder : start of relative paths
     """
 
@@ -107,7 +107,9 @@ def _at_site(raw, folder):
     asked = [state for state in states if isinstance(state, dict) and "weather" in state]
     if not isinstance(own_site, str):
         if asked:
-            raise StudyError("states take their weather from a site and project.site is not given; give its file")
+            raise StudyError(
+                "states take their weather from a site, but project.site is missing; give the file of the site"
+            )
         return raw
     values = site_file(folder / own_site)
     laid = []

@@ -56,7 +56,8 @@ def _check_bodies(own, kind):
         raise StudyError("project: neither scene nor database is given; give one of them")
     if kind.DATABASE == "none" and given:
         raise StudyError(
-            f"project.{'scene' if own.scene else 'database'} is given; a {kind.NAME} defines its own section"
+            f"project.{'scene' if own.scene else 'database'} is given, but a {kind.NAME} defines its own section; "
+            f"leave it out"
         )
 
 
@@ -96,9 +97,7 @@ def _check_states(project, depth):
     for i, state in enumerate(project.states):
         where = f"states[{i}]"
         if names.count(state.name) > 1:
-            raise StudyError(
-                f"{where}.name is {state.name!r}, which another state has too; give each state a name of its own"
-            )
+            raise StudyError(f"{where}.name is {state.name!r}, the name of another state; give each state its own name")
         check_among(f"{where}.state", state.state, STATES)
         check_among(f"{where}.lost", state.lost, ("worst", "each"))
         for key, allowed in (("lines", LINES), ("levels", known)):
@@ -116,7 +115,7 @@ def _check_states(project, depth):
             table = getattr(state, key)
             given = [name for name in DIRECTION_KEYS if table is not None and getattr(table, name) is not None]
             if given:
-                raise StudyError(f"{where}.{key}.{given[0]} is given; allowed: directions in {where}.incidence_deg")
+                raise StudyError(f"{where}.{key}.{given[0]} is given; give directions in {where}.incidence_deg only")
         _check_streams(where, state)
         if state.waves is not None:
             _check_waves(f"{where}.waves", state.waves, depth)
@@ -222,7 +221,7 @@ def _check_needs(needs, criteria):
         if not need.judged(criteria):
             subject = ' with subject = "hawser"' if need.hawser else ""
             raise StudyError(
-                f"the study has {need.what} and no chosen criterion judges them; give a rule set that does, or "
+                f"the study has {need.what}, but no chosen criterion judges them; give a rule set that does, or "
                 f"[[limits]] of {need.quantities[0]!r}{subject}"
             )
 
@@ -233,7 +232,7 @@ def _check_hawsers(project, needs):
         for i, one in enumerate(project.limits):
             if one.subject == HAWSER:
                 raise StudyError(
-                    f"limits[{i}].subject is {HAWSER!r} and the study has no hawser; leave the subject out"
+                    f"limits[{i}].subject is {HAWSER!r}, but the study has no hawser; leave the subject out"
                 )
 
 
@@ -243,7 +242,7 @@ def _check_used(project, criteria):
     for table, quantity in USED.items():
         if getattr(project, table) is not None and quantity not in asked:
             raise StudyError(
-                f"[{table}] is given and no chosen criterion limits {quantity!r}; give a rule set or [[limits]] "
+                f"[{table}] is given, but no chosen criterion limits {quantity!r}; give a rule set or [[limits]] "
                 f"that does, or leave out [{table}]"
             )
 
@@ -268,12 +267,14 @@ def _check_earthquakes(project, study, folder):
 
     if project.earthquakes and not study.get("fender"):
         raise StudyError(
-            "earthquakes are given and the study has no fenders; lines leave the hull with long natural periods"
+            "earthquakes are given, but the study has no fenders; a hull on lines alone has long natural periods, "
+            "which an earthquake does not excite; leave them out"
         )
     for i, one in enumerate(project.earthquakes):
         if [other.name for other in project.earthquakes].count(one.name) > 1:
             raise StudyError(
-                f"earthquakes[{i}].name is {one.name!r}, which another earthquake has too; give each a name of its own"
+                f"earthquakes[{i}].name is {one.name!r}, the name of another earthquake; give each earthquake its own "
+                f"name"
             )
         check_study(folder / one.study)
 

@@ -106,7 +106,8 @@ def _write_table(path, title, head, rows):
 
 
 def origin(read, ran, criterion):
-    """(path of a file, or None for the project's own; key in it) of a criterion's value in a load case, a Ran"""
+    """(path of a file, None for a value given in the project; its key there) of the value of a criterion in a load
+    case, a Ran"""
     quantity, path = criterion.quantity, ran.path
     if quantity in OF_PROJECT:
         return None, OF_PROJECT[quantity]

@@ -34,7 +34,7 @@ def summary(verdict):
     use, criterion = worst.governing, worst.criterion
     return (
         f": {percent(use.utilisation)} of {criterion.name}, {criterion.quantity} {criterion.sense} "
-        f"{criterion.limit:.4g}, is reached by {_used_by(use, criterion)}"
+        f"{criterion.limit:.4g}, is used by {_used_by(use, criterion)}"
     )
 
 
@@ -75,10 +75,7 @@ def advice_words(advice, verdict):
 def _tried_words(one):
     used = f"{percent(one.utilisation)} of {one.criterion.rule}, {one.criterion.quantity}"
     if one.passes:
-        return (
-            f"Passes in the governing cases: {one.words}, which uses {used}. It is the smallest change of its "
-            "kind that passes."
-        )
+        return f"Passes in the governing cases: {one.words}, which uses {used}. No smaller change of this kind passes."
     return f"Not enough alone: {one.words}, the best change of its kind, still uses {used}."
 
 
@@ -92,8 +89,8 @@ def return_words(own, verdict):
     if verdict.return_period is None:
         return ""
     return (
-        f"A value that stays unexceeded for {own.service_life:g} years with probability {own.probability:g} has "
-        f"a return period of {verdict.return_period:.0f} years."
+        f"A value that is not exceeded in {own.service_life:g} years with probability {own.probability:g} has a "
+        f"return period of {verdict.return_period:.0f} years."
     )
 
 
@@ -173,7 +170,8 @@ def _used_of(used, breaking, allowable):
 
 
 def part_table(read, verdict):
-    """Head and rows, cells, of the results other than tensions: the worst value of each quantity and its part"""
+    """Head and rows (cells) of a table of results other than tensions: the worst value of each quantity, and its
+    part"""
     ran = [one for one in verdict.ran if one.numbers is not None and one.numbers.parts]
     quantities = list(dict.fromkeys(quantity for one in ran for quantity in one.numbers.parts))
     least = {one.quantity for one in (*read_rules(), *read.criteria) if one.sense == "at least"}
@@ -265,7 +263,7 @@ def case(one, links):
 
 
 def motion_rows(verdict):
-    """(name of a case, six largest motions from the mean, m and degrees) of the cases with motions"""
+    """(name of a case, its six largest motions from the mean, m and degrees) for each case with motions"""
     for one in verdict.ran:
         if one.numbers is not None:
             found = one.numbers.motions if one.runs is None else one.runs["motions"]

@@ -47,7 +47,8 @@ def design(
 
 
 def made(read, folder, workers, console, advice=True):
-    """Verdict, names of the written files and advice (`advise`, None without) of a Read project, all in `folder`."""
+    """Verdict, names of the written files and advice (None if it is not requested) of a Read project; all files are in
+    `folder`."""
     from .advice import advise, after_lines_move
     from .report import write_report
     from .running import databases, of_databases, run_cases

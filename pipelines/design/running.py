@@ -143,7 +143,9 @@ def given_parts(read, case, numbers):
     for one in read.project.values:
         if one.state in ("any", case.kind) and one.lines in ("any", case.lines) and not case.apart:
             if one.quantity in numbers.parts:
-                raise StudyError(f"values: {one.quantity!r} is given, but {case.name} computes it; leave it out")
+                raise StudyError(
+                    f"values: {one.quantity!r} is given, but {case.name} computes it; leave the given value out"
+                )
             found.setdefault(one.quantity, {})[one.source] = one.value
     lines = [i for i, name in enumerate(numbers.names) if name not in numbers.hawsers and numbers.types[i] != ("rope",)]
     if "water" in read.study and lines:

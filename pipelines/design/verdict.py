@@ -64,8 +64,9 @@ def judged_project(read, ran, of_databases=()):
 
 
 def broken_in(ran):
-    """Failures reported by the studies of load cases, lines that part or fenders beyond their capacity: a line for each
-    kind, from the first case with it; tensions at multiples of motions in rules are no such failures
+    """Failures that the studies of load cases report (lines that part, fenders beyond their capacity): a line for each
+    kind, from the first case that has it. Tensions at multiples of motions, which some rules require, are not such
+    failures.
     """
     found = {}
     for one in (one for one in ran if one.case.factor == 1):

@@ -23,7 +23,8 @@ NORMAL = 1.645  # standard deviations of an interval of 90 %
 
 
 class Verdicts(NamedTuple):
-    """known, down : (n, o) of hours and operations; chance : (n, o) that an hour stops it, 0 or 1 where that is certain
+    """known, down : (n, o) over hours and operations; chance : (n, o) probability that the operation stops in the hour,
+    0 or 1 if certain
 
     used, beyond : (n, l) utilisation of each limit, and the probability that it is exceeded
     error : (o,) share of the time, standard deviation of the sum of probabilities, without the scatter of years
@@ -38,7 +39,8 @@ class Verdicts(NamedTuple):
 
 
 def judged(used, limits, operations):
-    """Verdicts for certain utilisations (n, l): an operation is known in hours in which all of its limits are"""
+    """Verdicts for utilisations (n, l) without uncertainty: an operation is known in an hour if all of its limits are
+    known"""
     down, known = [], []
     for number in range(operations):
         own = used[:, [one.operation == number for one in limits]]

@@ -17,7 +17,10 @@ def lee(read, folder):
     """Limits, `every_hour.Response` and notes of a DowntimeStudy with [lee].  Raises StudyError."""
     for key in ("points", "keel", "turned_deg"):
         if getattr(read, key):
-            raise StudyError(f"{key} is given with [lee], but {key} needs a body; leave out one of the two")
+            raise StudyError(
+                f"{key} is given together with [lee]; {key} needs a floating body, and [lee] has none; "
+                f"leave out one of the two"
+            )
     limits = limits_of(read, [], {BEHIND: "m"})
     found = breakwater(folder / read.lee.study)
     names, periods = list(found.labels["holding"].values), found.labels["period"].values

@@ -100,8 +100,8 @@ def _limit(where, number, name, criterion, source):
     quantity, (kind, names, rest, unit) = criterion.quantity, source
     if kind not in ("response", SIMULATED) and criterion.statistic not in ("largest", ""):
         raise StudyError(
-            f"{where}: {quantity} has no statistic {criterion.statistic!r}; allowed: largest (others for motions "
-            "and points)"
+            f"{where}: {quantity} has no statistic {criterion.statistic!r}; allowed: largest (other statistics exist "
+            "for motions and points)"
         )
     if kind == "response" and criterion.sense != "at most":
         raise StudyError(f"{where}: {quantity} is limited from above; give at_most")

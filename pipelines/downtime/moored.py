@@ -62,7 +62,7 @@ def moored(read, folder, db, states, executor, say):
     for key in ("points", "keel", "lee"):
         if getattr(read, key):
             raise StudyError(
-                f"{key} is given with [simulation]; it belongs to linear responses: leave out one of the two"
+                f"{key} is given with [simulation], but it applies to linear responses only; leave out one of the two"
             )
     workers = executor_of(executor)
     with tempfile.TemporaryDirectory() as place:
@@ -112,8 +112,8 @@ def _notes(read, hindcast, found):
     with_it = "".join(f", {stream}" for *_, stream in streams_of(hindcast))
     yield (
         f"simulated: {len(found.rows)} states of {60 * table.duration_hours:g} min with {table.seeds} seeds each, "
-        f"with the waves{with_it} of the hour and all else from {table.study}; weather windows are those of one "
-        f"random realisation"
+        f"with the waves{with_it} of each hour and all other inputs from {table.study}; weather windows are those of "
+        f"one random realisation"
     )
     if len(hindcast.waves) > 1:
         yield "limiting seas are defined for one wave system; none are given with several systems"

@@ -31,7 +31,7 @@ def names_of(body):
 
 
 def state(task, raw, weather, seeds):
-    """[{quantity: value, or by statistic}] of each seed.
+    """For each seed a dictionary {quantity: value, or {statistic: value}}.
 
     task : `simulate.work.Task` of the study without the weather of the state; raw : its tables
     weather : {"waves": table, "wind": table, "current": table} in their place; raises ValueError

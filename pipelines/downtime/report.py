@@ -41,7 +41,7 @@ def _verdict(result, number):
     worst = max(own, key=lambda i: result["cause.hours"][i])
     label = result.labels["limit"].values[worst].removeprefix(f"{name}: ")
     share = 100 * result["downtime.share"][number]
-    cause = f"; the main cause is {label}, {result['cause.hours'][worst]:.4g} h" if at > 0 else ""
+    cause = f"; the main cause is {label} with {result['cause.hours'][worst]:.4g} h" if at > 0 else ""
     return {"name": name, "text": f"is down {at:.4g} h a year, {share:.3g} % of the time{between}{cause}."}
 
 

@@ -69,7 +69,7 @@ def downtime(
     read, text = given(study, DowntimeStudy, read_downtime, make_downtime)
     folder = Path(study).parent if isinstance(study, str | os.PathLike) else Path()
     if (database is None) != (read.lee is not None):
-        state = "is given with [lee], which needs no body" if read.lee else "of the body is missing"
+        state = "is given with [lee], which has no body" if read.lee else "of the body is missing"
         raise StudyError(f"the database {state}; allowed: a database, or [lee] and none")
     db = None if database is None else database_of(database)
     if read.simulation is None:
@@ -155,7 +155,7 @@ def _viscous(read, db):
     if db.has_viscous_motions:
         lacking = "motions near resonance are too large; give body.damping_ratio"
         yield (
-            "the viscous damping of the database's scene is not included, since each hour would need its own value: "
+            "the viscous damping of the database's scene is not included, since it differs from hour to hour: "
             + ("body.damping_ratio takes its place" if read.body.damping_ratio else lacking)
         )
 
@@ -176,7 +176,8 @@ def _outside(response, record, hours):
         )
         if np.nanmedian(share) > MOST_OUTSIDE:
             raise StudyError(
-                f"{text}; allowed: at most {100 * MOST_OUTSIDE:g} % in half of them; check that periods are in s"
+                f"{text}; allowed: at most {100 * MOST_OUTSIDE:g} % of the energy in half of the rows; check that "
+                f"periods are in s"
             )
         yield text
 

@@ -93,7 +93,8 @@ def simulated(read, record, limits, ready, path, executor, say):
         used = _used(limits, there, rows[chosen], table.seeds)
         sound = np.isfinite(used).any(axis=(1, 2))
         if sound.sum() < 8:
-            raise StudyError(f"only {sound.sum()} of {len(chosen)} states could be simulated, limit 8: "
+            raise StudyError(f"only {sound.sum()} of {len(chosen)} states could be simulated, and at least 8 are "
+                             f"needed: "
                              f"{next(there[r]['failed'] for r in rows[chosen] if 'failed' in there[r])}")  # fmt: skip
         at = np.array(chosen)[sound]
         fits = _fits(read, limits, x, height, at, used[sound], exact[rows])

@@ -38,7 +38,7 @@ OF_PLANES = Shape("jonswap", "energy_period", None, CosinePower(4.0))
 class Record(NamedTuple):
     """hindcast : `mooring.downtime.hindcast.Hindcast`; shapes : `every_hour.Shape` of each of its systems
 
-    planes : `mooring.downtime.planes.Planes`, None of systems of waves
+    planes : `mooring.downtime.planes.Planes`, None for a hindcast with systems of waves
     """
 
     hindcast: Hindcast
@@ -63,8 +63,8 @@ def make_downtime(raw):
     if not study.hindcast.waves and Path(study.hindcast.file).suffix.lower() not in NETCDF:
         raise StudyError("hindcast.waves is empty; give at least one wave system, or a netCDF file of spectra")
     if not 1 <= len(study.windows_hours) <= MOST_WINDOWS or len(study.turned_deg) > MOST_TURNS:
-        raise StudyError(f"windows_hours has {len(study.windows_hours)} and turned_deg {len(study.turned_deg)} "
-                         f"numbers; allowed: 1 to {MOST_WINDOWS}, and 0 to {MOST_TURNS}")  # fmt: skip
+        raise StudyError(f"windows_hours has {len(study.windows_hours)} numbers and turned_deg "
+                         f"{len(study.turned_deg)}; allowed: 1 to {MOST_WINDOWS} and 0 to {MOST_TURNS}")  # fmt: skip
     for i, hours in enumerate(study.windows_hours):
         positive(f"windows_hours[{i}]", hours)
     for i, one in enumerate(study.operations):
@@ -106,8 +106,8 @@ def record_of(table, folder, depth=None):
     systems = [_system(f"hindcast.waves[{i}]", one, depth) for i, one in enumerate(table.waves)]
     if "level" in table.columns and table.level_at_rest is None:
         raise StudyError(
-            "hindcast.columns has a level above some datum, and level_at_rest is missing; give the value of that "
-            "column at the water level of the database, m"
+            "hindcast.columns has a water level, but level_at_rest is missing; give the value of that column, m, at "
+            "which the water has the depth of the database"
         )
     wanted = {}
     for one, (_, kind, angle, _) in zip(table.waves, systems, strict=True):
@@ -139,7 +139,7 @@ def record_of(table, folder, depth=None):
 
 
 def known_columns(columns):
-    """Names that limits may refer to, from the columns of a HindcastTable"""
+    """Names of quantities from the columns of a HindcastTable that limits may use"""
     made = [name for stream, ends in STREAMS if f"{stream} east" in columns
             for name in (f"{stream} speed", f"{stream} {ends}")]  # fmt: skip
     return [*columns, *made]
@@ -151,7 +151,7 @@ def _streams(columns):
         two = f"{stream} east", f"{stream} north"
         there = [name for name in two if name in columns]
         if len(there) == 1:
-            raise StudyError(f"hindcast.columns has {there[0]!r} alone; allowed: {two[0]!r} and {two[1]!r}")
+            raise StudyError(f"hindcast.columns has {there[0]!r} only; give both {two[0]!r} and {two[1]!r}")
         if there:
             east, north = (columns[name] for name in two)
             columns[f"{stream} speed"] = np.hypot(east, north)
@@ -194,8 +194,8 @@ def _system(where, table, depth):
             f"{where}.gamma is {table.gamma:g} for {table.spectrum}; allowed: 1 to 10, for jonswap and tma"
         )
     if table.spectrum == "tma" and (depth is None or not np.isfinite(depth) or kinds[0] == "significant_period"):
-        raise StudyError(f"{where}.spectrum is 'tma', which needs a finite water depth and a period other "
-                         "than significant_period; or give jonswap")  # fmt: skip
+        raise StudyError(f"{where}.spectrum is 'tma', which needs a finite water depth and a period other than "
+                         "significant_period; give these, or jonswap")  # fmt: skip
     try:
         spread = spreading(table.spreading, _Peak)
     except ValueError as error:

@@ -119,7 +119,7 @@ class LeeTable(Table):
     """The lee of a floating breakwater in place of a body, for limits on "wave height behind"
 
     study : file of a breakwater study beside this one, whose transmission applies to waves from all directions
-    holding : one of its holdings; by default that of its [design], or the last
+    holding : a holding of that study; by default the holding of its [design], or the last one
     """
 
     study: str

@@ -34,7 +34,9 @@ def earthquake(
     result = earthquake(study, database)
     run = "course.body" in result
     if output is not None and not is_hdf5(output) and result.detail.ground is None:
-        raise StudyError("--output is a time series, which needs [record] in the study; give it, or an .h5 file")
+        raise StudyError(
+            "--output is a time series, which needs [record] in the study; give [record], or an .h5 file as --output"
+        )
     written = [path for path in (output, plot) if path is not None and (run or path != output or is_hdf5(output))]
     if output in written:
         write_records(result, output)

@@ -39,8 +39,8 @@ def earthquake(study: File | Tables | EarthquakeStudy, database: File | Database
         found |= _in_time(quake, run)
         axes |= labels("time", run.time, "s")
     note = (
-        "normalised reaction: reaction of the springs over ω² y M, with y and ω of the ground; the seismic "
-        "coefficient has 1"
+        "normalised reaction: reaction of the springs over ω² y M, with ω and displacement y of the ground; it is 1 "
+        "for the seismic coefficient"
     )
     return Result(
         "earthquake", found, axes, tuple(failures(quake, rows)), (note,), provenance=provenance(text, database),
@@ -97,5 +97,5 @@ def _in_time(quake, run):
         "course.ground_acceleration": (ground.acceleration, "m/s2", "acceleration of the ground"),
         "course.body": (run.body, "m", "displacement of the body"),
         "course.deflection": (run.deflection, "m", "deflection of the fenders pressed"),
-        "course.reaction": (run.reaction, "N", "reaction on the dolphins towards +"),
+        "course.reaction": (run.reaction, "N", "reaction on the dolphins on the + side"),
     }, "time", record=True)  # fmt: skip

@@ -123,8 +123,8 @@ def _check_place(output, kind, fresh, database):
 def _left_out(db, values, to):
     if not db.rows.all():
         yield fails(
-            f"{db.path} has {db.rows.sum()} of {len(db.rows)} frequencies solved, and only these are written; run the "
-            "command that made the database again, then this one with --fresh"
+            f"only {db.rows.sum()} of {len(db.rows)} frequencies of {db.path} are solved, and only these are written; "
+            "to write all, run the command that made the database again, then this one with --fresh"
         )
     gaps = gaps_of(db)
     yield from map(fails, gaps._replace(unknown={n: m for n, m in gaps.unknown.items() if n in CARRIED}).not_known())
@@ -133,7 +133,10 @@ def _left_out(db, values, to):
     if to in ("wamit", "hams"):
         gone = [name for name in LIMITS if name in endless or values.get(name) is None]
         if gone:
-            yield f"{', '.join(gone)} repeats the nearest frequency, since HydroDyn needs rows for both limits"
+            yield (
+                f"no finite value of {', '.join(gone)} is stored, so that at the nearest frequency is written; "
+                f"HydroDyn needs rows for both limits"
+            )
     elif endless:
         yield f"{', '.join(endless)} is not finite and is not written"
     if to not in ("wamit", "hams"):
@@ -152,10 +155,10 @@ def _left_out(db, values, to):
         yield f"the format of {to} cannot hold {', '.join(lost)}"
     if to in ("wamit", "hams", "nemoh") and values.bodies:
         points = "; ".join(f"{b.name} ({', '.join(f'{x:g}' for x in b.rotation_center)}) m" for b in values.bodies)
-        yield f"all bodies along the axes of the scene, moments and rotations about the point of each: {points}"
+        yield f"all bodies are in the axes of the scene; moments and rotations are about these points: {points}"
     if to == "wamit" and np.any(values.rotation_center):
         about = ", ".join(f"{x:g}" for x in values.rotation_center)
         yield (
-            f"moments and rotations are about ({about}) m, which these files do not record; give --about when "
-            f"they are imported"
+            f"moments and rotations are about ({about}) m, which these files do not contain; give --about when they "
+            f"are imported"
         )

@@ -36,9 +36,9 @@ def import_(
     mesh: Annotated[
         Path | None, Parameter(help="mesh of the hull, of several bodies separated by commas [beside the results]")
     ] = None,
-    depth: Annotated[float | None, Parameter(help="m or inf, where the files do not give it")] = None,
-    density: Annotated[float, Parameter(help="kg/m³, where the files do not give it")] = 1025.0,
-    gravity: Annotated[float, Parameter(help="m/s², where the files do not give it")] = 9.80665,
+    depth: Annotated[float | None, Parameter(help="water depth, m or inf, if the files do not contain it")] = None,
+    density: Annotated[float, Parameter(help="density of the water, kg/m³, if the files do not contain it")] = 1025.0,
+    gravity: Annotated[float, Parameter(help="gravity, m/s², if the files do not contain it")] = 9.80665,
     length_unit: Annotated[float | None, Parameter(help="m, ULEN of WAMIT [of the .gdf beside it]")] = None,
     about: Annotated[
         str | None,
@@ -46,7 +46,7 @@ def import_(
     ] = None,
     body: Annotated[
         int | None,
-        Parameter(help="number of the body, from 1, where the files have several; the others are held fixed"),
+        Parameter(help="number of the body, from 1, if the files have several; the others are held fixed"),
     ] = None,
     bodies: Annotated[
         str | None, Parameter(help="names of all bodies in the files, all of which move, such as float,spar")
@@ -67,12 +67,15 @@ def import_(
     correct: Annotated[
         bool,
         Parameter(
-            help="correct units, points, phases or headings that our own solution of the hull contradicts", negative=""
+            help="correct units, points, phases or headings that disagree with our own solution of the hull",
+            negative="",
         ),
     ] = False,
     uncoupled: Annotated[
         bool,
-        Parameter(help="for several bodies, without the coupling between them, as WEC-Sim by default", negative=""),
+        Parameter(
+            help="for several bodies: leave out the coupling between them, as WEC-Sim does by default", negative=""
+        ),
     ] = False,
     fresh: Annotated[bool, Parameter(help="replace an existing file", negative="")] = False,
 ):
@@ -93,7 +96,7 @@ def import_(
         others = (about, body, mass, correct or None)
         return _of_several(place, from_, bodies, mesh, known, others, points, output, fresh, uncoupled)
     if uncoupled:
-        raise ValueError("--uncoupled is given without --bodies; allowed: with the names of several that all move")
+        raise ValueError("--uncoupled is given without --bodies; give --bodies with the names of all bodies")
     center, radii = (_three(flag, text) for flag, text in points.items())
     return import_(place, from_, mesh, known, Weight(mass, center, radii), output, fresh, correct)
 
@@ -106,8 +109,8 @@ def _of_several(place, kind, names, mesh, known, others, points, output, fresh, 
 
     if any(one is not None for one in others):
         raise ValueError(
-            "--bodies is given with --about, --body, --mass or --correct; several bodies are read as the files "
-            "describe them"
+            "--bodies is given with --about, --body, --mass or --correct; several bodies are read exactly as the "
+            "files describe them; leave these flags out"
         )
     names, each = names.split(","), []
     meshes = [None] * len(names) if mesh is None else [Path(part.strip()) for part in str(mesh).split(",")]
@@ -116,7 +119,9 @@ def _of_several(place, kind, names, mesh, known, others, points, output, fresh, 
     for flag, text in points.items():
         parts = [None] * len(names) if text is None else text.split(";")
         if len(parts) != len(names):
-            raise ValueError(f"{flag} is {text!r}; allowed: three numbers for each of {', '.join(names)}, ; between")
+            raise ValueError(
+                f"{flag} is {text!r}; allowed: three numbers for each of {', '.join(names)}, separated by ;"
+            )
         each.append([_three(flag, part) for part in parts])
     weights = [Weight(None, *pair) for pair in zip(*each, strict=True)]
     names = [name.strip() for name in names]

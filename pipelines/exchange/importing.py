@@ -58,8 +58,8 @@ def import_(place, kind_name, mesh, known, weight, output, fresh=False, correct=
     draft = -float(panels.points[:, 2].min())
     if not draft < values.water_depth:
         raise ValueError(
-            f"the water is {values.water_depth:g} m deep and {panels.name} has a draft of {draft:g} m; allowed: "
-            f"deeper water"
+            f"the water is {values.water_depth:g} m deep, but {panels.name} has a draft of {draft:g} m; allowed: a "
+            f"depth above the draft"
         )
     on_hull(values, panels, weight)  # volume, stiffness, mass first
     values, agreed, doubts = believed(values, panels, correct)
@@ -88,7 +88,7 @@ def read_set(module, place, known):
         depth = depth_of(module.read(place, known | {"water_depth": np.inf}))
         if depth is None:
             raise
-        raise FormatError(f"{error}; damping and excitation agree with --depth {depth:.3g}") from None
+        raise FormatError(f"{error}; with --depth {depth:.3g} damping and excitation would agree") from None
 
 
 def check_import(kind, known, output, fresh, place):
@@ -100,7 +100,7 @@ def check_import(kind, known, output, fresh, place):
     if length is not None and not 0 < length < np.inf:
         raise ValueError(f"--length-unit is {length:g} m; allowed: above 0")
     if length is not None and "length_unit" not in kind.silent:
-        raise ValueError("--length-unit is given, and these files define their units; it is for --from wamit only")
+        raise ValueError("--length-unit is given, but these files define their units; it is for --from wamit only")
     check_place(output)
     check_ending(output, DATABASE)
     if output.exists() and (not fresh or output.resolve() == place.resolve()):
@@ -133,7 +133,9 @@ def _remarks(place, said, values):
         if one != "ULEN 1 m of " + place.with_suffix(".gdf").name:
             yield f"{one} is taken"
     if values.others:
-        yield "the files contain other bodies, or modes beyond the six of this one: they are held fixed and not stored"
+        yield (
+            "the files contain other bodies, or modes beyond the six of this body: these are held fixed and not stored"
+        )
     idle = [name for name, size in zip(DOFS, _sizes(values), strict=True) if size == 0]
     if idle:
         yield f"{', '.join(idle)} has no added mass in the files, and 0 is stored: the files do not contain this motion"

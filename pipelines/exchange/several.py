@@ -1,7 +1,8 @@
 """Import of another program's results for several bodies into one database, all of them moving.
 
-Each body is read from the files as one that moves beside the others, and checked against the laws for such a body; then
-added mass and damping of all together.  If bodies of revolution about one vertical have one heading, all other headings
+Each body is read from the files as a body that moves beside the others, and is checked by the laws for such a body.
+Then added mass and damping of all bodies together are read.  If bodies of revolution about one vertical have one
+heading, all other headings
 follow by rotation.
 """
 
@@ -33,7 +34,8 @@ AXIS = 1e-3  # largest distance of the axis of a hull of revolution from the ori
 
 
 def import_several(place, kind_name, names, meshes, known, weights, output, fresh=False, uncoupled=False):
-    """Make the database of the bodies called `names` and say what is in it; the exit status.  Raises ValueError.
+    """Make the database of the bodies called `names` and print its content; returns the exit status.  Raises
+    ValueError.
 
     known : as of `importing.import_`, without a body; weights : `bem.formats.afloat.Weight` of each
     uncoupled : whether to omit added mass and damping between different bodies, as WEC-Sim does (b2b = 0)
@@ -43,7 +45,7 @@ def import_several(place, kind_name, names, meshes, known, weights, output, fres
     if not hasattr(module, "coupled"):
         able = ", ".join(n for n, one in FORMATS.items() if one.module in ("wamit", "bemio", "nemoh", "hams"))
         raise ValueError(
-            f"--bodies is given with --from {kind_name}; allowed with {able}, or give --body for one of several"
+            f"--bodies is given with --from {kind_name}; allowed with {able}; for one body of several give --body"
         )
     if len(set(names)) < len(names) or not all(names):
         raise ValueError(f"--bodies is {','.join(names)!r}; give each body a different name")
@@ -71,7 +73,7 @@ def import_several(place, kind_name, names, meshes, known, weights, output, fres
     if uncoupled:
         own = np.kron(np.eye(len(names)), np.ones((6, 6)))
         radiation = {name: part * own for name, part in radiation.items()}
-        remarks.append("left out: added mass and damping of each body by the motions of the others")
+        remarks.append("left out: added mass and damping on each body due to motions of the others")
     values = _together(parts, radiation)
     if len(values.wave_direction) == 1 and _round(hulls):
         values = _all_around(values)

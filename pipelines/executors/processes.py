@@ -17,7 +17,7 @@ class Processes(ProcessPoolExecutor):
         super().__init__(count, multiprocessing.get_context("spawn"), _start, (max(1, cores // count),))
 
     def shutdown(self, wait=True, *, cancel_futures=False):
-        """Without waiting the processes are ended, since nobody will read their results.
+        """If it does not wait, the processes are ended, since nobody will read their results.
 
         Otherwise the interpreter would wait for them at its end, and after a Ctrl-C without limit.
         """

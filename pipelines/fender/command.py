@@ -14,7 +14,7 @@ def fender(
     *,
     family: Annotated[str | None, Parameter(help="cell, v, h, cone, foam, tyre, pneumatic")] = None,
     table: Annotated[
-        str | None, Parameter(help="CSV of the manufacturer: strain or deflection_m, reaction_kN, …")
+        str | None, Parameter(help="CSV of the manufacturer with columns strain or deflection_m, reaction_kN, …")
     ] = None,
     height: Annotated[
         float, Parameter(help="m, height; of a pneumatic fender its diameter", allow_leading_hyphen=True)

@@ -157,8 +157,8 @@ def _notes(table, made):
     if made.straight is not None:
         width = table.length if table.width is None else table.width
         yield (
-            f"face inclined by {table.angle_deg:g}° over {width:g} m, computed in strips; a deflection is that "
-            "of the edge with the largest compression"
+            f"the face is inclined by {table.angle_deg:g}° over {width:g} m and computed in strips; a deflection is "
+            "that of the most compressed edge"
         )
 
 

@@ -14,12 +14,14 @@ def animate(
     *,
     output: Annotated[Path, Parameter(help="film, .gif")],
     seed: Annotated[int | None, Parameter(help="number of a seed with a stored record [the first]")] = None,
-    start: Annotated[float | None, Parameter(help="s after the ramp [around the largest tension]")] = None,
+    start: Annotated[
+        float | None, Parameter(help="first second of the film, after the ramp [around the largest tension]")
+    ] = None,
     length: Annotated[
         float | None, Parameter(help="s, length of the film [60; at a single point the whole run]")
     ] = None,
     step: Annotated[
-        float | None, Parameter(help="s between frames, shown ten a second [1, or 150 frames in total]")
+        float | None, Parameter(help="s between frames, of which ten are shown each second [1, or 150 frames in total]")
     ] = None,
     period: Annotated[float | None, Parameter(help="s, period of the waves around the body of a database")] = None,
     omega: Annotated[float | None, Parameter(help="rad/s, in place of the period")] = None,

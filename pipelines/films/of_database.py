@@ -53,7 +53,7 @@ def _amplitude(around, height):
         if height is None:
             return MOST / angle
         raise ValueError(
-            f"--height is {height:g} m, in which the body turns by {math.degrees(angle * amplitude):.0f}°; "
+            f"--height is {height:g} m, and in such waves the body turns by {math.degrees(angle * amplitude):.0f}°; "
             f"allowed here: up to {2 * MOST / angle:.2g} m"
         )
     return amplitude
@@ -67,7 +67,7 @@ def _pressure(db, path, around):
     if abs(db.omega[i] - around.omega) > 1e-6 * around.omega or abs(turned[j]) > 1e-6:
         raise ValueError(
             f"the pressure is stored at {db.omega[i]:.6g} rad/s towards {math.degrees(db.wave_direction[j]):.4g}° and "
-            f"other waves in {path}; give one of them, or add this one by the command that made the file"
+            f"for other waves in {path}; give one of these waves, or add yours with the command that made the file"
         )
     if (db.inertia_matrix is None) != (around.motion is None):
         raise ValueError("the stored pressure is that of a freely floating body; leave out --fixed")

@@ -32,7 +32,7 @@ def film_of_run(path, output, seed=None, start=None, length=60.0, step=1.0):
     check_film(output, (path,))
     with opened(path) as file:
         if any(name.rpartition("__")[2] not in DOFS for name in file["dof"].asstr()[()]):
-            raise ValueError(f"{path} is of a body that bends; allowed: a run of a rigid body")
+            raise ValueError(f"{path} is a run of a body that bends; allowed: a run of a rigid body")
         row = _row(file, seed)
         time = file["time"][()]
         check_times(time, start, length, step)

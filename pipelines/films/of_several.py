@@ -56,7 +56,7 @@ class Moored(NamedTuple):
 
 
 def scene_of_several(file):
-    """`Scene` of an open file of runs.  Raises ValueError where its database is not there any more."""
+    """`Scene` of an open file of runs.  Raises ValueError if its database no longer exists."""
     db, study = open_database(database_path(file)), make_study(tomllib.loads(file.attrs["study"]))
     hulls = study.hulls_of(db)
     berth, system = study.berth_of(db, hulls), study.system_of(db, hulls, in_time=True)

@@ -25,7 +25,7 @@ def film_of_single_point(path, output, start=None, length=None, step=None):
     check_film(output, (path,))
     found = read(path, "single-point")
     if "run.place" not in found:
-        raise ValueError(f"{path} has no run; give its study [slewing]")
+        raise ValueError(f"{path} has no run in time; give [slewing] in its study")
     time = found.labels["time"].values
     length = float(time[-1] - time[0]) if length is None else length
     step = length / FRAMES if step is None else step

@@ -16,7 +16,7 @@ OF_SPAN = 0.01  # radius of a drawn buoy, for visibility
 
 
 class Hull(NamedTuple):
-    """box : m, six sides in coordinates of its own; center : (3,) m there, that it turns about"""
+    """box : m, six sides in the hull's own coordinates; center : (3,) m, the point there about which it turns"""
 
     box: tuple
     center: np.ndarray
@@ -61,8 +61,8 @@ def moved(center, motion):
 
 
 def frames(stage, at, poses, threads=None, heights=None, buoys=None):
-    """Pictures, (height, width, 3) each, at times (n,) s of poses (n, hulls, 6) m, rad: where the center of each hull
-    is in space, and how it is turned.
+    """Pictures, (height, width, 3) each, at times (n,) s of poses (n, hulls, 6) m, rad: the position of the center of
+    each hull in space, and its rotation.
 
     threads : function of the frame number that returns (lines × POINTS, 3) m; heights : function of x, y (g,) m that
     returns a function of t (s) → (g,) m; buoys : (n, 3) m

@@ -56,7 +56,7 @@ def commented(name):
             path = place.strip("[]")
             told |= {(path, key.name): _remark(key) for key in table.keys}
     own = next(kind for kind in (name, *KINDS) if kind in KINDS and KINDS[kind] == kind_named(name))
-    lines, path = [f"# hakobune keys {own}   explains every key, also those that do not stand here"], ""
+    lines, path = [f"# hakobune keys {own}   explains every key, including those that are not in this file"], ""
     for line in (SCENES / kind_named(name).example).read_text(encoding="utf-8").splitlines():
         if head := re.match(r"\[+([\w.-]+)\]+", line):
             path = _place(head[1], told)

@@ -52,14 +52,14 @@ def _tables(kind, words):
     except ValueError as unknown:
         found = shown.tables_found(search((kind, *words)))
         if not found:
-            raise ValueError(f"no key of any file has {' and '.join((kind, *words))!r}, and {unknown}") from None
+            raise ValueError(f"no key of any file contains {' and '.join((kind, *words))!r}, and {unknown}") from None
         return found
     tables = reference(kind)
     for word in words:
         tables = shown.having(tables, word)
     if not tables:
         all_words = " and ".join(words)
-        raise ValueError(f"no table and no key of a {kind} has {all_words!r}; hakobune keys {kind} shows all")
+        raise ValueError(f"no table and no key of a {kind} contains {all_words!r}; hakobune keys {kind} shows all")
     return tables
 
 
@@ -69,10 +69,10 @@ def _schemas(kind, words, place):
     from . import schema
 
     if words:
-        raise ValueError(f"{words[0]!r} and --schema are given; a schema has all keys of a kind")
+        raise ValueError(f"{words[0]!r} and --schema are given; a schema has all keys of a kind; leave the words out")
     if kind is None:
         if place.suffix or place.is_file():
-            raise ValueError(f"{place} is the name of one file; give a folder for all kinds, or name a kind")
+            raise ValueError(f"{place} is the name of a single file; give a folder for all kinds, or name one kind")
         print("\n".join(map(str, schema.write_schemas(place))))
         return 0
     if place.suffix != ".json":

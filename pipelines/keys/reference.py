@@ -36,7 +36,8 @@ class Key(NamedTuple):
 
 
 class KeyTable(NamedTuple):
-    """A table of a file: places : its headings there, such as "[waves]", "" for the keys before any; keys : of `Key`"""
+    """A table of a file; places : its headings, such as "[waves]", or "" for keys before the first heading; keys : of
+    `Key`"""
 
     places: tuple[str, ...]
     meaning: str

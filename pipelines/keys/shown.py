@@ -42,7 +42,7 @@ def _only(table, wanted):
 
 
 def tables_found(found):
-    """`KeyTable`s of the results of a search: those of one place and one set of files together"""
+    """`KeyTable`s of the results of a search; keys with the same place in the same set of files share a table"""
     together = {}
     for one in found:
         together.setdefault((one.places, one.kinds), []).append(one.key)

@@ -10,7 +10,8 @@ COMMON = {
     "from": "first value",
     "gamma": "peak factor γ, for jonswap and tma",
     "gravity": "m/s², acceleration of gravity",
-    "incidence_deg": "direction of origin off the bow, 0 from ahead (χ of the SR179 report); or give direction_deg",
+    "incidence_deg": "direction that it comes from, off the bow, 0 from ahead (χ of the SR179 report); or give "
+    "direction_deg",
     "mean_period": "s, mean period T₀₁",
     "peak_period": "s, peak period",
     "significant_period": "s, significant period T₁/₃",

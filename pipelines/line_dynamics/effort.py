@@ -88,7 +88,7 @@ def check_reach(line, breaking, course):
         over, most = away[far] - line.length, min(breaking, sum(segment.stiffness for segment in line.segments))
         pull = brentq(lambda tension: stretch(tension) - over, 0.0, most)
         warnings.warn(
-            f"the fairlead moves {away[far] - line.length:.2f} m farther from the anchor than the line length, at "
-            f"t = {times[far]:.2f} s, which takes {significant(pull / KN)} kN",
+            f"the fairlead moves {away[far] - line.length:.2f} m farther from the anchor than the line is long, at t "
+            f"= {times[far]:.2f} s, which needs {significant(pull / KN)} kN",
             stacklevel=2,
         )

@@ -33,8 +33,8 @@ def findings(found, result, strength, line):
     if largest > 1.01 * found.fairlead.largest:
         when = result.time[np.argmax(result.tension_fairlead)]
         yield (
-            f"before the evaluated time the fairlead tension was {significant(largest / KN)} kN at t = "
-            f"{when:.2f} s, more than within it; give a longer ramp"
+            f"the largest fairlead tension, {significant(largest / KN)} kN at t = {when:.2f} s, occurs before the "
+            f"evaluated time; give a longer ramp"
         )
     if found.change > STEADY:
         yield (
@@ -50,11 +50,11 @@ def findings(found, result, strength, line):
     dynamic = found.fairlead.over_quasi_static - 1
     if not isinstance(found.regime, str) and found.regime.regime == 1 and abs(dynamic) > DYNAMIC:
         yield (
-            f"the simplified method predicts a quasi-static line, but the run differs by {dynamic:+.0%} from "
-            f"statics, allowed {DYNAMIC:.0%}: use the run"
+            f"the simplified method predicts a quasi-static line, but the run differs by {dynamic:+.0%} from statics, "
+            f"allowed {DYNAMIC:.0%}: use the values of the run"
         )
     if np.isnan(found.fairlead.quasi_static):
-        yield "the line has no static shape at any position of its fairlead, so that no quasi-static tension is given"
+        yield "the line has no static shape at any position of its fairlead, so no quasi-static tension is given"
 
 
 def _of_segment(used, strength):

@@ -88,8 +88,8 @@ def _way(system, name):
     table = [line.name for line in way if isinstance(line, CompositeLine)]
     if table:
         raise StudyError(
-            f"moordyn: EA of line {table[0]} is a table or a Syrope rope; allowed in motion: a number or a|b, or a "
-            "study with elongation_percent and tensions of its own"
+            f"moordyn: EA of line {table[0]} is a table or a Syrope rope; allowed in motion: a number or a|b; for a "
+            "table give elongation_percent and tensions in the study"
         )
     joints = [points[({one.a, one.b} & {two.a, two.b}).pop()] for one, two in pairwise(way)]
     return way, joints, *ends

@@ -78,7 +78,9 @@ def _harmonic(study, kind):
     longest = max(periods + sea, default=0.0)
     ramp = longest if given.ramp is None else given.ramp
     if study.duration is None and not periods:
-        raise StudyError("duration is missing and nothing moves; give a duration above 0 s, or a motion or a wave")
+        raise StudyError(
+            "duration is missing, and nothing moves that has a period; give a duration above 0 s, or a motion or a wave"
+        )
     duration = ramp + CYCLES * longest if study.duration is None else study.duration
     if not moving:
         return Course(kind.still(given.position), ramp, duration, None if sea else longest or None)

@@ -105,7 +105,7 @@ def _bed(study):
     below, table = study.anchor[2] + study.water.depth, study.bed or BedTable()
     if below < -1e-9 * study.water.depth:
         raise StudyError(
-            f"anchor is at z = {study.anchor[2]:g} m, under the bed; allowed: {-study.water.depth:g} m or higher"
+            f"the anchor is at z = {study.anchor[2]:g} m, under the bed; allowed: {-study.water.depth:g} m or higher"
         )
     check_bed("bed", table.points, -study.water.depth)
     try:

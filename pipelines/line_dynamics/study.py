@@ -192,5 +192,5 @@ def make_line_dynamics(raw):
     if not study.water.depth > 0:
         raise StudyError(f"water.depth is {study.water.depth:g}; allowed: above 0, inf for a line without a bed")
     if not study.segments:
-        raise StudyError("segments is empty; give at least one [[segments]], from the anchor upwards")
+        raise StudyError("there are no segments; give at least one [[segments]], from the anchor upwards")
     return study

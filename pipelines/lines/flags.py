@@ -12,20 +12,27 @@ from cyclopts import Parameter
 def line(
     *,
     type: Annotated[
-        str | None, Parameter(help='of the catalogue: "R3 studless 76 mm", "wire 6x36 IWRC 52 mm" …')
+        str | None, Parameter(help='name in the catalogue: "R3 studless 76 mm", "wire 6x36 IWRC 52 mm" …')
     ] = None,
-    weight: Annotated[float | None, Parameter(help="N/m in water, where no type is given")] = None,
-    stiffness: Annotated[float | None, Parameter(help="EA in kN, with --weight; without it inextensible")] = None,
+    weight: Annotated[float | None, Parameter(help="N/m in water, if no type is given")] = None,
+    stiffness: Annotated[
+        float | None, Parameter(help="EA in kN, with --weight; if missing, the line is inextensible")
+    ] = None,
     length: Annotated[float, Parameter(help="m, unstretched")],
-    depth: Annotated[float, Parameter(help="m, of water at the anchor")],
+    depth: Annotated[float, Parameter(help="water depth at the anchor, m")],
     fairlead_z: Annotated[float, Parameter(help="m, above still water", allow_leading_hyphen=True)] = 0.0,
     span: Annotated[float | None, Parameter(help="m, horizontal from anchor to fairlead")] = None,
     tension: Annotated[float | None, Parameter(help="kN, horizontal at the fairlead, instead of a span")] = None,
     friction: Annotated[float, Parameter(help="coefficient on the bed")] = 0.0,
     slope_deg: Annotated[
-        float, Parameter(help="degrees, of the bed, above 0 where it rises to the fairlead", allow_leading_hyphen=True)
+        float,
+        Parameter(
+            help="slope of the bed, degrees, above 0 if the bed rises towards the fairlead", allow_leading_hyphen=True
+        ),
     ] = 0.0,
-    characteristic: Annotated[bool, Parameter(help="span, forces and what lies, slack to taut", negative="")] = False,
+    characteristic: Annotated[
+        bool, Parameter(help="table of span, forces and length on the bed, from slack to taut", negative="")
+    ] = False,
     output: Annotated[Path | None, Parameter(help="result, .h5 or .csv")] = None,
     plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
 ):
@@ -45,18 +52,23 @@ def lines(
     file: Annotated[Path, Parameter(help="system of lines: TOML, MoorDyn (.dat, .txt) or MoorPy (.yaml)")],
     /,
     *,
-    body: Annotated[str | None, Parameter(help="that forces and offsets are for; the first if not given")] = None,
-    force: Annotated[str | None, Parameter(help="Fx,Fy,Mz in kN and kN m on it", allow_leading_hyphen=True)] = None,
+    body: Annotated[str | None, Parameter(help="body for --force and --offset; the first if not given")] = None,
+    force: Annotated[
+        str | None, Parameter(help="Fx,Fy,Mz in kN and kN m on the body", allow_leading_hyphen=True)
+    ] = None,
     offset: Annotated[float | None, Parameter(help="m, draw and print the offset curve to both sides")] = None,
     direction: Annotated[str | None, Parameter(help="degrees of the offsets: a,b,c", allow_leading_hyphen=True)] = None,
-    characteristic: Annotated[str | None, Parameter(help="name of a line: its span and forces, slack to taut")] = None,
-    broken: Annotated[bool, Parameter(help="the equilibrium after the loss of each line", negative="")] = False,
+    characteristic: Annotated[
+        str | None, Parameter(help="name of a line: print its span and forces, from slack to taut")
+    ] = None,
+    broken: Annotated[bool, Parameter(help="compute the equilibrium after the loss of each line", negative="")] = False,
     depth: Annotated[
-        float | None, Parameter(help="m, for a MoorDyn or YAML file that does not say it", allow_leading_hyphen=True)
+        float | None,
+        Parameter(help="water depth, m, for a MoorDyn or YAML file without one", allow_leading_hyphen=True),
     ] = None,
     database: Annotated[
         Path | None,
-        Parameter(help="of the body: natural periods, fairleads off its hull"),
+        Parameter(help="database of the body: adds natural periods and a check of fairleads"),
     ] = None,
     output: Annotated[Path | None, Parameter(help="results, .h5 or .csv")] = None,
     plot: Annotated[

@@ -98,9 +98,9 @@ def _kind(name, weight, stiffness):
 
     if (name is None) == (weight is None):
         state = "neither is given" if name is None else "both are given"
-        raise StudyError(f"--type and --weight: {state}; allowed: a name of the catalogue, or N/m")
+        raise StudyError(f"--type and --weight: {state}; give one of them: a name of the catalogue, or N/m")
     if name is not None and stiffness is not None:
-        raise StudyError(f"--stiffness is {stiffness / KN:g} and --type has its own; allowed: one of them")
+        raise StudyError(f"--stiffness is {stiffness / KN:g}, but --type has its own; give one of them")
     if name is not None:
         return line_type(name)
     return LineType("line", weight, np.inf if stiffness is None else stiffness)
@@ -112,7 +112,7 @@ def _check_floating(one, fairlead_z, friction, slope):
     for name, value, good in (*given, ("slope", slope, slope == 0)):
         unit, size, *_ = FLAGS[name]
         if one.floats and not good:
-            allowed = "at most 0, the sea surface" if unit == " m" else "0, it does not lie on the bed"
+            allowed = "at most 0, the sea surface" if unit == " m" else "0, since the line does not lie on the bed"
             raise StudyError(
                 f"{_flag(name)} is {value / size:g}{unit}; allowed with {one.type.name}, lighter than water: {allowed}"
             )
@@ -133,8 +133,8 @@ def _span_at(one, tension, depth):
     span = one.span_at(tension)
     if span < 0:
         raise StudyError(
-            f"--tension is {tension / KN:g} kN, at which the line is {-span:.4g} m behind its anchor, where the bed is "
-            "lower; allowed: more"
+            f"--tension is {tension / KN:g} kN; the line would then hang {-span:.4g} m behind its anchor, where the "
+            "bed is lower; give more tension"
         )
     return span
 
@@ -146,8 +146,8 @@ def _solved(one, span, tension):
         if tension is None or np.isfinite(one.type.axial_stiffness):
             raise
         raise StudyError(
-            f"--tension is {tension / KN:g} kN, at which an inextensible line of {one.length:g} m is straight; "
-            "allowed: less, or the stiffness of the line (--stiffness)"
+            f"--tension is {tension / KN:g} kN, at which an inextensible line of {one.length:g} m is straight; give "
+            "less tension, or the stiffness of the line (--stiffness)"
         ) from None
 
 
@@ -168,7 +168,7 @@ def _forces(one, span, found):
         "weight": (kind.weight, "N/m", "weight in water"),
         "axial_stiffness": (kind.axial_stiffness, "N", "axial stiffness EA"),
         "breaking_load": (kind.breaking_load, "N", "breaking load"),
-        "used": (largest_in(found) / kind.breaking_load, "", "used of the breaking load"),
+        "used": (largest_in(found) / kind.breaking_load, "", "share of the breaking load"),
     }
     unknown = () if np.isfinite(kind.breaking_load) else ("breaking_load", "used")
     if np.isinf(kind.axial_stiffness):

@@ -1,4 +1,5 @@
-"""Quantities of a system of lines at rest, at offsets, with a line lost, and of a line from slack to taut."""
+"""Quantities of a system of lines (at rest, at offsets and after the loss of a line) and of one line from slack to
+taut."""
 
 import numpy as np
 

@@ -1,4 +1,5 @@
-"""`hakobune.lines`: a system of lines at rest, its stiffness, held at offsets, and after the loss of each line."""
+"""`hakobune.lines`: a system of lines at rest, its stiffness, its forces with a body held at offsets, and its
+equilibrium after the loss of each line."""
 
 from __future__ import annotations
 
@@ -68,7 +69,7 @@ def check_asked(offset, directions):
 
 
 def lines_of(given, *, body, force, offset, directions, characteristic, broken, database):
-    """As `lines`, of a `system_file.Given`"""
+    """Like `lines`, of a `system_file.Given`"""
     db = None if database is None else database_of(database)
     name = _body(given.system, body, needed=force is not None or offset is not None or db is not None)
     with heard() as first:
@@ -153,7 +154,10 @@ def _loaded(system, name, force):
 
     given = next(body for body in system.bodies if body.name == name)
     if not given.freedom:
-        warnings.warn(f"{name} is held at its position; with --force it moves in surge, sway and yaw", stacklevel=2)
+        warnings.warn(
+            f"{name} is held at its position without --force; with --force it moves in surge, sway and yaw",
+            stacklevel=2,
+        )
         bodies = [replace(body, freedom=MooredBody.freedom) if body is given else body for body in system.bodies]
         system = replace(system, bodies=tuple(bodies))
     load = np.array(given.load, float)

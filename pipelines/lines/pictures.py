@@ -62,7 +62,7 @@ def _draw_beds(axes, state):
     if len(own) < len(state.system.lines):
         axes.axhline(-state.system.depth, color="0.5", lw=4, zorder=0)
     for i, bed in enumerate(own):
-        label = "" if i else "bed of a line that has its own"
+        label = "" if i else "own bed of a line"
         axes.plot(bed[:, 0], bed[:, 2], color="C5", lw=2.5, alpha=0.6, zorder=0, label=label)
     if own:
         axes.legend(frameon=False, fontsize=8)

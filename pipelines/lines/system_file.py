@@ -159,7 +159,9 @@ def _read(path, depth):
     """System, text and MoorDynFile of a path, or None for missing ones"""
     if path.suffix.lower() in TOML:
         if depth is not None:
-            raise StudyError(f"--depth is {depth:g} m and {path} has its own; allowed: without it, or [water] depth")
+            raise StudyError(
+                f"--depth is {depth:g} m, but {path} has its own depth; leave --depth out, or change [water] depth"
+            )
         raw, text = read_toml(path, "a system", StudyError)
         return make_system(raw), text, None
     from hakobune.meshing.text_files import read_text
@@ -226,8 +228,8 @@ def _warn_of_no_water(bodies):
             loose.remove("Heave")
         if loose:
             warnings.warn(
-                f"{body.name} is free in {', '.join(loose)}, where it has neither weight nor water here, and the lines "
-                'alone hold it; allowed: freedom = ["Surge", "Sway", "Yaw"], or Heave with its lift less its weight as '
-                "the third of force_kN; `hakobune moor` includes buoyancy",
+                f"{body.name} is free in {', '.join(loose)}, but this command knows no weight and no buoyancy; "
+                'allowed: freedom = ["Surge", "Sway", "Yaw"], or Heave with buoyancy minus weight as '
+                "the third number of force_kN; `hakobune moor` includes buoyancy",
                 stacklevel=3,
             )

@@ -81,14 +81,14 @@ def findings(standing, force, wave):
     """One line each on members that are never wet or too wide for Morison's formula; force : (p, m, 6)"""
     dry = [one.name for k, one in enumerate(standing) if not force[:, k].any()]
     if dry:
-        yield f"{', '.join(dry)}: no force, since never in the water; z is measured upwards from still water"
+        yield f"{', '.join(dry)}: no force, since this is never in the water; z is measured upwards from still water"
     length = 2 * np.pi / wave.k
     wide = [one for one in standing if wave.amplitude > 0 and one.section.width > SLENDER * length]
     if wide:
         widest = max(one.section.width for one in wide)
         yield fails(
             f"{', '.join(one.name for one in wide)}: {widest:.3g} m wide, limit {SLENDER:g} of the wave's {length:.3g} "
-            "m; it scatters the wave: solve it by hakobune box or buoy"
+            "m; such a member scatters the wave: solve it with hakobune box or buoy"
         )
 
 

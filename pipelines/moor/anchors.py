@@ -6,7 +6,7 @@ type = "stockless"         friction = 0.5              holding_kN = 1500.0
 soil = "sand"              weight_kN = 400.0           uplift_kN = 600.0
 mass = 9000.0              lines = ["fore 1"]          safety = 2.0
 
-Without mass or weight_kN an anchor is sized: the result has the size required by its pull.
+For an anchor without mass or weight_kN the result has the size that its pull requires.
 """
 
 import msgspec
@@ -68,7 +68,7 @@ def anchors_of(tables, names, bollards=()):
             if name not in names or name in bollards or name in found:
                 state = "in two tables" if name in found else "on no anchor" if name in bollards else "unknown"
                 allowed = ", ".join(other for other in names if other not in (*bollards, *found))
-                raise StudyError(f"anchors[{i}].lines: {name!r} is {state}; allowed: {allowed or 'none is left'}")
+                raise StudyError(f"anchors[{i}].lines: {name!r} is {state}; allowed lines: {allowed or 'none is left'}")
             found[name] = one
     rest = [i for i, table in enumerate(tables) if not table.lines]
     if len(rest) > 1:
@@ -87,7 +87,7 @@ def _anchor(where, table):
     for key in given:
         if key not in OF_KIND[table.kind]:
             own = ", ".join(name for name in table.__struct_fields__ if name in OF_KIND[table.kind])
-            raise StudyError(f"{where}.{key} is given with kind = {table.kind!r}; allowed: {own}")
+            raise StudyError(f"{where}.{key} is given with kind = {table.kind!r}; allowed keys: {own}")
         if key not in ("type", "soil"):
             positive(f"{where}.{key}", getattr(table, key))
     return {"drag": _drag, "sinker": _sinker, "pile": _pile}[table.kind](

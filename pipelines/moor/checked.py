@@ -1,4 +1,4 @@
-"""A mooring study checked whole before any work: every name in it, and what its weather needs on its hull."""
+"""Check of a whole mooring study before any work: every name in it, and the data of the hull that its weather needs."""
 
 from typing import NamedTuple
 
@@ -38,7 +38,7 @@ class Body(NamedTuple):
 
     @property
     def sizes(self):
-        """Dimensions known before the hull is meshed, instead of `sizes` of a database"""
+        """Dimensions that are known before the hull is meshed, m; they replace `sizes` of a database"""
         return self.dimensions
 
 
@@ -76,7 +76,7 @@ def check_stored(body, in_waves):
         lacking.append(DRIFT[1])
     if lacking:
         raise StudyError(
-            f"{body.name}: want does not include {', '.join(lacking)}; give radiation, diffraction, motions and "
+            f"{body.name}: its want does not include {', '.join(lacking)}; give radiation, diffraction, motions and "
             "drift, or leave out want"
         )
 
@@ -108,7 +108,7 @@ def check_period(waves, omega):
     if not omega[0] <= waves.omega <= omega[-1]:
         raise StudyError(
             f"waves of {waves.period:.4g} s lie outside the stored periods, {2 * np.pi / omega[-1]:.4g} to "
-            f"{2 * np.pi / omega[0]:.4g} s; solve them as well"
+            f"{2 * np.pi / omega[0]:.4g} s; solve this period as well"
         )
 
 

@@ -66,8 +66,8 @@ def _tell_displaced(body, file):
     moved += [f"{name} {math.degrees(angle):.4g}°" for name, angle in names if abs(angle) > ON_BED]
     if moved:
         warnings.warn(
-            f"{KEY}: {file.name} has its body {body.name} at {', '.join(moved)}; its fairleads there are taken for "
-            "those of the hull at rest; if it is a displaced body, put it at 0 in the file",
+            f"{KEY}: {file.name} has its body {body.name} at {', '.join(moved)}; the fairleads at that place are used "
+            "for the hull at rest; if the file has a displaced body, move it to 0 in the file",
             stacklevel=2,
         )
 
@@ -91,8 +91,8 @@ def _chains(system):
                 if isinstance(points[here], Anchor) or len(at[here]) != 2:
                     what = "an anchor" if isinstance(points[here], Anchor) else f"a joint of {len(at[here])} lines"
                     raise StudyError(
-                        f"{KEY}: line {line.name} ends at {what}, {here}; allowed: from an anchor, over joints "
-                        "of two lines, to the body; `hakobune lines` can compute it"
+                        f"{KEY}: line {line.name} ends at {what}, {here}; allowed: a line from an anchor to the body, "
+                        "over joints of two lines; `hakobune lines` can compute it"
                     )
                 line = next(one for one in at[here] if one is not line)
             yield chain

@@ -21,7 +21,7 @@ def notes(made):
         f"{_used(made, worst)}"
     )
     if any(NO_DAMPING in line for line in made.warnings):
-        largest += "; the motions are at a resonance damped by waves only, and far larger than in simulations"
+        largest += "; the motions are at a resonance that only waves damp, so they are far larger than in simulations"
     return (*_waves(made), largest)
 
 
@@ -61,6 +61,5 @@ def _by_current(current, effects):
     ]
     return (
         f"the current of {current.speed:.3g} m/s changes the mean drift by {', '.join(parts) or 'nothing'} "
-        f"relative to still "
-        f'water, which current.waves = "still" has; waves are given in {current.waves} frequencies'
+        f'relative to still water (current.waves = "still"); the waves are given in {current.waves} frequencies'
     )

@@ -18,9 +18,9 @@ def body_of(study, db):
     """
     quay, wall = study.quay, db.wall
     if quay is None:
-        return db.bodies_reader, () if wall is None else (f"{db.path} is of a wall at y = {wall:g} m: {NO_DRIFT}",)
+        return db.bodies_reader, () if wall is None else (f"{db.path} includes a wall at y = {wall:g} m: {NO_DRIFT}",)
     if method_of(quay, wall, db.path) == "panels":
-        return db.reader, (f"quay at y = {quay.y:g} m: by panels with the wall; {NO_DRIFT}",)
+        return db.reader, (f"the quay at y = {quay.y:g} m is computed by panels with the wall; {NO_DRIFT}",)
     return by_far_field(db, quay.y)
 
 
@@ -33,14 +33,14 @@ def method_of(quay, wall, name):
     if method not in METHODS:
         raise StudyError(f"quay.method is {method!r}; allowed: {', '.join(METHODS)}")
     if method == "panels" and (wall is None or abs(wall - quay.y) > SAME):
-        has = "of open water" if wall is None else f"of a wall at y = {wall:g} m"
+        has = "of open water" if wall is None else f"for a wall at y = {wall:g} m"
         raise StudyError(
             f'quay.method is "panels" with a quay at y = {quay.y:g} m, and {name} is {has}; solve it again with '
             f"--wall {quay.y:g}"
         )
     if method == "far-field" and wall is not None:
         raise StudyError(
-            f'quay.method is "far-field", and {name} is for a wall at y = {wall:g} m; allowed: a database of open water'
+            f'quay.method is "far-field", but {name} is for a wall at y = {wall:g} m; allowed: a database of open water'
         )
     return method
 
@@ -61,8 +61,8 @@ def by_far_field(db, y):
     made, left_out, energy = _made[key]
     share = 100 * left_out
     told = (
-        f"quay at y = {y:g} m: by the far field; local waves near the hull, which keep {share:.3g} % of "
-        "their height on the way to the quay and back, are not included"
+        f"the quay at y = {y:g} m is computed by the far field; local waves near the hull are not included, although "
+        f"{share:.3g} % of their height is left after the way to the quay and back"
     )
     if left_out > REFUSED:
         raise StudyError(f"{told}; allowed: up to {100 * REFUSED:g} %; solve the body with hakobune solve --wall {y:g}")

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 LOADS, PERIODS, LINES = "steady forces", "natural periods", "lines, tension at the fairlead"
 CONTACTS, HINGES = (
     "fenders and ropes, deflection or elongation",
-    ("forces and moments of hinges, along the axes of their first body"),
+    ("forces and moments of hinges, in the axes of their first body"),
 )
 FREE, DRIFT, PLACE = "free motions, largest expected amplitude", "mean drift of the waves", "equilibrium"
 FORCE_UNITS = ("N", "N", "N", "N m", "N m", "N m")
@@ -150,12 +150,12 @@ def _lines(made):
         for name, (unit, words, table, of) in LINE.items()
     }
     for name, ends in zip(("anchor", "fairlead"), line_ends(made.rest), strict=True):
-        found[f"{name}.place"] = Quantity(ends, ("line", "xyz"), "m", f"place of the {name} at rest")
+        found[f"{name}.place"] = Quantity(ends, ("line", "xyz"), "m", f"position of the {name} at rest")
     return found
 
 
 def _held(made):
-    """Of fenders, ropes and hinges, at rest and under the steady forces"""
+    """Forces of fenders, ropes and hinges, at rest and under the steady forces"""
     found = {}
     for i, (name, words) in enumerate((("at_rest", "at rest"), ("steady", "steady"))):
         if made.berth.names:
@@ -180,7 +180,7 @@ def _waves(made):
         found[f"drift.{method}"] = Quantity(effects.drift, *drift, words, DRIFT)
         if effects.by_current is not None:
             found[f"drift_by_current.{method}"] = Quantity(
-                effects.by_current, *drift, f"of which by the current, {WORDS[method]}", DRIFT
+                effects.by_current, *drift, f"part of it due to the current, {WORDS[method]}", DRIFT
             )
     return found
 

@@ -82,7 +82,7 @@ class Study(Table):
         if waves.method not in METHODS:
             raise StudyError(f"waves.method is {waves.method!r}; allowed: {', '.join(METHODS)}")
         if waves.swell and waves.method != "irregular":
-            raise StudyError(f'waves.swell is given with method = "{waves.method}"; it needs "irregular"')
+            raise StudyError(f'waves.swell is given with method = "{waves.method}"; swell needs "irregular"')
         sea = sea_with_swell("waves", waves, self.water.depth)
         regular = Waves(*mean_wave(waves, sea.spectrum), sea.direction)
         duration = 3600 * positive("waves.duration_hours", waves.duration_hours)
@@ -93,7 +93,7 @@ class Study(Table):
         """ExposedBox as by `hull_of` for a database of one body; for several {name: ExposedBox} of the moving ones"""
         if not db.bodies:
             if self.hulls:
-                raise StudyError(f"hulls.{min(self.hulls)} is given, and the database contains one body; give [hull]")
+                raise StudyError(f"hulls.{min(self.hulls)} is given, but the database contains one body; give [hull]")
             return self.hull_of(db.sizes)
         moving = [body for body in db.bodies if not body.fixed]
         unknown = set(self.hulls) - {body.name for body in moving}
@@ -118,14 +118,14 @@ class Study(Table):
         for key in ("length", "beam", "draft"):
             own, stored = getattr(given, key), dimensions.get(key)
             if own is None and stored is None:
-                raise StudyError(f"hull.{key} is missing and the database does not contain it; give it, m, above 0")
+                raise StudyError(f"hull.{key} is missing, and the database does not contain it; give it in m, above 0")
             if own is not None and stored is not None and not math.isclose(own, stored, rel_tol=1e-6):
                 raise StudyError(
-                    f"hull.{key} is {own:g} m, the database is for {stored:g} m; change it, or give another database"
+                    f"hull.{key} is {own:g} m, but the database is for {stored:g} m; change it, or give another database"
                 )
             sizes[key] = positive(f"hull.{key}", stored if own is None else own)
         if given.freeboard is None and self.wind is not None:
-            raise StudyError("hull.freeboard is missing and there is wind; give it, m, above 0")
+            raise StudyError("hull.freeboard is missing, and the wind acts on it; give it in m, above 0")
         freeboard = sizes["draft"] if given.freeboard is None else positive("hull.freeboard", given.freeboard)
         return ExposedBox(**sizes, freeboard=freeboard, **superstructures(given))
 
@@ -170,13 +170,14 @@ class Study(Table):
         return berth_of_tables(self.fender, self.dolphin, self.rope, hull, center)
 
     def berth_of(self, db, hulls):
-        """The same for the bodies of a database, `hulls_of` it.  Raises StudyError for unsupported cases."""
+        """The same for several bodies of a database; hulls : from `hulls_of`  Raises StudyError for unsupported
+        cases."""
         if not db.bodies:
             return self.berth(hulls, db.rotation_center)
         if self.quay is not None or self.harbour is not None:
             key = "quay" if self.quay is not None else "harbour"
             raise StudyError(
-                f"[{key}] is given, and the database contains several bodies; it is available for one body only"
+                f"[{key}] is given, but the database contains several bodies; it is available for one body only"
             )
         return berth_between(self.fender, self.dolphin, self.rope, afloat(db, hulls), db.bodies)
 
@@ -197,13 +198,13 @@ class Study(Table):
         return anchors_of(self.anchors, names, [line.name for line in self.lines if line.bollard is not None])
 
     def system(self, hull, center, density=1025.0, gravity=9.80665, in_time=False):
-        """System of one hull on all spreads and lines, None if a berth alone holds it, or nothing in a simulation
+        """System of one hull on all spreads and lines; None if only a berth holds the hull, or in a simulation nothing
 
-        its axes at `center` (3,) m; density : kg/m³; gravity : m/s²
+        center : (3,) m, origin of the axes of the body; density : kg/m³; gravity : m/s²
         """
         known = [line.body or line.to for line in (*self.spreads, *self.lines) if getattr(line, "to", "") or line.body]
         if known:
-            raise StudyError(f"body {known[0]!r} is given, and the database contains one body; leave out body and to")
+            raise StudyError(f"body {known[0]!r} is given, but the database contains one body; leave out body and to")
         legs = self._legs({"": hull}, density, gravity, in_time)
         return None if legs is None else moored_body(legs, self.water.depth, center, density, gravity)
 
@@ -308,7 +309,7 @@ def _of_several(where, name, bodies, hulls):
     if bodies is None:
         return None
     if name not in hulls:
-        raise StudyError(f"{where} is {name!r}; allowed: one that moves, {', '.join(hulls)}")
+        raise StudyError(f"{where} is {name!r}; allowed: a body that moves, {', '.join(hulls)}")
     return bodies[name]
 
 
@@ -350,11 +351,15 @@ def make_study(raw):
     """The Study of nested dictionaries read from TOML.  Raises StudyError."""
     study = typed(raw, Study, StudyError)
     if study.site is not None:
-        raise StudyError("site is given without a file; it needs a study file, read by read_study")
+        raise StudyError(
+            "site is given in a study that is not a file; put it in a study file and read that by read_study"
+        )
     if study.lines_file is not None:
-        raise StudyError("lines_file is given without a file; it needs a study file, read by read_study")
+        raise StudyError(
+            "lines_file is given in a study that is not a file; put it in a study file and read that by read_study"
+        )
     if study.lines_body:
-        raise StudyError(f"lines_body is {study.lines_body!r} without lines_file, which it needs")
+        raise StudyError(f"lines_body is {study.lines_body!r}, but lines_file is missing; give both")
     if not 0 < study.allowable <= 1:
         raise StudyError(f"allowable is {study.allowable:g}; allowed: above 0, at most 1")
     if study.water.depth != math.inf:

@@ -18,7 +18,7 @@ def passing(
 ):
     """Compute the forces on a moored ship while another ship passes on a parallel track.
 
-    Both hulls are solved by panels in water of any depth, with or without a wall.  The study may ask for the faster
+    Both hulls are solved by panels in water of any depth, with or without a wall.  The study may select the faster
     methods of Wang (1975) or Kriebel (2005).
     hakobune passing passing_tanker.toml --plot passing.png --forces passing.csv
     """

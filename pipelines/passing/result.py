@@ -133,9 +133,8 @@ def _findings(study, track, found, moored, passer):
     squeezed = 1 / math.sqrt(1 - froude**2)
     if study.method != "kriebel" and squeezed > SQUEEZED:
         line = (
-            f"depth Froude number {froude:.2f}: such shallow water raises the pressure about {squeezed:.2f} "
-            f"times, which a rigid surface does not include, limit {SQUEEZED:g}; the ship's own waves are not "
-            f"included either"
+            f"depth Froude number {froude:.2f}: the pressure is about {squeezed:.2f} times as large as with the rigid "
+            f"surface of this method, limit {SQUEEZED:g}; the ship's own waves are not included either"
         )
         yield fails(line) if squeezed > BROKEN else line
     if found.left > FAR:
@@ -155,9 +154,11 @@ def _findings(study, track, found, moored, passer):
 
 def _notes(study, track, gap):
     if study.method == "panels":
-        yield f"both hulls under a rigid surface, about {study.panels} panels each; all six force components"
+        yield (
+            f"both hulls lie under a rigid surface and have about {study.panels} panels each; all six force components"
+        )
     else:
-        yield "slender ships with parabolic section areas; surge, sway and yaw only"
+        yield "both ships are slender with parabolic section areas; surge, sway and yaw only"
     about = ", ".join(map(significant, study.moored.rotation_center or (0.0, 0.0, 0.0)))
     yield (
         f"{significant(track.through_water)} m/s through the water, {significant(gap)} m between the sides, depth "

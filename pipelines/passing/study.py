@@ -112,7 +112,9 @@ def _check_fits(study):
     if study.peaks is not None and not all(0 < value < 100 for value in study.peaks):
         raise StudyError(f"peaks are {list(study.peaks)}; allowed: above 0, below 100")
     if study.method == "kriebel" and not math.isfinite(study.water.depth):
-        raise StudyError('method = "kriebel" rests on tests in shallow water; give a depth, or method = "wang"')
+        raise StudyError(
+            'method = "kriebel" is based on tests in shallow water; give a finite depth, or method = "wang"'
+        )
 
 
 def _check_ship(name, body, depth):

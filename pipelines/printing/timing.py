@@ -1,6 +1,7 @@
 """Time of a command by phase, requested by --timing.
 
-The time of a phase excludes that of phases within it, so that all add up to the whole.  Compilation of kernels is a
+The time of a phase excludes the time of phases within it, so that the phases add up to the total.  Compilation of
+kernels is a
 separate phase wherever it happens (`pipelines.common.first_use`).
 """
 
@@ -74,7 +75,7 @@ def spent(name):
 
 
 def begin():
-    """Time what follows in this process, if nothing is timed yet."""
+    """Start the timing of this process, unless a timing runs already."""
     global _asked
     if _asked is None:
         _asked = Timeline()

@@ -16,13 +16,13 @@ def qtf(
     heading: Annotated[str | None, Parameter(help="headings, degrees travelled to; all pairs of them")] = None,
     difference: Annotated[float | None, Parameter(help="largest difference, rad/s", allow_leading_hyphen=True)] = None,
     sums: Annotated[
-        bool, Parameter(name="--sum", negative=(), help="at the sum of frequencies, not the difference")
+        bool, Parameter(name="--sum", negative=(), help="forces at the sum of frequencies instead of the difference")
     ] = False,
     highest: Annotated[float | None, Parameter(help="largest sum, rad/s", allow_leading_hyphen=True)] = None,
-    fixed: Annotated[bool, Parameter(negative=(), help="the body is held, instead of floating")] = False,
+    fixed: Annotated[bool, Parameter(negative=(), help="the body is fixed instead of floating")] = False,
     moored: Annotated[Path | None, Parameter(help="mooring study whose lines hold the floating body")] = None,
     level: Annotated[
-        str | None, Parameter(help="body, full (with the surface's forcing) or auto; body, of sums full")
+        str | None, Parameter(help="body, full (with the free-surface forcing) or auto [body; full with --sum]")
     ] = None,
     method: Annotated[str, Parameter(help="panel, contour (vertical cylinders) or auto")] = "auto",
     fresh: Annotated[bool, Parameter(negative=(), help="compute again what is stored")] = False,
@@ -51,7 +51,7 @@ def qtf(
     check_picture(plot, PLOTS)
     if (difference if sums else highest) is not None:
         wrong, right = ("--difference", "without") if sums else ("--highest", "with")
-        raise ValueError(f"{wrong} is given; it is for use {right} --sum")
+        raise ValueError(f"{wrong} is given; it can be used {right} --sum only")
     db = open_database(database)
     result = found(
         db, omega=None if omega is None else listed("--omega", omega), highest=highest if sums else difference,

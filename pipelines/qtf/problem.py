@@ -41,8 +41,8 @@ def bodies(db, method, highest, of_force):
     fits = _fits_contour(db, highest)
     if method == "contour" and not fits:
         raise ValueError(
-            f"--method contour is given for {db.path}; it needs a vertical cylinder in finite depth, and waves "
-            f"that it resolves"
+            f"--method contour is given for {db.path}; the method needs a vertical cylinder in finite depth, and "
+            f"waves that it resolves"
         )
     if method != "panel" and fits:
         fine, rough = (_cylinder(db, panels, tolerance) for tolerance in TOLERANCES)

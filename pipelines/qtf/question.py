@@ -83,7 +83,7 @@ class Question:
 
 
 def waves_and_sums_of(db, omega, heading, highest):
-    """As `waves_of` with the largest sum, by default the highest that panels and depth resolve.  Raises ValueError."""
+    """Like `waves_of` with the largest sum, by default the highest that panels and depth resolve"""
     frequencies, headings, _ = waves_of(db, omega, heading, None)
     lowest, all_of_them = 2 * frequencies[0], 2 * frequencies[-1]
     if highest is None:
@@ -94,7 +94,7 @@ def waves_and_sums_of(db, omega, heading, highest):
 
 
 def carried_by(mesh, depth, gravity):
-    """rad/s, highest frequency whose wave is as long as `A_WAVE` of the largest panels"""
+    """rad/s, highest frequency whose wave has the length of `A_WAVE` of the largest panels"""
     k = 2 * math.pi / (A_WAVE * float(mesh.sizes.max()))
     return math.sqrt(gravity * k * math.tanh(min(k * depth, 50.0)))
 
@@ -141,7 +141,7 @@ def _frequencies(omega, low, high):
     if not (np.all(np.isfinite(given)) and given.min() >= low * (1 - 1e-9) and given.max() <= high * (1 + 1e-9)):
         raise ValueError(
             f"--omega is {_said(given)}; allowed: within the stored {low:.4g} to {high:.4g} rad/s; "
-            "solve the scene to there as well"
+            "solve the scene over that band as well"
         )
     return given
 

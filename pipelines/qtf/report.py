@@ -33,7 +33,7 @@ def diagonal_gap(forces):
 
 
 def failures(stored, db=None):
-    """Failed checks of `StoredForces`: whether the mean drift by pressure is that by the far field
+    """Failures of `StoredForces`: a mean drift by pressure that differs from the mean drift by the far field
 
     db : its open database, whose panels may be too large for the waves; None for no message on them
     """
@@ -52,9 +52,9 @@ def _smaller_panels(forces, db):
         return "the difference falls with more panels"
     length = 2 * np.pi / wavenumber(float(forces.omega[-1]), db.water_depth, db.gravity)
     return (
-        f"the waves reach {forces.omega[-1]:.3g} rad/s, {length:.3g} m long, on panels of up to {size:.3g} m; "
-        f"there are {A_WAVE:g} panels to a wave only up to {most:.3g} rad/s; use smaller panels in the scene, "
-        f"or --omega up to there"
+        f"the shortest waves are {length:.3g} m long ({forces.omega[-1]:.3g} rad/s), and panels are up to {size:.3g} "
+        f"m; only waves up to {most:.3g} rad/s have {A_WAVE:g} panels to a wave length; use smaller panels in the "
+        f"scene, or --omega up to that frequency"
     )
 
 
@@ -77,21 +77,21 @@ def notes(stored):
     gap = diagonal_gap(forces)
     if gap is not None:
         yield (
-            "mean drift on the diagonal comes from the far field; the pressure gives a value that differs by "
+            "the diagonal is the mean drift by the far field; the drift by pressure differs from it by "
             f"{100 * gap:.3g} % of the largest"
         )
     if stored.errors is None:
-        yield "no estimated error, since there is no mesh with half as many panels"
+        yield "there is no estimated error, since there is no mesh with half as many panels"
     else:
         shares = _relative(stored)
-        yield f"estimated error of the {_way(stored)}, root mean square of the force's: {shares}"
+        yield f"estimated error of the {_way(stored)}, over the root mean square of the force: {shares}"
     size = "unknown" if share is None else f"{100 * share:.3g} % of the force in surge and sway"
     if len(stored.names) > 6:
-        yield "left out: the free-surface forcing around the bodies; of one body alone, --level full includes it"
+        yield "left out: the free-surface forcing around the bodies; --level full includes it for a single body only"
     elif forces.surface is None and share is None:
         yield (
-            "left out: the free-surface forcing around the body, of unknown size: no level includes it here, since it "
-            "needs one closed waterline"
+            "left out: the free-surface forcing around the body, of unknown size: it needs one closed waterline, so "
+            "no level includes it here"
         )
     elif forces.surface is None:
         yield (
@@ -110,7 +110,7 @@ def _of_sums(stored):
     """Lines about forces at sums of frequencies"""
     forces = stored.forces
     if stored.errors is None:
-        yield "no estimated error, since there is no mesh with half as many panels"
+        yield "there is no estimated error, since there is no mesh with half as many panels"
     else:
         each = np.arange(len(forces.headings))
         parts = (np.abs(part[:, :, each, each]) ** 2 for part in (stored.errors, forces.total))

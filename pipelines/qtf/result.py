@@ -62,7 +62,7 @@ def qtf(
         raise ValueError("--fixed and --moored are both given; give one of them")
     if db.bodies and (level == "full" or moored is not None):
         given = "--moored" if moored is not None else "--level full"
-        raise ValueError(f"{given} is given for {len(db.bodies)} bodies; it is for one body alone; leave it out")
+        raise ValueError(f"{given} is given for {len(db.bodies)} bodies, but it is for one body only; leave it out")
     chosen = any(value is not None for value in (omega, headings, highest))
     held = Held(not fixed, "" if moored is None else str(moored))
     waves = (waves_and_sums_of if sums else waves_of)(db, omega, headings, highest)
@@ -106,7 +106,7 @@ def result_of(stored, db):
     forces, sums = stored.forces, stored.forces.kind is SUM
     rows = list(_rows(stored, sums))
     parts = list(rows[0][3]) if rows else []
-    title = f"force of wave pairs at frequency {forces.kind.name}s, root mean square, as parts are added"
+    title = f"force of wave pairs at frequency {forces.kind.name}s, root mean square, with each part that is added"
     units = tuple("N m/m2" if name.endswith(("roll", "pitch", "yaw")) else "N/m2" for _, name, _, _ in rows)
     made = {
         f"force.{_key(part)}": Quantity([row[3][part] for row in rows], ("force",), units, part, title)
@@ -115,8 +115,8 @@ def result_of(stored, db):
     words = [f"{np.degrees(beta):.4g}° {name}, {frequency:.4g} rad/s" for beta, name, frequency, _ in rows]
     gap = None if sums else diagonal_gap(forces)
     for name, value, word in (
-        ("drift_apart", gap, "difference of drift by pressure and by far field"),
-        ("surface_share", stored.share, "free-surface forcing over the force"),
+        ("drift_apart", gap, "difference between drift by pressure and by far field"),
+        ("surface_share", stored.share, "free-surface forcing over the whole force"),
     ):
         if value is not None:
             made[name] = Quantity(float(value), (), "", word, "checks", share=True)

@@ -14,7 +14,7 @@ def response(
     *,
     database: Annotated[Path, Parameter(help="database of the body, .h5")],
     moored: Annotated[
-        Path | None, Parameter(help="mooring study (TOML): its lines, wind and current hold the body")
+        Path | None, Parameter(help="mooring study (TOML) whose lines hold the body in its wind and current")
     ] = None,
     output: Annotated[Path | None, Parameter(help=".csv or .h5")] = None,
     plot: Annotated[Path | None, Parameter(help=".png, .svg or .pdf")] = None,

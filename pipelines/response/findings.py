@@ -39,13 +39,14 @@ def failures(result, stiffness, years=None, words=ONE_BODY):
     ):
         for name, (gap, left, _) in gaps.items():
             if left < 0:
-                yield fails(f"{word} {name}: {left:.3g} of {gap:.3g} m are left, limit 0; {way_out}")
+                yield fails(f"{word} {name}: {left:.3g} m of {gap:.3g} m are left, limit 0; {way_out}")
 
 
 def air_gaps(result, years=None):
-    """{point: (clearance, m left, how often water reaches it)} by the largest rise expected, or once in `years`
+    """{point: (clearance m, m that are left, how often water reaches the point)} by the largest expected rise, or by
+    the rise reached once in `years`
 
-    how often : the probability in a SeaState, years between in a Climate
+    how often : the probability in a SeaState, the years between two events in a Climate
     """
     if years is None:
         return result.air_gaps()
@@ -76,14 +77,17 @@ def notes(result, years=None):
     lines = [f"{len(result.height)} sea states"]
     if years > 1:
         q = 100 * probability_not_exceeded(years, years)
-        lines.append(f"the value of once in {years:g} years stays unexceeded in {years:g} years with {q:.0f} %")
+        lines.append(
+            f"the value reached once in {years:g} years is not exceeded in {years:g} years with a "
+            f"probability of {q:.0f} %"
+        )
     return [*lines, *_gaps_in_years(result, years), *_keel_in_years(result, years)]
 
 
 def _of_drift(slow):
     if slow is None:
         return ["no drift: the database has no drift_force"]
-    lines = [f"slow drift: beats up to {slow.difference[-1]:g} rad/s"]
+    lines = [f"slow drift: difference frequencies up to {slow.difference[-1]:g} rad/s"]
     if slow.by_current is not None:
         lines.append('current.waves = "still" excludes the change of drift by the current')
     if slow.damping is None:
@@ -116,8 +120,8 @@ def _gaps_in_years(result, years):
         term = result.long_term(relative_name(point))
         left = point.clearance - term.level(years * YEAR)
         yield (
-            f"air gap at {point.name}: {left:.3g} of {point.clearance:.3g} m left by the rise once in {years:g} years, "
-            f"water reaches it {_often(term, point.clearance)}; {_whose_waves(result)}"
+            f"air gap at {point.name}: {left:.3g} of {point.clearance:.3g} m are left by the rise reached once in "
+            f"{years:g} years; water reaches the point {_often(term, point.clearance)}; {_whose_waves(result)}"
         )
 
 
@@ -129,8 +133,8 @@ def _keel_lines(result):
         gap, left, touched = found[name]
         hours = result.duration / 3600
         yield (
-            f"under keel: least at {name}, {left:.3g} of {gap:.3g} m left by the largest drop, the bed is touched with "
-            f"probability {touched:.3g} in {hours:.3g} h; waves' part alone, without squat"
+            f"under keel: least at {name}, {left:.3g} of {gap:.3g} m are left by the largest drop; the hull touches "
+            f"the bed with probability {touched:.3g} in {hours:.3g} h; waves only, without squat"
         )
 
 
@@ -141,8 +145,8 @@ def _keel_in_years(result, years):
         worst = min(points, key=lambda point: point.gap - terms[point].level(years * YEAR))
         left = worst.gap - terms[worst].level(years * YEAR)
         yield (
-            f"under keel: least at {worst.name}, {left:.3g} of {worst.gap:.3g} m left by the drop once in {years:g} "
-            f"years, the bed is touched {_often(terms[worst], worst.gap)}; waves' part alone, without squat"
+            f"under keel: least at {worst.name}, {left:.3g} of {worst.gap:.3g} m are left by the drop reached once in "
+            f"{years:g} years; the hull touches the bed {_often(terms[worst], worst.gap)}; waves only, without squat"
         )
 
 
@@ -164,6 +168,6 @@ def _whose_waves(result):
 def _gap_lines(result):
     for name, (clearance, left, reached) in result.air_gaps().items():
         yield (
-            f"air gap at {name}: {left:.3g} of {clearance:.3g} m left by the largest rise, water reaches it with "
-            f"probability {reached:.3g}; {_whose_waves(result)}"
+            f"air gap at {name}: {left:.3g} of {clearance:.3g} m are left by the largest rise; water reaches the "
+            f"point with probability {reached:.3g}; {_whose_waves(result)}"
         )

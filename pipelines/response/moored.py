@@ -45,7 +45,7 @@ def moored(path, read, db, sea, duration, points):
     from .study import viscous_laws, viscous_words
 
     if read.current is not None:
-        raise StudyError(f"current is given with --moored; allowed: the current of {path} alone")
+        raise StudyError(f"current is given with --moored; leave it out: the current is that of {path}")
     study, _ = read_study(path)
     hull = study.without_berth("response --moored").hull_of(db.sizes)
     system = study.system(hull, db.rotation_center, db.density, db.gravity)
@@ -70,10 +70,10 @@ def moored(path, read, db, sea, duration, points):
         f"Fy {statics.steady_force[1] / 1e3:.4g} kN, Mz {statics.steady_force[5] / 1e3:.4g} kN m; "
         "slow drift by Newman's rule"
         + ("" if gust is None else f", gusts of {gusts.name}")
-        + "; drag of the hull linearised; give drag of the lines by body.damping_ratio"
+        + "; the drag of the hull is linearised; give the drag of the lines by body.damping_ratio"
     ]
     if given.waves is not None:
-        notes.append(f"waves of {path} are not used: those of the response study are")
+        notes.append(f"the waves of {path} are not used; the waves are those of the response study")
     if np.isfinite(db.water_depth):
         notes += _of_bound_waves(spectrum, db)
     told = (*notes, *viscous_words(held, laws, damping))
@@ -149,6 +149,6 @@ def _of_bound_waves(spectrum, db):
     kh = float(wavenumber(spectrum.peak_omega, db.water_depth, db.gravity)) * db.water_depth
     if kh < 1:
         yield (
-            f"kh is {kh:.2g} at the peak of the waves: bound long waves are not included; they may move the "
-            "body more than drift"
+            f"kh is {kh:.2g} at the spectral peak: bound long waves, which are not included, may move the body more "
+            "than slow drift"
         )

@@ -28,7 +28,7 @@ def places_of(study, db):
 
 
 def keel_points(table, db):
-    """`KeelPoint`s of a KeelTable.  Raises StudyError if one has no water under it at rest."""
+    """`KeelPoint`s of a KeelTable.  Raises StudyError if there is no water under one of the points at rest."""
     if not math.isfinite(db.water_depth):
         raise StudyError("[keel] is given, but the water of the database has no bed; solve it in finite depth")
     for key in ("tide", "extra_draft"):
@@ -44,8 +44,8 @@ def keel_points(table, db):
         gap = db.water_depth + table.tide + z - table.extra_draft
         if not gap > 0:
             raise StudyError(
-                f"under ({x:g}, {y:g}, {z:g}) there is {gap:.3g} m of water at rest, depth {db.water_depth:g}, tide "
-                f"{table.tide:g}, extra draft {table.extra_draft:g} m; allowed: above 0"
+                f"under ({x:g}, {y:g}, {z:g}) there is {gap:.3g} m of water at rest, with depth {db.water_depth:g} m, "
+                f"tide {table.tide:g} m and extra draft {table.extra_draft:g} m; allowed: above 0 m"
             )
         title = f"{name} keel x {x:.4g} y {y:.4g}".strip()
         points.append(KeelPoint(title, (float(x), float(y), float(z)), gap, name))
@@ -85,7 +85,7 @@ def _pair(where, table, points, db):
     ends = tuple(found[name] for name in table.points)
     if ends[0].body == ends[1].body:
         raise StudyError(
-            f"{where}.points are both of {ends[0].body}, and do not move relative to each other; allowed: points "
-            "of two bodies"
+            f"{where}.points are both on {ends[0].body} and do not move relative to each other; allowed: points on "
+            "two bodies"
         )
     return Pair(table.name, ends)

@@ -115,8 +115,8 @@ def _of_depth(read, db):
     if abs(more) <= FAR_FROM_DEPTH * gap:
         return []
     return [
-        f"tide and extra draft change the water under the keel by {more:.3g} of {gap:.3g} m: motions are those of "
-        "the depth of the database; solve it again at that depth"
+        f"tide and extra draft change the water under the keel by {more:.3g} of {gap:.3g} m, but the motions are "
+        "those at the depth of the database; solve the body again at the changed depth"
     ]
 
 
@@ -185,7 +185,8 @@ def of_climate(found, years, radius):
 
 
 def without_rounding(force, radius, among=None):
-    """Fx, Fy and Mz (3,), zero where they are rounding beside the largest known force of `among` (n, 3), or their own
+    """Fx, Fy and Mz (3,); a component is set to zero if it is only rounding error of the largest force of `among` (n,
+    3), or of the largest component
 
     A moment is compared with a force times the radius in m.
     """

@@ -19,7 +19,7 @@ def solved_in_sea(read, body, db, points, _):
 
     level = level_of("sea.qtf", read.sea.qtf)
     if db.bodies and level != "newman":
-        raise StudyError(f'sea.qtf is "{level}", and {db.path} is of {len(db.bodies)} bodies; allowed: "newman"')
+        raise StudyError(f'sea.qtf is "{level}", but {db.path} contains {len(db.bodies)} bodies; allowed: "newman"')
     duration = 3600 * positive("sea.duration_hours", read.sea.duration_hours)
     sea, laws = sea_with_swell("sea", read.sea, db.water_depth), viscous_laws(read, db)
     body = on_current(body, carrier_of(read.stream()))

@@ -212,7 +212,7 @@ def viscous_laws(study, db):
         return viscous.laws_of(db.bodies_reader)
     if db.bodies:
         raise StudyError(
-            f"body.viscous is given, and {db.path} is of {len(db.bodies)} bodies; give damping or damping_ratio"
+            f"body.viscous is given, but {db.path} contains {len(db.bodies)} bodies; give damping or damping_ratio"
         )
     box = db.dimensions if "beam" in db.dimensions else {}
     return laws_of("body.viscous", study.body.viscous, box, db.density, db.gravity)
@@ -297,7 +297,9 @@ def _check_damping(matrix, words):
     least, worst = _least(matrix)
     if not least >= -1e-9:
         value = matrix[worst, worst]
-        raise StudyError(f"body.damping adds energy to {words[worst]}, {value:.4g} of it; allowed: at least 0")
+        raise StudyError(
+            f"body.damping would add energy to {words[worst]}: its damping there is {value:.4g}; allowed: at least 0"
+        )
 
 
 def _check_stable(stiffness, words, rigid):
@@ -308,7 +310,7 @@ def _check_stable(stiffness, words, rigid):
     if not least > 0:
         value, name = upright[worst, worst], words[restored[worst]]
         raise StudyError(
-            f"body.stiffness leaves {value:.4g} of restoring to {name}: the body does not float; allowed: above 0"
+            f"with body.stiffness the restoring of {name} is {value:.4g}, so the body does not float; allowed: above 0"
         )
 
 

@@ -20,7 +20,7 @@ def read(path, kind=None):
     check_version(path, schema(kind))
     with opened_result(path, schema(kind)) as file:
         if "quantities" not in file.attrs:
-            raise DatabaseError(f"{path} is filled case by case; read it with hakobune.read")
+            raise DatabaseError(f"{path} is a sweep, which is filled case by case; read it with hakobune.read")
         names, axes = (json.loads(str(file.attrs[key])) for key in ("quantities", "axes"))
         lines = {key: tuple(filter(None, str(file.attrs[key]).split("\n"))) for key in LINES}
         return Result(

@@ -33,7 +33,9 @@ def as_dataframe(result, *names):
     found = [result.quantity(name) for name in names]
     axes = {one.axes for one in found}
     if len(axes) > 1 or len(found[0].axes) > 1:
-        raise ValueError(f"{', '.join(names)} do not share a single axis; allowed: quantities with the same one axis")
+        raise ValueError(
+            f"{', '.join(names)} do not share a single axis; allowed: quantities that all have the same single axis"
+        )
     if not found[0].axes:
         return pandas.DataFrame({name: [one.values[()]] for name, one in zip(names, found, strict=True)})
     axis = found[0].axes[0]

@@ -26,7 +26,7 @@ def check_records(path, kind, inputs=()):
 
 
 def is_hdf5(path):
-    """Whether the name of a file means that it has the whole result"""
+    """Whether a file of this name contains the whole result, not only records"""
     return path.suffix.lower() in DATABASE
 
 

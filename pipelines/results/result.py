@@ -107,7 +107,9 @@ class Result(Mapping[str, Any]):
         one = self.quantities[name]
         shown = self._shown(one.axes[0])
         if label not in shown:
-            raise KeyError(f"{label!r} is not a {one.axes[0]} of this result; allowed: {', '.join(shown)}")
+            raise KeyError(
+                f"{label!r} is not among the {one.axes[0]} labels of this result; allowed: {', '.join(shown)}"
+            )
         place = shown.index(label)
         unit = one.unit[place] if isinstance(one.unit, tuple) else one.unit
         return replace(one, values=one.values[place], axes=one.axes[1:], unit=unit)

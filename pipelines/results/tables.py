@@ -26,7 +26,7 @@ ROUNDING = 1e-10  # numbers below this fraction of the largest with the same uni
 class Column(NamedTuple):
     """name : of the quantity, with the label of its second axis; heading : in print; values : (rows,)
 
-    units : one for each row, or one for all; read_in : (print unit, its size) if it is one for all
+    units : one for each row, or one for all rows; read_in : (print unit, its size) if all rows share a unit
     """
 
     name: str
@@ -73,7 +73,7 @@ def _shown(result, title, axes, members):
 
 
 def columns_of(result, name, one, common=None):
-    """[Column, …] of a quantity with a first axis, one for each label of its further ones
+    """[Column, …] of a quantity with a first axis: one column for each label of its further axes
 
     common : sizes by unit of the quantities printed beside it
     """

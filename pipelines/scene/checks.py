@@ -97,7 +97,10 @@ def check_body(key, body, depth):
     if body.shape == "ship":
         _check_ship(key, body)
     elif (body.bow, body.stern, body.waterplane) != (None, None, None):
-        raise SceneError(f"{key} has a fullness of bow or stern, or a waterplane; a {body.shape} has {', '.join(own)}")
+        raise SceneError(
+            f"{key} has a fullness of bow or stern, or a waterplane coefficient; a {body.shape} has only "
+            f"{', '.join(own)}"
+        )
     if body.shape != "mesh" and body.draft >= depth:
         _check_standing(key, body, depth)
     if body.shape == "mesh" and not Path(body.file).is_file():
@@ -110,7 +113,9 @@ def check_body(key, body, depth):
     if body.GM is not None:
         _check_point(f"{key}.GM", (body.GM, 0.0, 0.0))
         if body.center_of_gravity[2]:
-            raise SceneError(f"{key}.GM is given, and z of center_of_gravity; allowed: one of them, z as 0")
+            raise SceneError(
+                f"{key}.GM is given together with z of center_of_gravity; give one of them, and z = 0 with GM"
+            )
 
 
 def _check_standing(key, body, depth):
@@ -162,7 +167,7 @@ def _check_arrangement(scene):
     damped = [body.name for body in scene.bodies if body.viscous is not None]
     if damped and scene.viscous is None:
         raise SceneError(
-            f"{damped[0]} has viscous damping, but no wave height for it; give wave_height under [viscous]"
+            f"{damped[0]} has viscous damping, which needs a wave height; give wave_height under [viscous]"
         )
     files = [body.file for body in scene.bodies if body.shape == "mesh"]
     if scene.panels is not None and files:
@@ -181,7 +186,7 @@ def _check_damping_lids(scene):
             except ValueError as error:
                 raise SceneError(f"{key}.corners {error}") from None
     if scene.damping_lids and scene.wall is not None:
-        raise SceneError("damping_lids and a wall are given; allowed: one of them")
+        raise SceneError("damping_lids and a wall are given; give only one of them")
 
 
 def _check_ship(key, body):
@@ -203,7 +208,7 @@ def _check_waves(scene):
     given = [key for key in FREQUENCY_KEYS if getattr(scene.waves, key) is not None]
     if len(given) != 1:
         found = " and ".join(given) or "no frequencies"
-        raise SceneError(f"waves has {found}; give one of {', '.join(FREQUENCY_KEYS)}; as flags --omega or --period")
+        raise SceneError(f"[waves] has {found}; give one of {', '.join(FREQUENCY_KEYS)}; as flags --omega or --period")
     key = given[0]
     if key == "xi_B" and scene.several:
         raise SceneError("waves.xi_B needs one body with a beam, but there are several; give omegas or periods")
@@ -248,7 +253,7 @@ def _check_apart(key, given, values, turn=None):
 
 def _check_rest(scene):
     if scene.tolerance is not None and scene.panels is not None:
-        raise SceneError(f"tolerance is {scene.tolerance} and panels is {scene.panels}; allowed: one of the two")
+        raise SceneError(f"tolerance is {scene.tolerance} and panels is {scene.panels}; give only one of them")
     if not 1e-5 <= scene.accuracy <= 0.2:
         raise SceneError(f"tolerance is {scene.tolerance}; allowed: 1e-5 to 0.2")
     if scene.panels is not None and not 1 <= scene.panels <= 100_000:

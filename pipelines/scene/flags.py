@@ -29,16 +29,22 @@ class SceneFlags:
     period: Annotated[str | None, _flag("wave periods, s, instead of omega")] = None
     heading: Annotated[str | None, _flag("headings, degrees the waves travel to (0: +x, 90: +y)")] = None
     tolerance: Annotated[float | None, _flag("relative error of the coefficients [0.01]")] = None
-    panels: Annotated[str | None, _flag("number of panels on the whole hull, instead of tolerance")] = None
+    panels: Annotated[str | None, _flag("number of panels on the complete hull, instead of tolerance")] = None
     method: Annotated[str | None, _flag("auto, panel, contour, transfer, pressure, strip or inverse-strip")] = None
     wall: Annotated[float | None, _flag("y of a wall along x that reflects all waves, m")] = None
     density: Annotated[float | None, _flag("density of the water, kg/m³ [1025]")] = None
     gravity: Annotated[float | None, _flag("acceleration of gravity, m/s² [9.80665]")] = None
     mass: Annotated[float | None, _flag("mass of the body, kg [that of the displaced water]")] = None
     center_of_gravity: Annotated[str | None, _flag("centre of gravity, x,y,z m [0,0,0]")] = None
-    gm: Annotated[float | None, _flag("metacentric height, m, in place of z", name="--GM")] = None
-    gyration: Annotated[str | None, _flag("radii of gyration about it, kxx,kyy,kzz m; without them no motions")] = None
-    trimmed: Annotated[bool, Parameter(help="keep the drawn trim, whatever the weight does", negative="")] = False
+    gm: Annotated[float | None, _flag("metacentric height, m, instead of z of the centre of gravity", name="--GM")] = (
+        None
+    )
+    gyration: Annotated[
+        str | None, _flag("radii of gyration about the centre of gravity, kxx,kyy,kzz m; required for motions")
+    ] = None
+    trimmed: Annotated[
+        bool, Parameter(help="keep the trim of the mesh, even if the weight is off the centre of buoyancy", negative="")
+    ] = False
     rotation_center: Annotated[str | None, _flag("point of rotations and moments, x,y,z m [0,0,0]")] = None
     only: Annotated[str | None, _flag("names or groups of results to compute, a,b,c [all]")] = None
 
@@ -67,7 +73,7 @@ def overlaid(raw, flags, body):
     bodies = tables_of_bodies(raw)
     _put(water, depth=flags.depth, density=flags.density, gravity=flags.gravity)
     if flags.omega is not None and flags.period is not None:
-        raise SceneError("--omega and --period are given; allowed: one of the two")
+        raise SceneError("--omega and --period are given; give only one of them")
     for key, flag, text in (("omegas", "omega", flags.omega), ("periods", "period", flags.period)):
         if text is not None:
             waves = {kept: value for kept, value in waves.items() if kept == "headings_deg"}

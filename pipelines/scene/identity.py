@@ -1,4 +1,4 @@
-"""What a database is of: all of a scene that may not change while the file grows, and how two of them differ.
+"""The part of a scene that must not change while its database grows, and the differences between two such parts.
 
 The parsed scenes are compared, not their texts: a key added after a file was made has its default there.  A mesh file
 counts by its content, in any place: by a stored hash, or in older files by its panels.

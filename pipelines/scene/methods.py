@@ -15,7 +15,8 @@ FAR_FIELD = ("kochin_radiation", "kochin_diffraction", "drift_force_fixed", "dri
 
 
 class Method(NamedTuple):
-    """What a method can represent, and the names of the database that it does not give, in deep water and at all.
+    """The scenes that a method can represent, and the names of the database that it does not compute, in deep water and
+    at all.
 
     fewest, most : bodies
     """
@@ -45,8 +46,8 @@ def chosen_method(scene):
     """Name of METHODS; `auto` selects contour if it can represent the scene of one body and no panels are requested.
 
     Boxes and vertical cylinders take the contour method a twentieth of the panel method's time at equal error; over
-    a bed far below the keel it loses digits.  Of several it does not know the drift of each, which mooring needs: many
-    that are far from each other are solved by transfer matrices, others on panels.
+    a bed far below the keel it loses digits.  For several bodies the contour method does not give the drift of each,
+    which moorings need. Many bodies far from each other are therefore solved by transfer matrices, others on panels.
     """
     if scene.method != "auto":
         return scene.method
@@ -58,7 +59,7 @@ def chosen_method(scene):
 
 
 def names_given(scene, names, named):
-    """`names` of the database without those that the scene's method or wall does not support.
+    """Those `names` of the database that the scene's method and wall support.
 
     named : individually requested names
     raises : ValueError if one of these is among them
@@ -70,13 +71,13 @@ def names_given(scene, names, named):
         if scene.wall is not None and refused[0] in (*FAR_FIELD, *OF_EACH):
             raise ValueError(f"want has {refused[0]}, which is not computed beside a wall; leave it out")
         if refused[0] == POWER and not scene.damping_lids:
-            raise ValueError(f"want has {POWER}, which a scene with damping_lids has; leave it out")
+            raise ValueError(f"want has {POWER}, which is computed only for a scene with damping_lids; leave it out")
         if refused[0] in OF_EACH and not scene.several:
-            raise ValueError(f"want has {refused[0]}, which a scene of several bodies has; leave it out")
+            raise ValueError(f"want has {refused[0]}, which is computed only for several bodies; leave it out")
         able = {name: other for name, other in METHODS.items() if scene.several or other.fewest == 1}
         others = [name for name, other in able.items() if refused[0] not in _lacking(scene, other)]
         raise ValueError(
-            f"want has {refused[0]}, which method {method} does not give; method {' or '.join(others)} does"
+            f"want has {refused[0]}, which method {method} does not compute; use method {' or '.join(others)}"
         )
     kept = tuple([name for name in names if name not in missing])
     if not kept:
@@ -135,15 +136,15 @@ def _obstacles(scene, method):
             out.append("needs a finite water depth")
         elif _relative_gap(scene) > method.highest_gap:
             out.append(
-                f"takes up to {method.highest_gap:g} times the draft or half width of water under the keel, "
-                f"not {_relative_gap(scene):.3g}"
+                f"allows water under the keel up to {method.highest_gap:g} times the draft or half width, and here it "
+                f"is {_relative_gap(scene):.3g} times"
             )
     if method is METHODS["transfer"] and not out:
         out += _circles(scene)
     if scene.damping_lids and method is not METHODS["panel"]:
         out.append("does not support damping lids")
     if scene.modes and not method.panels:
-        out.append("has the six rigid motions only, not [[modes]]")
+        out.append("supports only the six rigid motions, not [[modes]]")
     if scene.wall is not None and not method.wall:
         out.append("does not support a wall")
     return out
@@ -158,8 +159,8 @@ def _circles(scene):
     if found is not None:
         names = " and ".join(scene.bodies[i].name for i in found[:2])
         yield (
-            f"needs the circles around the bodies {SHARE_OF_DEPTH * scene.water.depth:.3g} m apart; those around "
-            f"{names} {found[2]}"
+            f"needs circles around the bodies that are {SHARE_OF_DEPTH * scene.water.depth:.3g} m apart; the circles "
+            f"around {names} {found[2]}"
         )
 
 

@@ -26,21 +26,23 @@ def check_modes(scene):
     if not scene.modes:
         return
     if scene.wall is not None:
-        raise SceneError("modes and a wall are given; allowed: one of them")
+        raise SceneError("modes and a wall are given; give only one of them")
     if any(body.GM is not None for body in scene.bodies):
         raise SceneError(
-            "modes and the GM of a body are given; allowed: z of center_of_gravity, since the shapes need the "
-            "place of the masses"
+            "modes and the GM of a body are given; give z of center_of_gravity instead of GM, since the shapes need "
+            "the position of the masses"
         )
     for number, mode in enumerate(scene.modes):
         _check(f"modes[{number}]", mode, scene)
     names = [(mode.body or "", name) for mode in scene.modes for name in names_of(mode)]
     twice = next((name for name in names if names.count(name) > 1), None)
     if twice is not None:
-        raise SceneError(f"modes has {twice[1]!r} twice; allowed: each kind of beam once per body, and each name once")
+        raise SceneError(
+            f"[[modes]] has {twice[1]!r} twice; allowed: each kind of beam once per body, and each name once"
+        )
     for body in range(len(scene.bodies)):
         if len({mode.kind == "file" for mode in scene.modes if body in owners(scene, mode)}) > 1:
-            raise SceneError("modes of one body come from a beam and from files; allowed: only one of the two")
+            raise SceneError("the modes of one body come from a beam and from files; allowed: only one of the two")
 
 
 def names_of(mode):
@@ -89,7 +91,9 @@ def _check(key, mode, scene):
         raise SceneError(f"{key}.count is {mode.count}; allowed: 1 to {MOST}")
     if mode.kind == "file":
         if not mode.name.isidentifier() or "__" in mode.name or mode.name.lower() in map(str.lower, DOFS):
-            raise SceneError(f"{key}.name is {mode.name!r}; allowed: a word of letters, digits and _, no rigid motion")
+            raise SceneError(
+                f"{key}.name is {mode.name!r}; allowed: a word of letters, digits and _ that is not a rigid motion"
+            )
         points_of(key, mode.file)
 
 
@@ -100,7 +104,8 @@ def _check_body(key, mode, scene):
     if between(scene, mode):
         if mode.kind != "file":
             raise SceneError(
-                f"{key}.body is missing; allowed: {', '.join(map(str, known))}; a shape of all is of a file"
+                f"{key}.body is missing; allowed: {', '.join(map(str, known))}; a shape of all bodies together needs "
+                f"a file"
             )
         return
     if scene.several and mode.body not in known:
@@ -133,7 +138,7 @@ def points_of(key, file):
     if len(np.unique(found[:, :3], axis=0)) < len(found):
         raise SceneError(f"{file} has a point twice; allowed: each once")
     if not np.any(found[:, 3:6]):
-        raise SceneError(f"{file} has only displacements of 0; allowed: a shape that moves")
+        raise SceneError(f"all displacements in {file} are 0; allowed: a shape that moves")
     if found.shape[1] == 7 and (np.any(found[:, 6] < 0) or not np.any(found[:, 6])):
         raise SceneError(f"{file} has negative masses, or all masses are 0; allowed: 0 or more, kg, and one above 0")
     return found

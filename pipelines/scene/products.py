@@ -34,7 +34,7 @@ def expand(want, motions_known, held=False):
         unknown = [word for word in want if word not in GROUPS and word not in QUANTITIES]
         if unknown:
             words = ", ".join((*GROUPS, *QUANTITIES))
-            raise ValueError(f"there is no result named {unknown[0]!r}; allowed in want: {words}")
+            raise ValueError(f"want has {unknown[0]!r}, which is not a result; allowed: {words}")
         asked = {name for word in want for name in GROUPS.get(word, (word,))}
     if held:
         named = [word for word in want or () if set(GROUPS.get(word, (word,))) <= set(OF_MOTIONS)]

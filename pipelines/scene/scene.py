@@ -1,4 +1,4 @@
-"""A scene: water, one floating body, waves and what is wanted, as typed TOML.
+"""A scene: water, floating bodies, waves and the requested results, as typed TOML.
 
 Flags of the commands and scene files give the same `Scene`; every fault is one line that names key, value and allowed
 values.  Angles are in degrees here, as everywhere in this package and nowhere below it.

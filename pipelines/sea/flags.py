@@ -29,9 +29,11 @@ class SpectrumFlags:
     fetch: Annotated[float | None, _flag("m, with wind-speed")] = None
     table: Annotated[
         Path | None,
-        _flag("of a spectrum, as a study's sea has it, or CSV of frequency_hz,density_m2_hz or omega_rad_s,…"),
+        _flag("file of a spectrum, as in a study's sea, or CSV of frequency_hz,density_m2_hz or omega_rad_s,…"),
     ] = None
-    time: Annotated[str | None, _flag("of a table that has several, as it stands there or how it begins")] = None
+    time: Annotated[
+        str | None, _flag("time of the spectrum, for a table with several times: as in the file, or its beginning")
+    ] = None
 
     @property
     def periods(self):
@@ -44,20 +46,28 @@ class SpectrumFlags:
 @Parameter(name="*")
 @dataclass(frozen=True, kw_only=True)
 class RecordFlags:
-    """The record that is made of the spectrum, or how the given one is read."""
+    """Settings of the record that is generated from the spectrum, or of the reading of a given record."""
 
     record: Annotated[Path | None, _flag("write a record of the spectrum to this CSV file")] = None
-    duration: Annotated[float | None, _flag("s, of the record made [3600]")] = None
-    step: Annotated[float | None, _flag("s, of the record made [0.5], or of one read that has no times")] = None
-    seed: Annotated[str | None, _flag("the same seed makes the same record [1]")] = None
-    point: Annotated[str | None, _flag("x,y m, where the record is made [0,0]")] = None
-    components: Annotated[str | None, _flag("wave components of the record made [500, more if random]")] = None
-    frequencies: Annotated[str | None, _flag("of the components: equal_step or equal_energy [equal_step]")] = None
-    amplitudes: Annotated[str | None, _flag("of the components: deterministic or random [deterministic]")] = None
+    duration: Annotated[float | None, _flag("s, duration of the generated record [3600]")] = None
+    step: Annotated[float | None, _flag("s, step of the generated record [0.5], or of a record file without times")] = (
+        None
+    )
+    seed: Annotated[str | None, _flag("seed; the same seed gives the same record [1]")] = None
+    point: Annotated[str | None, _flag("x,y m, point of the generated record [0,0]")] = None
+    components: Annotated[
+        str | None, _flag("number of wave components of the generated record [500, more if random]")
+    ] = None
+    frequencies: Annotated[
+        str | None, _flag("frequencies of the components: equal_step or equal_energy [equal_step]")
+    ] = None
+    amplitudes: Annotated[
+        str | None, _flag("amplitudes of the components: deterministic or random [deterministic]")
+    ] = None
     direction: Annotated[float | None, _flag("degrees the waves travel to (0: +x, 90: +y) [0]")] = None
-    spreading: Annotated[str | None, _flag(f"about it: {SPREADINGS} [none, long crests]")] = None
+    spreading: Annotated[str | None, _flag(f"spreading about the heading: {SPREADINGS} [none: long crests]")] = None
     depth: Annotated[
-        float | None, _flag("water depth, m; inf for deep water [inf]; of tma, and of waves that break")
+        float | None, _flag("water depth, m; inf for deep water [inf]; for tma, and to check breaking")
     ] = None
 
 
@@ -67,4 +77,4 @@ class ReadingFlags:
     """How a given record is read and its spectrum estimated."""
 
     column: Annotated[str | None, _flag("name of the column of elevations [the second]")] = None
-    segment: Annotated[float | None, _flag("s, of the averaged periodograms [an eighth of the record]")] = None
+    segment: Annotated[float | None, _flag("s, length of the averaged periodograms [an eighth of the record]")] = None

@@ -144,7 +144,7 @@ def _of_band(spectrum):
     held = 2 * math.pi * math.sqrt(spectrum.moment(0, low, high) / spectrum.moment(2, low, high))
     return (
         f"the record has waves of {low:.3g} to {high:.3g} rad/s; their T02 is {held:.4g} s, "
-        f"{100 * (held / spectrum.T02 - 1):.3g} % longer than that of the whole spectrum",
+        f"{100 * (held / spectrum.T02 - 1):.3g} % longer than T02 of the whole spectrum",
     )
 
 
@@ -163,7 +163,7 @@ def _spectrum(flags, depth):
         refuse("--table is given", flags, SpectrumFlags(table=flags.table, time=flags.time))
         return read_sea(flags.table, x_axis=0.0, time=flags.time).spectrum
     if flags.time is not None:
-        raise ValueError("--time is given without --table; allowed: with a table of several spectra")
+        raise ValueError("--time is given without --table; give it only with a table of several spectra")
     known = families(depth)
     if flags.spectrum not in known:
         raise ValueError(f"--spectrum is {flags.spectrum!r}; allowed: {', '.join(known)}")
@@ -248,8 +248,9 @@ def _warn_of_few(components, resolved):
     least = max(FEWEST, math.ceil(resolved / APART))
     if components < least:
         warnings.warn(
-            f"{components} components for a record that resolves {resolved:.0f} frequencies: the record is not "
-            f"Gaussian, and its groups and extremes are not those of the sea; give --components {least} or more, "
+            f"{components} components are too few for a record that resolves {resolved:.0f} frequencies: the record "
+            f"is not Gaussian, and its groups and extremes are not those of the sea; give --components {least} or "
+            f"more, "
             "or a shorter --duration",
             stacklevel=2,
         )
@@ -260,8 +261,8 @@ def _warn_of_long_steps(spectrum, step):
     if beyond > 0.01:
         warnings.warn(
             fails(
-                f"step {step:g} s is longer than half the period of {100 * beyond:.1f} % of the energy; "
-                "allowed: 1 %; give a shorter --step"
+                f"the step of {step:g} s is longer than half the period of waves with {100 * beyond:.1f} % of the "
+                "energy; allowed: 1 %; give a shorter --step"
             ),
             stacklevel=2,
         )

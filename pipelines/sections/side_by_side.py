@@ -38,13 +38,15 @@ def side_by_side(study):
     waves = {
         "waves.transmission": (np.abs([one.transmission for one in found]), "", "transmission"),
         "waves.reflection": (np.abs([one.reflection for one in found]), "", "reflection"),
-        "waves.taken": ([one.taken for one in found], "%", "of the energy taken by gaps"),
+        "waves.taken": ([one.taken for one in found], "%", "share of the energy that gaps absorb"),
     }
     made = quantities("waves over that of 1 m", waves, "omega")
     if len(names) > 1:
         axes |= labels("gap", [f"{a} and {b}" for a, b in pairwise(names)])
         gains = np.array([one.gains for one in found]).T
-        made |= quantities("rise of the water in gaps, per wave", {"gap.gain": (gains, "", "gain")}, "gap", "omega")
+        made |= quantities(
+            "rise of the water in gaps, per wave amplitude", {"gap.gain": (gains, "", "gain")}, "gap", "omega"
+        )
     motions = np.abs([one.motions for one in found])
     for i, name in enumerate(names):
         if not order[i].fixed:
@@ -56,8 +58,10 @@ def side_by_side(study):
         rigid = any(one.kind == "rigid" for one in study.hinges)
         for i, part in enumerate(MOTIONS if rigid else MOTIONS[:2]):
             unit = "N m/m" if part == "roll" else "N/m"
-            values = {f"hinge.{part}": (held[:, :, i].T, unit, f"held in {part}, per metre")}
-            made |= quantities(f"held by hinges in {part}, per metre of length and of wave", values, "hinge", "omega")
+            values = {f"hinge.{part}": (held[:, :, i].T, unit, f"loads on fixed {part}, per metre")}
+            made |= quantities(
+                f"loads of hinges on {part}, per metre of length and of wave amplitude", values, "hinge", "omega"
+            )
     note = "two dimensions, ideal fluid, waves towards +y; motions are those of a wave of 1 m"
     return Result("sections", made, axes, notes=(note,), provenance=provenance(text), detail=found)
 

@@ -99,7 +99,7 @@ def make_study(raw):
     names = [one.name for one in study.sections]
     twice = next((name for name in names if names.count(name) > 1), None)
     if twice is not None:
-        raise StudyError(f"sections has two of the name {twice!r}; allowed: a name for each")
+        raise StudyError(f"two sections have the name {twice!r}; give each section its own name")
     for i, hinge in enumerate(study.hinges):
         _check_hinge(f"hinges[{i}]", hinge, names)
     return study
@@ -125,7 +125,7 @@ def _check_hinge(key, hinge, names):
     if unknown:
         raise StudyError(f"{key}.sections has {unknown[0]!r}; allowed: {', '.join(names)}")
     if hinge.sections[0] == hinge.sections[1]:
-        raise StudyError(f"{key} holds {hinge.sections[0]} to itself; allowed: two sections")
+        raise StudyError(f"{key} joins {hinge.sections[0]} to itself; allowed: two different sections")
     if hinge.kind not in KINDS:
         raise StudyError(f"{key}.kind is {hinge.kind!r}; allowed: {', '.join(KINDS)}")
     if not all(map(math.isfinite, hinge.position)):

@@ -22,8 +22,8 @@ def findings_on_periods(file):
         for own in harbour:
             if abs(T / own - 1) <= NEAR:
                 yield (
-                    f"the natural period of {name} at the berth, {T:.3g} s, is near that of the harbour, "
-                    f"{own:g} s: they resonate; change pretension or stiffness of the ropes until they are "
+                    f"the natural period of {name} at the berth, {T:.3g} s, is near that of the harbour, {own:g} s, "
+                    f"so they resonate; change the pretension or stiffness of the ropes until the two periods are "
                     f"{100 * NEAR:g} % apart"
                 )
 

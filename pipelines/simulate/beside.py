@@ -1,6 +1,6 @@
 """Results stored next to the runs: the simplified method, slow motion by spectra, a berth and its fenders.
 
-All of them are computed before the first run and stored with it.
+All these results are computed before the first run and stored with it.
 """
 
 import json
@@ -44,7 +44,7 @@ class Beside:
 
 
 def simplified(study, db):
-    """Beside of a Study on an open database"""
+    """`Beside` for a Study on an open database"""
     unknown, none = np.full(3, np.nan), np.zeros(0)
     alone = not (study.spreads or study.lines or study.at_berth)
     for there, words in (
@@ -60,7 +60,7 @@ def simplified(study, db):
     try:
         found = multi_point(db, system, hull, study.conditions(), study.allowable)
     except ValueError as error:
-        reason = f"the simplified method fails here: {' '.join(str(error).split())}"
+        reason = f"the simplified method does not work here: {' '.join(str(error).split())}"
         return Beside(none, none, unknown, unknown, (reason,))
     if db.bodies:
         return Beside(found.tension, found.utilisation, unknown, unknown)

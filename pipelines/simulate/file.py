@@ -246,7 +246,8 @@ def told(file):
 def stored_findings(file):
     """Lines of text: findings that hold for all runs, and findings of single runs
 
-    Of those that differ in their decimals alone, as the mean frequency of each seed's waves, that with the largest.
+    Findings that differ only in their decimals, such as the mean frequency of each seed's waves, are merged; the one
+    with the largest number remains.
     """
     of_all = str(file.attrs.get("findings_of_all", "")).split("\n")
     rows = file["findings"][whole_rows(file)]

@@ -55,7 +55,8 @@ def findings(file):
         share = 1 / np.sqrt(max(2 * duration / slow, 1.0))
         yield (
             f"a run of {duration:g} s covers {duration / slow:.2g} of the slowest natural periods ({slow:.3g} s), "
-            f"recommended {LONG:g}: its σ is uncertain by about {100 * share:.0f} %; simulate {LONG * slow:.3g} s"
+            f"recommended {LONG:g}: σ of this motion is uncertain by about {100 * share:.0f} %; simulate "
+            f"{LONG * slow:.3g} s"
         )
     depth, draft = float(file.attrs["water_depth"]), float(file.attrs["hull"][2])
     if np.isfinite(wave_period) and moored_periods:
@@ -63,7 +64,8 @@ def findings(file):
         named = f"depth over draft {depth / draft:.3g}; natural over wave period: {', '.join(near)}"
         if float(file.attrs["hull"][0]) < SMALL:
             yield (
-                f"{named}; the report's limits of water depth are for floaters of 100 to 200 m length, not for this one"
+                f"{named}; the SR179 report's limits of water depth are for floaters of 100 to 200 m length, not for "
+                f"this floater"
             )
         elif depth <= SHALLOW:
             yield f"{named}; in up to {SHALLOW:g} m of water use the simulation (SR179 report, section 5.5.3)"

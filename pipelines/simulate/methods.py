@@ -106,7 +106,9 @@ def _divided(study, body, path):
     study.hull_of(db.sizes)  # checks that length, beam and draft agree
     water, here = db.reader, body.reader
     if not np.allclose(water.rotation_center, here.rotation_center, atol=1e-6) or water.depth != here.depth:
-        raise StudyError(f"--division is {path}, with another depth or rotation centre; allowed: those of the database")
+        raise StudyError(
+            f"--division is {path}, whose depth or rotation centre differs; allowed: those of the database"
+        )
     water = replace(water, inertia=here.inertia, stiffness=here.stiffness, viscous=None, own=False)
     return moored(
         water, body.system, body.hull, spring=body.spring, damping=body.damping, quadratic=body.quadratic,

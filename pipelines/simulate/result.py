@@ -114,7 +114,7 @@ def read_run(path, window=None, more=()):
         if not whole_rows(file).any():
             if more:
                 raise NoWholeRun(f"{path} contains no complete run: {more[0]}", more)
-            raise DatabaseError(f"{path} contains no complete run; the command that made it continues it")
+            raise DatabaseError(f"{path} contains no complete run; run the command that made it again to continue")
         return result_of(file, window, more)
 
 

@@ -1,4 +1,4 @@
-"""Beams that bend, in time: their shapes among the motions, and what they deflect and carry at stations."""
+"""Beams that bend, in time: their shapes as motions, and their deflections and loads at stations."""
 
 import numpy as np
 
@@ -30,7 +30,7 @@ def stations_of(study, db):
 
 
 def told_of_stations(reader, stations):
-    """(name, unit) of what beams deflect and carry at Stations"""
+    """(name, unit) of the deflections and loads of beams at Stations"""
     still = np.zeros(len(reader.words)) if stations else None
     return [(f"{one.name} {word}", unit) for one in stations for word, unit, _ in of_station(reader, still, one)]
 

@@ -89,7 +89,7 @@ def plan_of(study, omega, seeds=None, duration=None, folder=None, words=ONE_BODY
     )
     regular = conditions.method == "regular_wave"
     if more and (regular or conditions.sea is None):
-        raise StudyError("simulation.sea is an additional sea; it needs irregular [waves]")
+        raise StudyError("simulation.sea is a sea in addition to [waves], so it needs irregular [waves]")
     seas = () if regular or conditions.sea is None else (*getattr(conditions.sea, "systems", (conditions.sea,)), *more)
     if seas:
         waves = None
@@ -162,9 +162,9 @@ def _record(study, table, settings, omega, folder):
 
     where, wanted = "simulation.record", settings.ramp + settings.duration
     if study.waves is not None or table.sea:
-        raise StudyError(f"{where} is given with [waves] or simulation.sea; give one of them")
+        raise StudyError(f"{where} is given together with [waves] or simulation.sea; give only one of them")
     if table.qtf not in ("newman", "auto"):
-        raise StudyError(f'{where}: a record contains its bound waves; allowed: qtf = "newman", "auto"')
+        raise StudyError(f'{where}: a record already contains its bound waves; allowed: qtf = "newman", "auto"')
     towards = direction(where, table.record)
     if folder is None:
         return None, ()
@@ -221,7 +221,7 @@ def motions_of(study, words=ONE_BODY):
     found = tuple(sorted({known.index(name.lower()) for name in asked})) or tuple(range(len(words)))
     if len(found) < len(words) and study.hinges:
         raise StudyError(
-            "simulation.motions holds motions fixed that hinges may need; with hinges name all motions or leave it out"
+            "simulation.motions fixes motions that hinges may need; with hinges, name all motions or leave it out"
         )
     return found
 
@@ -232,8 +232,8 @@ def _check_held(settings, motions, words):
         for i, value in enumerate(getattr(settings, key) or ()):
             if value and i not in motions:
                 raise StudyError(
-                    f"simulation.{key}.{words[i]} is given, and simulation.motions holds this "
-                    f"motion fixed; name it there"
+                    f"simulation.{key}.{words[i]} is given, but simulation.motions holds this motion fixed; add it "
+                    f"there"
                 )
 
 
@@ -315,7 +315,8 @@ def _settings(table, duration, words, shapes):
         raise StudyError(f'simulation.dynamic_lines is {dynamic!r}; allowed: "auto", "all", "none", or a list of names')
     if table.dynamic_water != "still" and not dynamic:
         raise StudyError(
-            f"simulation.dynamic_water is {table.dynamic_water!r} and no line is in motion; it needs dynamic_lines"
+            f"simulation.dynamic_water is {table.dynamic_water!r}, but no line is in motion; give dynamic_lines, or "
+            f"leave it out"
         )
     lost = tuple((one.line, one.time) for one in table.lines_lost)
     wrong = [one for one in table.lines_lost if not 0 <= one.time < math.inf]

@@ -179,7 +179,7 @@ def _with_pairs(plan, study, db, reader):
 
 
 def _with_pairs_of_each(plan, db, level):
-    """As `_with_pairs` of several bodies"""
+    """Like `_with_pairs` of several bodies"""
     from hakobune.mooring.response.pair_levels import beside_newman_of_bodies
 
     if level not in ("newman", "body", "auto"):
@@ -315,7 +315,7 @@ def _of_gaps(sides, apart):
         elif max(gap.max() - at_rest, at_rest - least) > max(FARTHER * at_rest, size):
             yield (
                 f"the gap between {names} varies from {least:.3g} to {gap.max():.3g} m, {at_rest:.3g} m at "
-                "rest: forces of the water between them are those of the gap at rest"
+                "rest: but forces of the water between them are those of the gap at rest"
             )
 
 

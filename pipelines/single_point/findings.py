@@ -19,20 +19,24 @@ def findings(found):
         drift = np.abs(np.arctan(np.tan(water.direction - best.heading)))
         if drift > FITTED * (1 + 1e-9):
             yield (
-                f"the current meets the hull at {np.degrees(drift):.0f}°, {np.degrees(drift - FITTED):.0f}° "
-                "beyond the range of the turning tests (60°); coefficients there are extrapolated by the "
-                "symmetry of a box; give current coefficients"
+                f"the current meets the hull at {np.degrees(drift):.0f}°, {np.degrees(drift - FITTED):.0f}° beyond "
+                "the range of the turning tests (60°); beyond it the coefficients are extrapolated by the symmetry of "
+                "a box; give current coefficients"
             )
     stable = [one for one in found.rest if one.slewing.stable]
     if not stable:
         yield "no heading is stable: the body slews; [[maps]] shows the growth over hawser length and attachment"
     if len(stable) > 1:
         headings = ", ".join(f"{bow(one):.0f}°" for one in stable)
-        yield f"{len(stable)} headings are stable ({headings}): the body settles at the first that it reaches"
+        yield (
+            f"{len(stable)} headings are stable ({headings}): the body comes to rest at the first of them that it "
+            f"reaches"
+        )
 
 
 def overloads(study, best, cycle, run):
-    """What fails of hawsers and lines at rest in the Equilibrium `best`, in its LimitCycle and in a Run, either None"""
+    """Failures of hawsers and lines at rest in the Equilibrium `best`, in its LimitCycle and in a Run; the last two may
+    be None"""
     count = 0 if study.hawser is None else len(best.hawser)
     names = [*(f"hawser {i + 1}" for i in range(count)), *best.point.system.line_names]
     for where, shares in used(study, best, cycle, run).items():

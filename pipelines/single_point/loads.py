@@ -70,7 +70,9 @@ def _water(study, hull, density, center, mass, findings):
     if not ways or ways == ["turning"]:
         own = [k for k in ("yaw_drag", "yaw_rate", "sway_damping", "yaw_damping") if getattr(c, k)]
         if own:
-            raise StudyError(f"current.{own[0]} is given with turning tests, which contain it already; leave it out")
+            raise StudyError(
+                f"current.{own[0]} is given with turning tests, which already contain it; leave this key out"
+            )
         height = -0.5 * h.draft if c.center_z is None else c.center_z
         table = _turning(study, c.turning, density, center, findings)
         return WaterLoad(table, h.length, True, *stream, height=height)
@@ -121,20 +123,20 @@ def _turning(study, given, density, center, findings):
     }
     if center[0] or center[1]:
         raise StudyError(
-            "turning tests refer to midship, and hull.center lies elsewhere; give current coefficients or file"
+            "turning tests refer to midship, but hull.center is not at midship; give current coefficients or a file"
         )
     asked = {name: getattr(given, name, None) for name in own}
     taken = {name: value if asked[name] is None else asked[name] for name, value in own.items()}
     for name, value in taken.items():
         positive(f"current.turning.{name}", value)
         if not math.isclose(value, own[name], rel_tol=1e-6):
-            findings.append(f"the turning tests were made with {name} = {value:g}, and the hull has {own[name]:.3g}")
+            findings.append(f"the turning tests were made with {name} = {value:g}, but the hull has {own[name]:.3g}")
     try:
         found = turning_coefficients(*taken.values())
     except OutsideTests as error:
         tested = ", ".join(PROPORTIONS[name] for name in error.proportions)
         one = len(error.proportions) == 1
-        what = "proportion to take in its place" if one else "proportions to take in their place"
+        what = "proportion to use instead" if one else "proportions to use instead"
         raise StudyError(
             f"current: {error.limits}; give current.turning with the {what} ({tested}), or coefficients, or file"
         ) from None
@@ -180,8 +182,8 @@ def waves_carrier(study):
 def _by_current(drift, still, current):
     largest, before = (np.hypot(*of[:, :2].T).max() / 1e3 for of in (drift, still))
     return (
-        f"on the current the mean drift of the waves is up to {largest:.4g} kN at any heading, {before:.4g} kN in "
-        f'still water, which current.waves = "still" has; waves are given in {current.waves} frequencies'
+        f"on the current the mean drift of the waves is at most {largest:.4g} kN, and {before:.4g} kN in "
+        f'still water (current.waves = "still"); waves are given in {current.waves} frequencies'
     )
 
 

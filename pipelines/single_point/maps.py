@@ -93,7 +93,7 @@ def with_value(raw, key, value):
         table = table.get(part) if isinstance(table, dict) else None
     old = table.get(name) if isinstance(table, dict) else None
     if isinstance(old, bool) or not isinstance(old, int | float):
-        raise StudyError(f"maps: {key!r} is not a number of this study; give its path, such as 'hawser.length'")
+        raise StudyError(f"maps: {key!r} is not the path of a number in this study; give one such as 'hawser.length'")
     table[name] = type(old)(round(value)) if isinstance(old, int) and value == round(value) else float(value)
     return out
 

@@ -65,7 +65,7 @@ def rest_of(found):
 def state_of(found):
     """The final heading, its slewing, and published criteria of it"""
     one = found.best
-    (x, y), s, title = one.place, one.slewing, f"at {bow(one):.4g}°, the heading at which it settles"
+    (x, y), s, title = one.place, one.slewing, f"at {bow(one):.4g}°, the heading at which it comes to rest"
     state = {
         "heading": (float(turned(one.heading)), "rad", "heading, from +x to the bow"),
         "place.x": (x, "m", "centre of mass, x"),
@@ -74,7 +74,7 @@ def state_of(found):
         "buoy.y": (one.buoy[1], "m", "buoy, y"),
         "pull": (one.pull, "N", "steady pull"),
         "slewing": ("stable" if s.stable else "unstable", "", "slewing"),
-        "slewing.time": (1 / abs(s.growth), "s", f"{'grows' if s.growth > 0 else 'decays'} by a factor e in"),
+        "slewing.time": (1 / abs(s.growth), "s", f"{'grows' if s.growth > 0 else 'decays'} by a factor of e in"),
         "slewing.period": (s.period, "s", "period"),
     }
     growth = {"slewing.growth": (s.growth, "1/s", "growth, below 0 for decay")}
@@ -84,7 +84,7 @@ def state_of(found):
 def _scope(found):
     """Length at which the most loaded line has no uplift at its anchor"""
     one, system = found.best, found.point.system
-    line, title = system.lines[int(np.argmax(one.lines.tension))], "scope without uplift, steady loads"
+    line, title = system.lines[int(np.argmax(one.lines.tension))], "scope without uplift, under steady loads"
     if not isinstance(line, UniformLine) or not line.type.weight > 0:
         return {}
     height = one.lines.position[0, 2] + system.depth
@@ -106,14 +106,14 @@ def _criteria(one):
         "criterion.routh_hurwitz": (STABLE[bool(routh_hurwitz(one.quartic))], "", "Routh–Hurwitz"),
         "criterion.undamped": (STABLE[bool(undamped_stable(undamped(one.quartic)))], "", "undamped"),
         "criterion.arm": (m.arm, "m", "attachment ahead of the centre of mass"),
-        "criterion.lever": (y.lever, "m", "centre of the side force at a small heading, ahead of it"),
+        "criterion.lever": (y.lever, "m", "centre of the side force at a small heading, ahead of the centre of mass"),
         "criterion.static": ("stable" if y.static else "unstable", "", "in yaw, statically"),
-        "criterion.straight": (bool(y.straight_line > 0), "", "keeps a straight course when towed free"),
+        "criterion.straight": (bool(y.straight_line > 0), "", "keeps a straight course when towed"),
     }) | quantities("", straight)  # fmt: skip
 
 
 def yaw_of(one):
-    """YawStability of an Equilibrium with a quartic"""
+    """YawStability of an Equilibrium that has a quartic (`criterion`)"""
     length = one.lateral.length
     return yaw_stability(one.lateral, float(one.state[3]), np.geomspace(*REACH, LENGTHS) * length)
 
@@ -124,7 +124,7 @@ def lines_at(found):
     lines = one.lines.lines
     shares = used(found.study, one, found.cycle, found.run)
     most = np.max(list(shares.values()), axis=0)[-len(one.lines.tension) :]
-    where = "used" if len(shares) == 1 else f"used at most ({', '.join(shares)})"
+    where = "used" if len(shares) == 1 else f"largest utilisation ({', '.join(shares)})"
     made = quantities(f"lines at {bow(one):.4g}°", {
         "line.tension": (one.lines.tension, "N", "tension"),
         "line.grounded": (lines.grounded_length, "m", "on the bed"),

@@ -87,7 +87,7 @@ def _cycle_of(one):
     """
     if one.slewing.stable:
         return None, None
-    told("the body slews; its limit cycle takes minutes if nothing damps it, otherwise", A_CYCLE)
+    told("the body slews; its limit cycle takes minutes to compute if nothing damps it, otherwise", A_CYCLE)
     try:
         return limit_cycle(one), None
     except NotFollowedError as error:

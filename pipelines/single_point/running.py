@@ -98,8 +98,8 @@ def words(run: Run):
     first = np.degrees(run.record.heading[0] - run.steady.heading)
     if c.stays and run.steady.slewing.stable and (run.drifts or np.ptp(run.record.wind_speed) > 0):
         yield (
-            f"the heading swings ±{np.degrees(c.amplitude):.1f}° at about {c.period:.0f} s at the end: gusts "
-            "and slow drift drive this motion; the heading itself is stable"
+            f"the heading swings ±{np.degrees(c.amplitude):.1f}° at about {c.period:.0f} s at the end: gusts and slow "
+            "drift drive this motion; without them the heading is stable"
         )
     elif c.stays:
         yield (

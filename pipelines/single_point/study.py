@@ -78,7 +78,7 @@ def check_database(study, db):
         own, stored = getattr(hull, key), db.dimensions.get(key)
         if stored is not None and not math.isclose(own, stored, rel_tol=SAME):
             raise StudyError(
-                f"hull.{key} is {own:g} m, the database is for {stored:g} m; change it, or give another database"
+                f"hull.{key} is {own:g} m, but the database is for {stored:g} m; change it, or give another database"
             )
 
 
@@ -94,7 +94,7 @@ def _mass(study, db, density):
         positive("mass.gyration", table.gyration)
     shares = np.array([table.added_surge, table.added_sway, table.added_yaw])
     if not np.all((shares >= 0) & np.isfinite(shares)):
-        raise StudyError(f"mass: added mass is {shares.min():g} of the body's own; allowed: at least 0")
+        raise StudyError(f"mass: the added mass is {shares.min():g} times the mass of the body; allowed: at least 0")
     return planar_mass(own, h.length, h.beam, shares, table.gyration), np.array([h.center, 0.0])
 
 
@@ -114,7 +114,7 @@ def _hawsers(study, center):
         raise StudyError(f"hawser.count is {h.count}; allowed: 1 or 2")
     if h.count == 1:
         if h.spacing:
-            raise StudyError(f"hawser.spacing is {h.spacing:g} m; allowed: with count = 2")
+            raise StudyError(f"hawser.spacing is {h.spacing:g} m; allowed only with count = 2")
         return at[None], np.array([h.length])
     positive("hawser.spacing", h.spacing)
     aside = np.array([0.0, 0.5 * h.spacing])
@@ -202,6 +202,6 @@ def check_buoy(made, equilibrium):
     if sunk > made.draft_left:
         down = float(lines.lines.vertical_b.sum()) / 1e3
         raise StudyError(
-            f"buoy: its lines pull it down with {down:.4g} kN, {sunk:.3g} m; allowed: {made.draft_left:.3g} m of "
-            "freeboard; give a larger buoy or lighter lines"
+            f"buoy: its lines pull it down with {down:.4g} kN, so it sinks by {sunk:.3g} m; allowed: its freeboard of "
+            f"{made.draft_left:.3g} m; give a larger buoy or lighter lines"
         )

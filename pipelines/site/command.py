@@ -13,7 +13,7 @@ def site(
     /,
     *,
     output: Annotated[
-        Path, Parameter(help=".toml of the values for studies, the page stands beside it as .html; or the result, .h5")
+        Path, Parameter(help=".toml with the values for studies, and a page .html of the same name; or the result, .h5")
     ],
 ):
     """Compute return periods, extremes, levels and seismic coefficient of a site, for a page and for studies."""

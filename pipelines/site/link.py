@@ -97,10 +97,14 @@ def _laid(path, what, taken):
     if taken.depth:
         _lay(laid, taken.depth, _depth(link, values))
     elif link.level != MEAN:
-        raise StudyError(f"site.level is {link.level!r}; {what} takes no water level of a site")
+        raise StudyError(
+            f"site.level is {link.level!r}, but {what} does not use the water level of a site; leave it out"
+        )
     if taken.coefficient:
         if "coefficient" not in values.earthquake:
-            raise StudyError("the file of the site has no seismic coefficient; give [earthquake] to hakobune site")
+            raise StudyError(
+                "the file of the site has no seismic coefficient; give [earthquake] in the study of hakobune site"
+            )
         _lay(laid, taken.coefficient, values.earthquake["coefficient"])
     for key, table in _state(link, values, taken, what).items():
         name = taken.states[key]
@@ -119,7 +123,7 @@ def _state(link, values, taken, what):
     if link.state is None:
         return {}
     if not taken.states:
-        raise StudyError(f"site.state is {link.state!r}; {what} takes no weather of a site")
+        raise StudyError(f"site.state is {link.state!r}, but {what} does not use the weather of a site; leave it out")
     found = named("site.state", link.state, values.states)
     return {key: table for key, table in found.items() if key in taken.states and key not in link.leave_out}
 
@@ -128,7 +132,7 @@ def _lay(laid, path, value):
     """Put a value of a site into a study at (table, …, key).  Raises StudyError if the key exists."""
     if len(path) == 1:
         if path[0] in laid:
-            raise StudyError(f"{path[0]} is given by the study and by its site; leave one out")
+            raise StudyError(f"{path[0]} is given by the study and by its site; leave out one of the two")
         laid[path[0]] = value
         return
     laid[path[0]] = laid_in(path[0], laid.get(path[0], {}), {path[1]: value})
@@ -168,5 +172,5 @@ def laid_in(name, own, given):
     """The table `own` with the values of the site.  Raises StudyError for a key in both."""
     twice = [key for key in given if key in own or f"{key}_knots" in own]
     if twice:
-        raise StudyError(f"{name}.{twice[0]} is given by the study and by its site; leave one out")
+        raise StudyError(f"{name}.{twice[0]} is given by the study and by its site; leave out one of the two")
     return {**given, **own}

@@ -86,7 +86,7 @@ def _quantities(values):
 
 
 def _number(words, key, value, state):
-    """Of a key of a state: lengths in m, speeds in m/s, periods in s"""
+    """Number of a key of a state: lengths in m, speeds in m/s, periods in s"""
     title = f"state {state}"
     if key.endswith("_deg"):
         return Quantity(np.radians(value), (), "rad", words, title)

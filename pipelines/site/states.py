@@ -1,4 +1,5 @@
-"""States of weather and levels of a site, as studies take them: waves have the mean period of the law's median."""
+"""States of weather and levels of a site in the form of studies. The period of waves is the median of the joint
+distribution, as a mean period."""
 
 from pathlib import Path
 from typing import NamedTuple
@@ -38,7 +39,7 @@ def climate_of(table, years, folder, findings):
     if top[0] > law.highest:
         findings.append(
             f"the contour of {years:.4g} years reaches {top[0]:.3g} m, the scatter ends at {law.highest:g} m: "
-            "above it the joint law is an extrapolation"
+            "above that height the joint distribution is an extrapolation"
         )
     return Climate(scatter, law, height, period, top, table.hours)
 
@@ -70,7 +71,10 @@ def extreme_state(study, wind_10, waves, climate, profile):
             state["current"] = {"speed": profile.over_draft(draft)[0]}
     if waves is not None:
         if study.waves.period is None and climate is None:
-            raise StudyError("waves.period is missing; allowed: a mean period in s, or [climate] for that of its law")
+            raise StudyError(
+                "waves.period is missing; give a mean period in s, or [climate], whose joint "
+                "distribution gives the period"
+            )
         period = study.waves.period
         period = _mean_period(study, climate, waves.value) if period is None else positive("waves.period", period, "s")
         state["waves"] = {"height": waves.value, "period": period}
@@ -108,7 +112,7 @@ def operating_state(table):
         if getattr(table, key) is not None:
             state[key] = {"speed": positive(f"operating.{key}", getattr(table, key), "m/s")}
     if (table.wave_height is None) != (table.wave_period is None):
-        raise StudyError("operating: allowed: wave_height and wave_period together, or neither")
+        raise StudyError("operating has only one of wave_height and wave_period; give both or neither")
     if table.wave_height is not None:
         height = positive("operating.wave_height", table.wave_height, "m")
         state["waves"] = {"height": height, "period": positive("operating.wave_period", table.wave_period, "s")}

@@ -204,7 +204,7 @@ def site_values(study, folder):
     own, findings = study.site, []
     water_depth("site.depth", own.depth)
     if (own.probability is None) == (own.return_period is None):
-        raise StudyError("site: allowed: one of probability, return_period")
+        raise StudyError("site: give one of probability and return_period")
     try:
         years = own.return_period or float(return_period(own.service_life, own.probability))
         probability = float(probability_not_exceeded(own.service_life, years))

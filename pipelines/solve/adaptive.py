@@ -54,7 +54,7 @@ def filled_band(scene, file, fill, wider, console):
         return outcome
     said = _text(scene, db, error)
     if error > scene.accuracy:
-        said = fails(f"{said}; the tolerance is not reached: give a coarser tolerance, or solve with more panels")
+        said = fails(f"{said}; the tolerance is not reached; give a larger tolerance, or more panels")
     return replace(outcome, remarks=(*outcome.remarks, said))
 
 
@@ -112,9 +112,9 @@ def _text(scene, db, error):
     band = scene.waves.band
     solved = f"{_inside(scene, db.omega)} frequencies from {band.first:g} to {band.last:g} rad/s"
     if not np.isfinite(error):
-        return f"{solved}: too few to estimate the error between frequencies"
+        return f"{solved}, too few to estimate the error between frequencies"
     words = "coefficients and forces" if FORCES[0] in controlled(db.names) else "coefficients"
     share, limit = 100 * error, 100 * scene.accuracy
     text = f"{solved}: estimated error of {words} between them {share:.2g} % (tolerance {limit:.2g} %)"
     less_sure = [word for word, name in (("motions", "rao"), ("drift", "drift_force")) if name in db.names]
-    return text + f", of {' and '.join(less_sure)} more" * bool(less_sure)
+    return text + f", and more for {' and '.join(less_sure)}" * bool(less_sure)

@@ -21,7 +21,7 @@ NEAR = 8  # panels of another body that are tested from a corner
 def arranged(scene, hulls):
     """One mesh of hulls, each in its own coordinates, at the places of the bodies of a scene.
 
-    Its mirror planes are those that every body has in its place.
+    The mesh has those mirror planes that every body has at its place.
     """
     placed = [folded(_at_place(hull, body.place)) for hull, body in zip(hulls, scene.bodies, strict=True)]
     shared = "".join(axis for axis in "xy" if all(axis in hull.symmetry for hull in placed))
@@ -57,9 +57,9 @@ def check_apart(scene, mesh, panels_matter=True):
             gap, size = _gap(one, hulls[j])
             names = f"{scene.bodies[i].name} and {scene.bodies[j].name}"
             if _overlap(one, hulls[j]) or _overlap(hulls[j], one):
-                raise SceneError(f"{names} overlap; allowed: water between them; move one of them (place)")
+                raise SceneError(f"{names} overlap; allowed: water between them; move one of them with its key place")
             if gap <= reach:
-                raise SceneError(f"{names} touch; allowed: water between them (place), or one mesh of both")
+                raise SceneError(f"{names} touch; allowed: water between them (change place), or one mesh of both")
             afloat = [hull for hull in (one, hulls[j]) if not stands(hull, scene.water.depth)]
             if afloat:
                 widths = [min(np.ptp(hull.points[:, :2], axis=0)) for hull in afloat]
@@ -67,8 +67,8 @@ def check_apart(scene, mesh, panels_matter=True):
                 gaps.append((names, gap, draft, sum(widths) + (0.0 if wall else gap), wall))
             if gap < size / 2 and panels_matter:
                 said.append(
-                    f"{names} are {gap:.3g} m apart, but their panels are up to {size:.3g} m long; good: at most "
-                    "twice the gap; give more panels"
+                    f"{names} are {gap:.3g} m apart, but their panels are up to {size:.3g} m long; recommended: at "
+                    "most twice the gap; give more panels"
                 )
     return (*said, *resonant_water(scene, mesh, gaps))
 
@@ -82,8 +82,8 @@ def _check_wall(scene, mesh):
     for body, y in zip(scene.bodies, sides, strict=True):
         if np.min(side * y) <= 0:
             raise SceneError(
-                f"{body.name} is from {scene.wall + y.min():.6g} to {scene.wall + y.max():.6g} m, the wall at y = "
-                f"{scene.wall:g}; allowed: all bodies on one side of it"
+                f"{body.name} extends from y = {scene.wall + y.min():.6g} to {scene.wall + y.max():.6g} m, and the "
+                f"wall is at y = {scene.wall:g} m; allowed: all bodies on one side of it"
             )
 
 

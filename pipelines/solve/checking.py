@@ -83,7 +83,7 @@ def _repaired(path):
     if not found:
         return f"{path}: nothing is damaged"
     what = ", ".join(f"{name} ({count})" for name, count in found.items())
-    return f"{path}: marked as unsolved: {what}; run its command again to solve them"
+    return f"{path}: these frequencies are now marked as unsolved: {what}; run its command again to solve them"
 
 
 def _findings(db):
@@ -109,7 +109,7 @@ def _scene_findings(db):
         if getattr(scene.water, name) != stored:
             yield Finding(
                 "error",
-                f"its scene has water.{name} {getattr(scene.water, name):g}, its numbers are for {stored:g}; "
+                f"water.{name} is {getattr(scene.water, name):g} in its scene, but its results are for {stored:g}; "
                 "solve it again with --fresh",
             )
 

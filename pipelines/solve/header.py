@@ -44,8 +44,8 @@ def make_header(scene, hull):
 def body_properties(scene, mesh):
     """{name of `bem.database.schema.BODY`: value} of the body; no inertia matrix without radii of gyration.
 
-    With several bodies: one row for each, matrices (6N, moving) about the own point of each in its own axes; for
-    shapes, one row and column each after all bodies.
+    With several bodies there is one row for each body, and matrices (6N, moving) are about the point of each body in
+    its own axes. Each shape adds a row and a column after those of all bodies.
     """
     known = _of_several(scene, mesh) if scene.several else _of_one(scene, mesh)
     return with_modes(known, scene, own_hulls_of_modes(scene, mesh))

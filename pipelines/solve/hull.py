@@ -134,7 +134,7 @@ def _check_waves_along(scene):
             wave = 2 * math.pi / k
             across = waves_along(sizes, k) * wave
             raise SceneError(
-                f"the shortest wave is {wave:.3g} m against a body {across:g} m across; allowed: at least "
+                f"the shortest wave is {wave:.3g} m long and the body {across:g} m across; allowed: waves of at least "
                 f"{across / MOST_WAVES[body.shape]:.3g} m; leave out the highest frequencies"
             )
 
@@ -147,7 +147,8 @@ def panels_matter(scene):
 def make_lid(scene, mesh):
     """Lid of a third as many panels as the hull, or fewer with edges of a fifth of the shortest wave.
 
-    Coarser ones let go of short waves: series box at a quarter of the wave, excitation 0.4 % off, at a third 1.4 %.
+    A coarser lid does not resolve short waves: for the series box the excitation has an error of 0.4 % with edges of a
+    quarter of the wave, and of 1.4 % with a third.
     """
     if not scene.lid:
         return None
@@ -250,7 +251,7 @@ def _fine_enough(scene, body):
     mesh = None if many else meshed(body, fine_counts(body, scene.accuracy, wave / PER_WAVE, bottom), bottom)
     if mesh is None or mesh.total > MOST_PANELS:
         raise SceneError(
-            f"tolerance {scene.accuracy:g} and the shortest wave {wave:.3g} m ask for "
+            f"tolerance {scene.accuracy:g} and the shortest wave, {wave:.3g} m, require "
             f"{least if mesh is None else mesh.total:.0f} panels; "
             f"allowed: {MOST_PANELS}; leave out the highest frequencies or give panels (--panels)"
         )

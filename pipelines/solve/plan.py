@@ -78,8 +78,8 @@ def resumed(scene, file):
     anew = tuple(name for name in (*NEEDS_MOTION, "pressure") if moved and name in db.names)
     told = (
         (
-            f"{moved}: {', '.join(anew)} computed again, without a new solution where coefficients and Kochin "
-            "functions are stored",
+            f"{moved}: {', '.join(anew)} are computed again, from the stored coefficients and Kochin functions if "
+            "there are any",
         )
         if anew
         else ()
@@ -105,8 +105,8 @@ def _by_the_same_method(scene, header, output):
         check_method(same)
     except ValueError as error:
         raise SceneError(
-            f"{output} was solved by method {same.method} so far, and {str(error).partition(';')[0]}; "
-            "give --fresh to replace it or another --output"
+            f"{output} has been solved by method {same.method} so far, but {str(error).partition(';')[0]}; give "
+            f"--fresh to replace it or another --output"
         ) from None
     return same
 

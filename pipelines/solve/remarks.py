@@ -51,7 +51,7 @@ def _density_remarks(density):
 def _gravity_remarks(gravity):
     low, high = GRAVITIES
     if not low <= gravity <= high:
-        feet = ": this is gravity in ft/s²" if FEET[0] <= gravity <= FEET[1] else ""
+        feet = ": this is the value in ft/s²" if FEET[0] <= gravity <= FEET[1] else ""
         yield f"gravity {gravity:g} m/s² is not gravity on the earth, {low:g} to {high:g} m/s²{feet}; check its unit"
 
 
@@ -71,6 +71,6 @@ def _lid_remarks(lid, wave):
     largest = 0.0 if lid is None else lid.sizes.max()
     if largest > wave / 3:
         yield (
-            f"lid panels up to {largest:.3g} m are coarse for the shortest wave {wave:.3g} m; "
-            f"good: ≤ {wave / 3:.3g} m (a third); --fresh makes new ones"
+            f"lid panels up to {largest:.3g} m are coarse for the shortest wave, {wave:.3g} m; recommended: ≤ "
+            f"{wave / 3:.3g} m (a third); --fresh makes new panels"
         )

@@ -77,7 +77,7 @@ def failed_laws(db, own_panels):
         f"{max(check.limit, own_panels * BROKEN):.2g}"
         for check in failed
     )
-    return f"checks failed: {said}; the mesh or the method does not suit this body; check both" if said else ""
+    return f"checks failed: {said}; either the mesh or the method does not suit this body; check both" if said else ""
 
 
 def missed_tolerance(db):

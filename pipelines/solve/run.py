@@ -216,7 +216,7 @@ def _stored_together(file):
 def _store_row(storing, row, result):
     missing = sorted(row.want - set(result))
     if missing:
-        raise ValueError(f"no {', '.join(missing)} came back")
+        raise ValueError(f"the method returned no {', '.join(missing)}")
     kept = {*row.want, "checks", "estimated_error", "wall_time"}
     storing.add(row.omega, row.headings, {name: value for name, value in result.items() if name in kept})
 

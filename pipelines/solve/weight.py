@@ -3,8 +3,8 @@
     M = m g (x_G − x_B),    tan θ = M / C        trim and heel at rest, C the hydrostatic stiffness
     kᵢ² ≤ kⱼ² + kₖ²                               radii of gyration, since ∫(y² + z²) ≤ ∫(x² + y²) + ∫(x² + z²)
 
-The body is solved in the position of its mesh.  Turned by 2° a hull of the length L has a draft at its ends that is
-larger by L/57, for a barge a sixth of its draft: the mesh is then not that of the floating body.
+The body is solved in the position of its mesh.  If a hull of length L trims by 2°, its draft at one end grows by L/57,
+for a barge a sixth of its draft. The mesh is then not that of the floating body.
 """
 
 import numpy as np
@@ -41,13 +41,13 @@ def weight_remarks(scene, mesh, body):
     displaced = scene.water.density * body["displaced_volume"]
     if abs(body["mass"] / displaced - 1) > 0.01:
         yield (
-            f"mass {body['mass']:.6g} kg is not the displaced {displaced:.6g} kg; "
-            "allowed if lines or moorings carry the difference"
+            f"the mass is {body['mass']:.6g} kg, but the body displaces {displaced:.6g} kg; allowed if lines or "
+            "moorings carry the difference"
         )
     for name in ("transverse", "longitudinal"):
         height = body[f"{name}_metacentric_height"]
         if height <= 0:
-            free = "; rao and drift_force are of the free body: take motions from a study whose lines hold it upright"
+            free = "; rao and drift_force are of the free body: use the motions of a study whose lines hold it upright"
             yield (
                 f"{name} metacentric height {height:.4g} m is not positive: the body capsizes"
                 + free * scene.motions_known
@@ -55,7 +55,7 @@ def weight_remarks(scene, mesh, body):
     for name, axis, arm, moment, angle in _tilts(scene, body):
         if angle > TOLD:
             yield (
-                f"centre of gravity {arm:.4g} m off the centre of buoyancy in {axis}: a {name} moment of "
+                f"the centre of gravity is {arm:.4g} m off the centre of buoyancy in {axis}: a {name} moment of "
                 f"{moment:.4g} N m, {angle:.3g}° of static {name}; the body is solved in the position of its mesh"
             )
     yield from _gyration_remarks(scene.body.gyration, mesh)

@@ -1,4 +1,4 @@
-"""Work of an executor: one frequency, or one limit, of one body.
+"""The work that an executor does: one frequency, or one limit of the frequency, of one body.
 
 Everything here can be sent to another process.  A process keeps the geometry of its last body, which is expensive once
 and cheap for every later frequency.

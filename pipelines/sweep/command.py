@@ -30,7 +30,7 @@ def sweep(study, output, executor, fresh, plot=None):
 
         draw(result, plot)
     status = printed(replace(result, findings=tuple(_findings(outcome, output))))
-    print(f"{output}: {outcome.cases} cases, {len(outcome.failed)} of them with a status above 0", file=sys.stderr)
+    print(f"{output}: {outcome.cases} cases, of which {len(outcome.failed)} have a status above 0", file=sys.stderr)
     return status
 
 

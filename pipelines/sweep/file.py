@@ -85,7 +85,9 @@ def _store(file, name, case, one, axes):
     if data is None:
         data = _made(file, place, one, axes)
     if data.shape[1:] != one.values.shape:
-        return f"{name} has the shape {one.values.shape}, and {data.shape[1:]} in the first case; it is not stored"
+        return (
+            f"{name} has the shape {one.values.shape} here and {data.shape[1:]} in the first case, so it is not stored"
+        )
     data[case] = one.values.astype(object) if one.values.dtype.kind == "U" else one.values
     return ""
 

@@ -30,7 +30,8 @@ def given_to(command, arguments, main_of="hakobune.pipelines.cli"):
     wrong = [name for name in given if name not in taken or (name in DRAWS and f"--{name}" in arguments)]
     if wrong:
         raise StudyError(
-            f"arguments have --{wrong[0]}; allowed in a sweep: those of hakobune.{command} that name no file"
+            f"arguments contain --{wrong[0]}; allowed in a sweep: the flags of hakobune.{command} that do not name a "
+            f"file"
         )
     return {name: value for name, value in given.items() if name not in DRAWS}
 
@@ -62,7 +63,7 @@ def one_case(command, raw, study, given, keep):
     if not absent:
         return status, message, kept(quantities, keep), axes
     there = [name for name in keep if name not in absent]
-    message = "; ".join(filter(None, (message, f"no result named {', '.join(absent)} was found")))
+    message = "; ".join(filter(None, (message, f"the result has no quantity {', '.join(absent)}")))
     return status, message, kept(quantities, there) if there else {}, axes
 
 

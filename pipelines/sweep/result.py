@@ -41,7 +41,7 @@ def sweep(
         _, outcome = filled(path, place, executor, fresh, say or (lambda line: None))
         lost, reason = outcome.lost
         if lost:
-            raise DatabaseError(f"{lost} cases were not run, {reason}; call it again to continue")
+            raise DatabaseError(f"{lost} cases were not run, {reason}; call the function again to continue")
         return result_of(place)
 
 

@@ -17,7 +17,7 @@ from .study import StudyError, cases, check_keys, varied
 class Outcome(NamedTuple):
     """cases : all of the sweep; failed : [(number, status, message)] of those with a status above 0
 
-    lost : (number of cases not done, reason of one of them), of cases whose worker was lost
+    lost : (number of cases not done because their worker was lost, reason of one of them)
     """
 
     cases: int
@@ -33,7 +33,7 @@ def sweep(table, text, folder, output, executor, say, fresh=False):
     """
     study = Path(folder) / table.study
     if not study.is_file():
-        raise StudyError(f"study is {table.study!r}, and no such file lies beside the sweep")
+        raise StudyError(f"study is {table.study!r}, but there is no such file in the folder of the sweep")
     study_text = study.read_text(encoding="utf-8")
     raw, keys, values = tomllib.loads(study_text), [one.key for one in table.vary], cases(table)
     check_keys(table.command, varied(raw, keys, values[0]))

@@ -109,7 +109,7 @@ def cases(sweep):
 
     for i, one in enumerate(sweep.vary):
         if one.values is not None or one.first is None or one.last is None or not one.first < one.last:
-            raise StudyError(f"vary[{i}]: a Latin hypercube needs from below to, and no values")
+            raise StudyError(f"vary[{i}]: a Latin hypercube needs from and to, with from below to, instead of values")
     unit = qmc.LatinHypercube(len(sweep.vary), rng=sweep.seed).random(sweep.samples)
     low, high = np.array([(one.first, one.last) for one in sweep.vary]).T
     return [tuple(row) for row in (low + unit * (high - low)).tolist()]
@@ -135,7 +135,7 @@ def varied(raw, keys, values):
 def check_keys(command, raw):
     """Raise StudyError for a key that is unknown to the command or of another type, which affects every case.
 
-    A study at a site is left to the command, which inserts the values of the site before it reads the tables.
+    A study with a [site] is not checked here: its command inserts the values of the site before it reads the tables.
     """
     from ..keys.kinds import struct_of
 

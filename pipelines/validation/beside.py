@@ -1,6 +1,6 @@
 """Computed values beside published ones: the rows of a table, the requested cases, and one result.
 
-Numbers remain in the units of the publication, which are at the end of a column's name (height_m, static_tonf).
+Numbers remain in the units of the publication. The unit is the end of the column name (height_m, static_tonf).
 """
 
 import sys
@@ -23,7 +23,7 @@ LONG = 100  # rows above which a table is in files only
 
 
 def read_rows(path):
-    """[{column: text}] of a CSV whose lines of # tell its source.  Raises StudyError."""
+    """[{column: text}] of a CSV whose # lines name its source.  Raises StudyError."""
     return list(csv_rows(read_text(path, StudyError, largest=1)))
 
 
@@ -73,8 +73,8 @@ def keep(path, raw):
 def result(kind, source, tables, notes=(), findings=(), shown=True):
     """The Result of {axis: [{column: number or text}, …]}, whose first columns name the rows
 
-    quantities are axis.column, without its unit; source : title and year of what it stands beside
-    shown : in print too, where rows are no more than LONG; detail : the rows
+    Quantities are named axis.column, without the unit. source : title and year of the publication; shown : whether
+    tables of at most LONG rows are printed; detail : the rows
     """
     quantities, labels = {}, {}
     for axis, rows in ((axis, rows) for axis, rows in tables.items() if rows):

@@ -30,8 +30,8 @@ class Panel(NamedTuple):
 def draw(path, title, panels, columns, size=(3.6, 3.0), shared=True):
     """Write a picture; returns its path
 
-    panels : [Panel], row by row, `columns` in a row; size : inches of a panel
-    shared : one legend of all panels above them, else each its own
+    panels : [Panel], row by row, `columns` in a row; size : inches of a panel; shared : True for one legend above all
+    panels, False for a legend in each
     """
     import matplotlib
     from matplotlib.figure import Figure

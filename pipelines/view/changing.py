@@ -1,4 +1,4 @@
-"""`hakobune mesh`: a mesh file scaled, turned, moved, turned inside out, mirrored, cut at the surface, folded."""
+"""`hakobune mesh`: scale, turn, move, mirror, cut or fold a mesh file, or reverse its normals."""
 
 import math
 
@@ -33,12 +33,12 @@ def change(place, output, scale="1", turn="0", move="0,0,0", flip=False, mirror=
         raise ValueError(f"{output} is the mesh itself; give another name by --output")
     factors = _finite("--scale", scale, (1, 3), "a factor above 0, or three")
     if min(factors) <= 0:
-        raise ValueError(f"--scale is {scale!r}; allowed: a factor above 0, or three")
+        raise ValueError(f"--scale is {scale!r}; allowed: one factor above 0, or three")
     shift = _finite("--move", move, (3,), "three distances in m, as 0,0,-2")
     angles = _finite("--turn", turn, (1, 3), "degrees about z, or about x,y,z")
     turn = dict(zip("xyz"[-len(angles) :], map(math.radians, angles), strict=True))
     if not 0 <= heal < math.inf:
-        raise ValueError(f"--heal is {heal:g}; allowed: m, 0 or more")
+        raise ValueError(f"--heal is {heal:g}; allowed: a distance in m, 0 or more")
     mesh = read_mesh(place)
     if heal:
         mesh = healed(mesh, heal)

@@ -28,7 +28,8 @@ MOST_LISTED = 12  # headings in a message
 
 @dataclass(frozen=True, eq=False)
 class Picture:
-    """What is shown: hull, lid or None, depth in m, and one value a panel of the hull or of its whole, or None"""
+    """Content of a picture: hull, lid or None, depth in m, and a value on each panel of the stored part or of the whole
+    hull, or None"""
 
     mesh: object
     lid: object = None
@@ -47,7 +48,7 @@ def look(path, screenshot=None, field=None, omega=None, heading=None, page=None)
     if field is not None and field not in (*FIELDS, "pressure"):
         raise SceneError(f"field is {field!r}; allowed: {', '.join(FIELDS)}, pressure")
     if field != "pressure" and (omega, heading) != (None, None):
-        raise SceneError("--omega and --heading belong to --field pressure; leave them out or give it")
+        raise SceneError("--omega and --heading are for --field pressure only; leave them out, or add --field pressure")
     source, told_of = _opened(path), []
     if isinstance(source, PanelMesh):
         told(f"{path}: {len(source)} panels take", len(source) * A_PANEL)
@@ -145,7 +146,7 @@ def _meshes(source):
 def _pressure(db, path, omega, heading):
     """Amplitude of the dynamic pressure at a stored heading and the stored frequency nearest to the requested one"""
     if path.suffix not in DATABASES:
-        raise SceneError(f"{path} contains no pressure; make the database with --only pressure")
+        raise SceneError(f"{path} contains no pressure; run its command again with --only pressure")
     if omega is None or heading is None:
         raise SceneError("the pressure depends on frequency and heading; give --omega rad/s and --heading degrees")
     amplitude = np.abs(db["pressure"])

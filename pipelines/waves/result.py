@@ -98,9 +98,7 @@ def _map(around, found, body):
     motion = np.full(len(body.words), np.nan + 0j) if around.motion is None else around.motion
     units = tuple("rad/m" if turns else "m/m" for turns in body.turning)
     return (
-        quantities(
-            "", {"far_field.missed": (around.missed, "%", "share of the far field not represented by the sources")}
-        )
+        quantities("", {"far_field.missed": (around.missed, "%", "share of the far field that the sources miss")})
         | quantities("", {"body.motion": (motion, units, "motion of the body")}, "motion")
         | quantities("", {"map": (found.elevation, "m/m", "elevation")}, "y", "x", record=True)
     )

@@ -125,7 +125,9 @@ def test_what_rows_leave_free_is_orthonormal_and_repeated_rows_are_refused():
     free = free_of(rows)
     assert free.shape == (12, 7) and free.T @ free == pytest.approx(np.eye(7), abs=1e-12)
     assert np.abs(rows @ free).max() < 1e-12
-    with pytest.raises(ValueError, match="fix 5 motions with 10 constraints: some repeat others; leave out one"):
+    with pytest.raises(
+        ValueError, match="fix 5 motions with 10 constraints: some constraints repeat others; leave out one hinge,"
+    ):
         free_of(np.vstack([rows, 2 * rows]))
     with pytest.raises(ValueError, match="fix 12 motions with 15 constraints"):
         free_of(np.random.default_rng(1).normal(size=(15, 12)))

@@ -59,7 +59,8 @@ def test_rows_of_a_file_are_numbers_below_a_heading(tmp_path):
 
     assert np.array_equal(read("a heading\n1 2 3\n4 5\n"), [[1, 2, 3], [4, 5, np.nan]], equal_nan=True)
     for text, says in (
-        ("a heading\n", "has no numbers"), ("1 2 3\nthe end\n", "line 2: 'the end' is not numbers"),
+        ("a heading\n", "has no numbers"), ("1 2 3\nthe end\n", "line 2: 'the end' contains something that is not a "
+            "number"),
         ("1 2 3\n1 2 3 4\n", "line 2 has 4 numbers; allowed: 2 or 3"), ("1\n", "line 1 has 1 numbers; allowed: 2 or 3"),
     ):  # fmt: skip
         with pytest.raises(FormatError) as refused:

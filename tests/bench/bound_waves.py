@@ -136,7 +136,7 @@ def draw(sigma, path):
     for axis, depth in zip(axes, (12.0, 20.0), strict=True):
         for name, values in zip(LEVELS, sigma[depth, True].T, strict=True):
             axis.plot(PEAKS, values, "o-" if name == "full" else "o--", lw=2.2 if name == "full" else 1.2, label=name)
-        axis.set(title=f"{depth:g} m of water", xlabel="peak period  s", xticks=PEAKS, ylim=(0, None))
+        axis.set(title=f"{depth:g} m of water", xlabel="peak period of the waves,  s", xticks=PEAKS, ylim=(0, None))
         axis.grid(True, color="0.9", linewidth=0.6)
     axes[0].set_ylabel("σ of slow surge force  kN")
     axes[0].legend(frameon=False)

@@ -89,7 +89,7 @@ def numbers(path):
         said, lines = told(file), file["line"].asstr()[()].tolist()
         every = tomllib.loads(file.attrs["study"])["simulation"].get("dynamic_lines") == "all"
         moving = lines if every else list(filter(None, file.attrs.get("moving_lines", "").split("\n")))
-        levels = re.findall(r'qtf = "auto" takes ([a-z-]+)', "\n".join(said)) or ["full"]
+        levels = re.findall(r'qtf = "auto" uses ([a-z-]+)', "\n".join(said)) or ["full"]
         took = f"pairs {', '.join(levels)}; {len(moving)} of {len(lines)} lines move"
         return np.array([slow[0], slow[1], np.degrees(slow[2]), pull / 1e3]), said, took
 

@@ -233,7 +233,7 @@ def test_a_half_is_known_by_edges_within_four_thousandths_of_a_plane(off, told):
     half = replace(box(8.0, 8.0, 4.0, counts=(2, 2, 2), grading=False, symmetry="y"), symmetry="")
     points = half.points.copy()
     points[np.flatnonzero((points[:, 1] == 0) & (points[:, 2] < 0))[0], 1] = 2.0 * off
-    assert bool(said("all of them in y = 0: it is a half", replace(half, points=points))) is told
+    assert bool(said("all of them in y = 0: it is one half of a hull;", replace(half, points=points))) is told
 
 
 def test_a_panel_has_an_area_above_a_thousand_millionth_of_the_square_of_its_longest_edge():

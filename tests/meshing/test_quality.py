@@ -94,11 +94,11 @@ def test_a_wall_that_stands_on_the_bed_is_closed_and_said(symmetry):
 def test_a_rim_below_the_water_and_a_foot_above_the_bed_are_told():
     hull = buoy(10, 20, panels=60)
     (text,) = [found.text for found in findings(hull.moved(0, 0, -0.5)) if found.severity == "error"]
-    assert "all of its top, z = -0.5 m: if this is the waterline" in text
+    assert "all of them at its top, z = -0.5 m: if this is the waterline" in text
     assert "--move 0,0,0.5" in text
     wall = buoy(10, 20, bottom=False)
     (text,) = [found.text for found in findings(wall, depth=25.0) if found.severity == "error"]
-    assert "all of its foot, z = -20 m" in text
+    assert "all of them at its foot, z = -20 m" in text
 
 
 @pytest.mark.parametrize("axis", "xy")
@@ -106,7 +106,7 @@ def test_a_half_that_nothing_mirrors_is_told(axis):
     half = replace(buoy(10, 10, panels=60, symmetry=axis), symmetry="")
     errors = [found.text for found in findings(half) if found.severity == "error"]
     assert len(errors) == 1
-    assert f"in {axis} = 0: it is a half" in errors[0]
+    assert f"in {axis} = 0: it is one half of a hull;" in errors[0]
     assert f"--mirror {axis}" in errors[0]
 
 

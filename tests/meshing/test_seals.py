@@ -71,7 +71,7 @@ def test_every_byte_counts(result):
 def test_a_terabyte_behind_the_numbers_is_refused_unread(result):
     with result.open("r+b") as file:
         file.truncate(10**12)
-    assert damage(result).startswith("its end: it has 1e+12 bytes, its numbers end at ")
+    assert damage(result).startswith("its end: the file has 1e+12 bytes, but its numbers end at ")
 
 
 def test_a_seal_that_is_gone_is_missed(result):
@@ -210,7 +210,7 @@ def test_much_behind_the_last_number_is_its_end(tmp_path):
     seal = hdf5_seal(image, {"a": (8, 992)})
     for more, words in (
         (2**24 - 100, "its structure, names or attributes"),
-        (2**24 + 3000, "its end: it has 1.68e+07"),
+        (2**24 + 3000, "its end: the file has 1.68e+07"),
     ):
         with path.open("wb") as file:
             file.write(seal + image)

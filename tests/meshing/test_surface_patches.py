@@ -48,7 +48,9 @@ def test_patches_are_one_mesh_with_a_count_for_each():
 ])  # fmt: skip
 def test_a_polygon_is_convex_with_an_area(corners):
     """Two corners, a bent one, a line, and one that crosses itself"""
-    with pytest.raises(ValueError, match="is not a convex polygon; allowed: three or more corners in order; divide"):
+    with pytest.raises(
+        ValueError, match="is not a convex polygon; allowed: three or more corners in order round it; divide"
+    ):
         counter_clockwise(corners)
 
 

@@ -35,7 +35,7 @@ def test_a_part_that_does_not_arrive_is_missed(tmp_path, monkeypatch):
         def __len__(self):
             return 4
 
-    with pytest.raises(NotWritten, match="a part of it was not written"):
+    with pytest.raises(NotWritten, match="a part of the file was not written"):
         write_whole(tmp_path / "a.txt", Short("abc"))
     assert not (tmp_path / "a.txt").exists()
 

@@ -68,7 +68,9 @@ def test_an_error_by_steps_that_cannot_be_had_is_told_and_is_no_number(monkeypat
 
     monkeypatch.setattr(estimates, "run_esdirk", failing)
     with pytest.warns(
-        UserWarning, match="the error of largest tensions by steps is not known; with longer steps, it st"
+        UserWarning,
+        match="the error of the largest tensions caused by time steps is not known: the run with longer "
+        "steps failed, it st",
     ):
         assert math.isnan(estimates.step_error(case, None, None, 0.01))
 
@@ -297,7 +299,7 @@ def test_moments_that_have_no_end_are_integrals_up_to_where_they_are_asked_for(o
     omega = np.linspace(max(low, 1e-3), high, 200_001)
     wanted = np.trapezoid(omega**order * one.density(omega), omega)
     assert one.moment(order, low, high) == pytest.approx(wanted, rel=2e-4)
-    with pytest.raises(ValueError, match=f"moment {order} has no end at shape 0.5; give a high"):
+    with pytest.raises(ValueError, match=f"moment {order} is infinite at shape 0.5; give high, the highest frequency"):
         one.moment(order)
 
 
@@ -515,7 +517,7 @@ def test_the_sea_behind_by_a_theory_of_normal_waves_is_left_out_where_they_come_
         warnings.simplefilter("always")
         found = in_sea.sea_behind(study, curves, [], None)
     assert [str(one.message) for one in caught] == [
-        "the sea behind taut, long waves is left out: it has waves along the normal only"
+        "the sea behind taut, long waves is left out: this theory covers waves along the normal only"
     ] * told  # fmt: skip
     assert found.heights == dict.fromkeys(["taut", "taut, long waves"][: 2 - told], 1.0)
     assert asked[0] == ("taut", first, 0.0, in_sea.GAUSSIAN * 0.5) and found.waves == 600.0
@@ -527,7 +529,9 @@ def test_lines_beyond_reach_are_counted_and_named(monkeypatch):
     system = SimpleNamespace(line_names=np.array(["a", "b", "c"]))
     result = SimpleNamespace(system=system, tension=np.ones(3), utilisation=np.zeros(3), allowable=0.5)
     said = next(_broken(result, np.array([True, False, True])))
-    assert said.startswith("FAILS: 2 of 3 lines beyond reach at the largest displacement") and said.endswith(": a, c")
+    assert said.startswith(
+        "FAILS: 2 of 3 lines cannot reach the fairlead at the largest displacement,"
+    ) and said.endswith(": a, c")
 
 
 def test_offsets_are_tried_from_the_nearest_on_each_side_from_where_the_others_came_to_rest(monkeypatch):
@@ -594,7 +598,7 @@ def test_a_map_of_waves_damps_its_body_in_waves_of_the_height_asked_for(monkeypa
     around = SimpleNamespace(motion=1, missed=0.0, pierces=False)
     for amplitude, height in ((None, 1.5), (1.0, 2.0)):
         (said,) = waves_around.remarks(around, db, amplitude)
-        assert said == f"the body's motion has its viscous damping in waves of {height:g} m"
+        assert said == f"the body's motion includes its viscous damping in waves of {height:g} m"
     around.motion = None
     assert not list(waves_around.remarks(around, db))
     around.missed, db.bodies = 1.01 * waves_around.MISSED, [1, 2]

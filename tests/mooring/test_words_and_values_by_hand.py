@@ -160,8 +160,8 @@ def test_a_section_of_moordyn_that_is_not_used_is_told(section, title):
 
 
 @pytest.mark.parametrize("text, says", [
-    ("1,2 5e5 2e5", None), ("1,7 5e5 2e5", "line 7 is unknown"), ("1,2 5e5", "'1,2 5e5' does not give lines"),
-    ("1,2 many 2e5", "does not give lines, Tmax0 and Tmean0"), ("# a remark", None),
+    ("1,2 5e5 2e5", None), ("1,7 5e5 2e5", "line 7 is unknown"), ("1,2 5e5", "'1,2 5e5' does not give line numbers"),
+    ("1,2 many 2e5", "does not give line numbers, Tmax0 and Tmean0"), ("# a remark", None),
 ])  # fmt: skip
 def test_largest_tensions_of_ropes_are_of_lines_that_are_there(text, says):
     file = SimpleNamespace(lines=[SimpleNamespace(id=i) for i in "12"], syrope=["names", "units", text])
@@ -191,7 +191,7 @@ def test_tables_of_orcaflex_are_rows_with_names_or_a_table_by_names():
     assert by_names == {"a": {"Name": "a", "Length": 3.0}, "b": {"Name": "b"}}
     assert _named({"Lines": [{"Name": "a"}]}, "Lines", "f") == {"a": {"Name": "a"}} and _named({}, "Lines", "f") == {}
     for rows in (["a"], [{"Length": 3.0}], "a"):
-        with pytest.raises(ValueError, match="f: Lines is no list with a Name each"):
+        with pytest.raises(ValueError, match="f: Lines is not a list of entries with a Name each"):
             _named({"Lines": rows}, "Lines", "f")
     table = {"LineType, Length": [["chain", 10.0], ["wire", 20.0]], "OD": 0.1, "Weight": [1.0, 2.0]}
     assert column(table, "Length") == [10.0, 20.0] and column(table, "LineType") == ["chain", "wire"]

@@ -126,7 +126,7 @@ LACKING = {
     "plot cut.h5": ("cut.h5 is damaged", "truncated"),
     "look full.h5 --field hue --plot x.png": ("'hue'", "area, size, aspect, pressure"),
     "look full.h5 --field pressure --plot x.png": ("--omega rad/s and --heading degrees",),
-    "look full.h5 --omega 0.6 --plot x.png": ("belong to --field pressure",),
+    "look full.h5 --omega 0.6 --plot x.png": ("are for --field pressure only;",),
     "look full.h5 --field pressure --omega 0.6 --heading 0 --plot x.png": ("no pressure", "--only pressure"),
     "moor study.toml --database no_drift.h5": ("drift", "--only"),
     "moor study.toml --database no_mass.h5": ("inertia", "--gyration"),

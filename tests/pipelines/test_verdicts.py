@@ -276,7 +276,8 @@ CASES = {
     "box": (BOX, lambda: checks("reciprocity", 0.87), r"checks failed: reciprocity is broken by 0.87 at ω = 0.2344"),
     "check": ("check box.h5", "check partial.h5", r"16 of 17 frequencies are stored; run the command again"),
     "mesh": ("mesh hull.gdf --output out.gdf", turned_inside_out, r"out.gdf: .*"),
-    "export": ("export box.h5 --to wamit", "export partial.h5 --to wamit", r"partial.h5 has 16 of 17 frequencies"),
+    "export": ("export box.h5 --to wamit", "export partial.h5 --to wamit",
+               r"only 16 of 17 frequencies of partial.h5 are solved"),
     "import": (
         lambda: imported(sound_export()),
         lambda: imported(exported()),
@@ -310,7 +311,7 @@ CASES = {
     "lines": (
         lambda: f"lines {written('system.toml', LINES.format(load=5000))}",
         lambda: f"lines {written('system.toml', LINES.format(load=50))}",
-        r"at rest, tension in % of the breaking load: .* %; limit 100 %, there a line parts",
+        r"at rest, tension in % of the breaking load: .* %; limit 100 %, at which a line parts",
     ),
     "line-dynamics": (
         lambda: f"line-dynamics {line_that_moves(4800.0)}",
@@ -325,12 +326,12 @@ CASES = {
     "berth": (
         lambda: f"berth {written('berth.toml', BERTH.format(speed=0.1))}",
         lambda: f"berth {written('berth.toml', BERTH.format(speed=0.128))}",
-        r"energy of the berthing: 120.8 kJ are 107.9 % of the 112 kJ .* and 97.09 % of the catalogue's",
+        r"energy of the berthing: 120.8 kJ are 107.9 % of the 112 kJ .* and 97.09 % of the energy in the catalogue",
     ),
     "earthquake": (
         lambda: f"earthquake {study('earthquake_box.toml', lambda raw: raw.pop('rule'))}",
         f"earthquake {SCENES / 'earthquake_box.toml'}",
-        r"seismic coefficient 0\.2: cell 2 m: 3\.351e\+04 kN act on it, and its table ends with",
+        r"seismic coefficient 0\.2: cell 2 m: 3\.351e\+04 kN act on it, but its table ends at",
     ),
     "breakwater": (
         lambda: f"breakwater {written('b.toml', BREAKWATER.format(weight=1e4))}",
@@ -340,12 +341,12 @@ CASES = {
     "members": (
         lambda: f"members {one_pile(1.2)}",
         lambda: f"members {one_pile(20.0)}",
-        r"fore port: 20.1 m wide, limit 0.2 of the wave's .* m; it scatters the wave",
+        r"fore port: 20.1 m wide, limit 0.2 of the wave's .* m; such a member scatters the wave",
     ),
     "passing": (
         lambda: f"passing {passed(3.0)}",
         lambda: f"passing {passed(12.0)}",
-        r"depth Froude number 0.86: such shallow water raises the pressure about 1.94 times, which",
+        r"depth Froude number 0.86: the pressure is about 1.94 times as",
     ),
     "damping": (
         lambda: f"damping {forced(1)}",
@@ -355,7 +356,7 @@ CASES = {
     "sea": (
         lambda: f"sea {waves_with(1.0)}",
         lambda: f"sea {waves_with(30.0)}",
-        r"1 values are beyond 8 deviations of the record, .* the largest 30 m at 300 s",
+        r"1 values exceed 8 standard deviations of the record, .* the largest is 30 m at 300 s",
     ),
     "sweep": (
         lambda: f"sweep {swept(0.06)}",

@@ -144,7 +144,7 @@ def test_a_truncated_result_fails_its_check(here, capsys):
 
 def test_a_sweep_is_told_by_the_cases_that_are_there(here, capsys):
     assert ended("check sweep.h5", capsys) == (
-        0, ["sweep.h5: a file of sweep, 2 of 2 cases are stored; a sweep has no checksums"]
+        0, ["sweep.h5: a file of a sweep; 2 of 2 cases are stored; a sweep has no checksums"]
     )  # fmt: skip
     with h5py.File("sweep.h5", "r+") as file:
         file["status"][1] = -1

@@ -59,7 +59,7 @@ class Circle:
         return max(self.lowest, _last_order(waves * self.radius, tolerance))
 
     def table_wavenumber(self, waves):
-        """Wavenumber, rad/m, at least `waves`, that a shared table resolves"""
+        """Largest wavenumber, rad/m, that a shared table resolves; at least `waves`"""
         return table_wavenumber(waves, self.radius)
 
     def subset(self, cls, degree, top):

@@ -142,7 +142,7 @@ def _flat(panels):
 
 @kernel()
 def _distance(x, y, panel, image, r0, r1):
-    """From the target to the piece r0 < r < r1 of a panel's image"""
+    """Distance from the target to the piece r0 < r < r1 of a panel's image"""
     dx, dy = image[0] * x - panel[3], image[1] * y - panel[4]
     r = min(max(dx * panel[5] + dy * panel[6], r0), r1)
     return np.hypot(dx - r * panel[5], dy - r * panel[6])

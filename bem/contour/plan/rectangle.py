@@ -98,7 +98,7 @@ class Rectangle:
         return tuple(int(d) for d in need + 2 * self.further * np.ceil(reach))
 
     def table_wavenumber(self, waves):
-        """Wavenumber, rad/m, at least `waves`, that a shared table resolves"""
+        """Largest wavenumber, rad/m, that a shared table resolves; at least `waves`"""
         return table_wavenumber(waves, max(self.length, self.beam) / 2)
 
     def orders(self, cls, degree):

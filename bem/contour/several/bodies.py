@@ -136,7 +136,7 @@ class SeveralBodies:
 
     @property
     def digits(self):
-        """Of the parts"""
+        """The digits of the parts"""
         return max(body.accuracy.digits for body in self.bodies)
 
     def first_order(self, omega, headings=(), theta=(), dofs=None, density=1025.0, gravity=9.80665):

@@ -22,7 +22,7 @@ SIGNS = np.array([[(c[0] if x < 0 else 1) * (c[1] if y < 0 else 1) for x, y in I
 
 
 class Place(NamedTuple):
-    """Of a plan's middle: x, y m; heading : rad of its axes"""
+    """The middle of a plan: x, y m; heading : rad of its axes"""
 
     x: float
     y: float

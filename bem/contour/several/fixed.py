@@ -47,7 +47,7 @@ class Fixed:
         return out
 
     def solved(self, outside, incident):
-        """As `matching.solved`, for the motions and then for potentials of waves"""
+        """Like `matching.solved`, for the motions and then for potentials of waves"""
         m, B = self.gaps, self.net.shape[1]
         matrix = np.block([[self.beneath - outside[:m, :m], self.net], [self.net.T, np.zeros((B, B))]])
         right = np.hstack([self.driven + outside[:m, m:] @ self.side.T, incident[:m]])

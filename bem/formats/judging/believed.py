@@ -1,4 +1,4 @@
-"""Faults of an imported set: by our own solution of its hull, or by its own laws."""
+"""Faults of an imported set, found by our own solution of its hull or by laws between its numbers."""
 
 from ..values import FormatError
 from . import laws
@@ -17,23 +17,23 @@ def believed(values, mesh, correct=False):
     doubts, tested = laws.doubts(values)
     own = own_of(values, mesh)
     if own is None:
-        why = "no frequency is of a long wave"
+        why = "no frequency belongs to a long wave"
         if len(mesh) > MOST_PANELS:
-            why = f"the hull has {len(mesh)} panels, solved here: up to {MOST_PANELS}"
+            why = f"the hull has {len(mesh)} panels, and this check solves at most {MOST_PANELS}"
         if values.others:
-            why = "other bodies are beside it"
-        return values, [f"not held against our own solution, {why}; laws tested: {', '.join(tested)}"], doubts
+            why = "there are other bodies beside it"
+        return values, [f"not compared with our own solution: {why}; laws tested: {', '.join(tested)}"], doubts
     found = finding(sample(values, mesh), own)
     if found is None:
         return values, [], doubts
     named = found.quantity.replace("_", " ")
     off = f"{named} differs from our own solution of the hull by {100 * found.gap:.3g} %, allowed: {100 * AGREED:g} %"
     if found.cause is None:
-        near = f"; the nearest, {found.nearest}, leaves {100 * found.left:.3g} %" if found.nearest else ""
+        near = f"; the best guess, {found.nearest}, leaves {100 * found.left:.3g} %" if found.nearest else ""
         return (
             values,
             [],
-            [f"{off}, and no one or two changes of unit, point, sign or heading explain it{near}", *doubts],
+            [f"{off}; no change of unit, point, sign or heading explains it, nor do two{near}", *doubts],
         )
     if not correct:
         way = f"give {found.cause.way_out}, or {WAY_OUT}" if found.cause.way_out else WAY_OUT

@@ -3,8 +3,8 @@ one that fits is reported.
 
     corrected = cause(set),    best = argmin over causes of the largest of `gaps`(corrected)
 
-A cause that has a number, as a length, a factor, or a point, takes it from the two by least squares first.  Where none
-alone fits each is followed by every other: a unit and a point, a sign and a unit are told both.
+A cause with a number (a length, a factor or a point) first fits this number to both solutions by least squares.  If no
+single cause fits, all pairs of causes are tried: a unit and a point, or a sign and a unit, are then both reported.
 """
 
 import itertools
@@ -49,7 +49,8 @@ class Cause(NamedTuple):
 
 
 class Finding(NamedTuple):
-    """gap : the largest difference, of `quantity`; cause : or None; left : what it leaves, or the nearest one"""
+    """gap : the largest difference, which is that of `quantity`; cause : or None; left : difference that remains with
+    the cause, or with the best one tried"""
 
     gap: float
     quantity: str
@@ -89,7 +90,7 @@ def _finding(values, own):
     if left > AGREED and np.isfinite(values.water_depth):
         deep = max(gaps(values, own.in_water(np.inf)).values())
         if deep < 0.8 * left:
-            text = f"the set is of deep water, not of {values.water_depth:g} m"
+            text = f"the set is for deep water, not for a depth of {values.water_depth:g} m"
             best, left = Cause(text, lambda one: replace(one, water_depth=np.inf), "--depth inf"), deep
     if left <= FITS * off[quantity] and left <= 2.5 * AGREED:
         return Finding(off[quantity], quantity, best, left)
@@ -140,7 +141,7 @@ def changed(values, names, function):
 
 
 def scaled(values, names, rows=None):
-    """A function of a factor: the quantities divided by it, by row where `rows` (6,) is its power"""
+    """A function of a factor that divides the quantities by it; `rows` (6,) is the power of the factor in each row"""
 
     def of(factor):
         def over(data):
@@ -217,7 +218,7 @@ def _about_units(values, own):
     lengths = ([np.sqrt(abs(x)), abs(a / x)] if x else []) + [abs(a) ** (1 / 3)]  # by forces, both, added mass
     for length in _apart(lengths, LENGTHS):
         yield Cause(
-            f"made dimensionless by a length of {1 / length:.4g} m and not by the one taken",
+            f"made dimensionless by a length of {1 / length:.4g} m, not by the assumed length",
             lambda one, L=length: of_length(one, L), f"--length-unit {1 / length:.4g}",
         )  # fmt: skip
     forces = tuple(name for name in FORCES if name in values.quantities)
@@ -269,13 +270,14 @@ def turned(values, words):
 def _about_directions(values, own):
     if "excitation_force" not in values.quantities or not values.quantities["excitation_force"].size:
         return
-    conjugate = ("phases are the conjugates of ours, of exp(+iωt) for exp(−iωt)", np.conj)
-    phases = (("", None), conjugate, ("forces have the opposite sign, as of a trough", np.negative),
+    conjugate = ("phases are the conjugates of ours: the files use exp(+iωt) instead of exp(−iωt)", np.conj)
+    phases = (("", None), conjugate, ("forces have the opposite sign, as if phase 0 were a wave trough", np.negative),
               ("phases are 90° behind ours", lambda X: X * 1j), ("phases are 90° ahead of ours", lambda X: X * -1j),
-              ("phases are conjugates of the opposite sign", lambda X: -np.conj(X)))  # fmt: skip
-    headings = {"": "", "opposite": "headings say where waves come from, ours where they go to",
+              ("phases are conjugates with the opposite sign", lambda X: -np.conj(X)))  # fmt: skip
+    headings = {"": "", "opposite": "headings are the directions that waves come from; ours are the directions that "
+                                    "waves travel to",
                 "mirrored": "headings are counted clockwise, ours anticlockwise",
-                "opposite mirrored": "headings say, clockwise, where waves come from, as a compass"}  # fmt: skip
+                "opposite mirrored": "headings are compass directions (clockwise) that waves come from"}  # fmt: skip
     for phase, change in phases:
         for words, text in headings.items():
             both = "; ".join(part for part in (phase, text) if part)
@@ -319,8 +321,8 @@ def _about_points(values, own):
     center = np.asarray(own.center)
     for r, names, words in (
         (p, FORCES + MATRICES, "moments and rotations are"), (q, FORCES + MATRICES, "moments and rotations are"),
-        (p, FORCES, "moments of the forces, and not of added mass, are"),
-        (q, MATRICES, "rotations of added mass and damping, and not moments of the forces, are"),
+        (p, FORCES, "moments of the wave forces, but not those of added mass, are"),
+        (q, MATRICES, "rotations of added mass and damping, but not moments of the wave forces, are"),
     ):  # fmt: skip
         if r is not None and np.linalg.norm(r) > SHIFT * own.arm:
             r = -center if np.linalg.norm(center + r) < SHIFT * own.arm else r  # the origin itself
@@ -333,7 +335,7 @@ def _about_points(values, own):
             return
         said = ", ".join(f"{x:.4g}" for x in np.round(r, 3) + 0.0)
         yield Cause(
-            f"phases are of a crest at ({said}) m and not at the origin of the axes", lambda one: _crest_moved(one, r)
+            f"phase 0 is a crest at ({said}) m, not at the origin of the axes", lambda one: _crest_moved(one, r)
         )
 
 

@@ -62,7 +62,8 @@ def _finite(values):
 
 
 def size_of(values):
-    """m, of the waterplane or, if larger, twice the arm of added mass in yaw; without either from A₃₃"""
+    """Length of the body, m: that of the waterplane or, if larger, twice the arm of added mass in yaw; without either
+    from A₃₃"""
     C, A = values.get("hydrostatic_stiffness"), values.get("added_mass")
     plane = 0.0
     if C is not None and C[2, 2] > 0:
@@ -87,8 +88,8 @@ def _reciprocity(values):
     if worst.max() > NOT_SYMMETRIC:
         i, j = np.unravel_index(np.argmax(worst), worst.shape)
         lines.append(
-            f"A_{i + 1}{j + 1} and A_{j + 1}{i + 1} differ by {100 * worst[i, j]:.0f} % of their size; rows of "
-            "rotations and of translations have different units or points, or panels are too few"
+            f"A_{i + 1}{j + 1} and A_{j + 1}{i + 1} differ by {100 * worst[i, j]:.0f} % of their size; either "
+            "rotations and translations have different units or points, or there are too few panels"
         )
     return lines
 
@@ -183,7 +184,7 @@ def _haskind(values):
     middle = float(np.median(ratio))
     why = not values.others and (_of_channel(values, found) or _of_depth(values))  # others reflect waves too
     if not why and others:  # a wrong unit or length would show in these too
-        why = f"{', '.join(others)} agrees, so that units do: panels are too few for mode {i + 1}"
+        why = f"{', '.join(others)} agrees, so the units are right: there are too few panels for mode {i + 1}"
     return [f"B_{i + 1}{i + 1} is {middle:.3g} times the value that follows from its excitation; "
             + (why or _why(middle, _slope(omega, ratio), ratio))]  # fmt: skip
 
@@ -204,7 +205,7 @@ def _slope(omega, ratio):
 
 
 def depth_of(values):
-    """m, depth of water, may be inf, for which damping and excitation agree in every mode; None without such a depth"""
+    """Depth of water in m, possibly inf, at which damping and excitation agree in every mode; else None"""
     fits = {}
     for depth in (np.inf, *np.geomspace(1000, 5, 60)):
         found = haskind_ratios(replace(values, water_depth=depth)) or {}
@@ -216,7 +217,7 @@ def depth_of(values):
 
 
 def _of_depth(values):
-    """In words the depth for which damping and excitation agree, "" without one"""
+    """States in words the depth at which damping and excitation agree, "" without one"""
     depth = depth_of(values)
     if depth is None:
         return ""
@@ -225,7 +226,7 @@ def _of_depth(values):
 
 
 def _of_channel(values, found):
-    """In words the width w of a channel whose walls keep the waves in, B = 2/kw of surge and 1/kw of heave; else "" """
+    """States the width w of a channel whose walls keep the waves in, B = 2/kw of surge and 1/kw of heave; else "" """
     widths = []
     for mode, (ratio, omega) in found.items():
         if mode in (SURGE, HEAVE) and len(ratio) >= 5:
@@ -234,23 +235,30 @@ def _of_channel(values, found):
     widths = np.concatenate(widths) if widths else np.zeros(0)
     if len(widths) < 5 or np.ptp(np.quantile(widths, [0.1, 0.9])) > 0.25 * np.median(widths):
         return ""
-    return f"it is that of waves in a channel {np.median(widths):.3g} m wide, and not of open water"
+    return f"this is the damping in a channel {np.median(widths):.3g} m wide, not in open water"
 
 
 def _why(ratio, slope, ratios):
     if 0.7 < slope < 1.3:
-        return "it goes with ω: damping is that times ω"
+        return "the ratio is proportional to ω: damping is multiplied by ω in the files"
     if -1.3 < slope < -0.7:
-        return "it goes with 1/ω: damping is that over ω"
-    for factor, words in ((0.25, "forces are for each metre of wave height"), (1e-6, "damping in MN beside N"),
-                          (1e-3, "damping in kN beside forces in N"), (1e3, "damping in N beside forces in kN"),
+        return "the ratio is proportional to 1/ω: damping is divided by ω in the files"
+    for factor, words in ((0.25, "forces are for 1 m of wave height, not of "
+                                 "amplitude"), (1e-6, "damping is in MN and forces are in N"),
+                          (1e-3, "damping is in kN and forces are in N"), (1e3, "damping is in N and forces are in kN"),
                           (1e6, "forces are in kN"), (9.80665, "the factor g"), (1 / 9.80665, "the factor g"),
                           (1 / 1025, "the factor ρ"), (1025.0, "the factor ρ")):  # fmt: skip
         if abs(np.log(abs(ratio / factor))) < 0.25:
             return words
     if np.ptp(np.quantile(ratios, [0.1, 0.9])) > SCATTERS * abs(ratio):
-        return "it scatters from frequency to frequency, which no unit does: panels are too few, or there are sheets"
-    return "units of damping and forces, the length that one is made dimensionless by, density or water depth differ"
+        return (
+            "the ratio scatters from frequency to frequency, so the cause is not a unit: there are too few panels, "
+            "or thin plates in the mesh"
+        )
+    return (
+        "damping and forces differ in their units, in the length of their dimensionless form, in density or in "
+        "water depth"
+    )
 
 
 def _long_waves(values):
@@ -271,8 +279,9 @@ def _long_waves(values):
             ratio = mean / expected
             if ratio.real < 0 or abs(np.angle(ratio)) > 0.6:
                 lines.append(
-                    f"heave force of the longest wave is at {np.degrees(np.angle(mean)):.0f}°, at 0° where it follows "
-                    "the crest; forces have another sign, or phases are of another point or of a sine"
+                    f"heave force of the longest wave is at {np.degrees(np.angle(mean)):.0f}°, it must be at 0°, in "
+                    "phase with the crest; forces have another sign, or phases are relative to another point or to a "
+                    "sine"
                 )
             elif abs(np.log(abs(ratio))) > np.log(1 + 2 * TRUE if not volume else 1 + TRUE):
                 lines.append(
@@ -284,11 +293,12 @@ def _long_waves(values):
 
 
 def _factor_of_force(ratio):
-    for factor, words in ((1e-3, "forces are in kN"), (1e3, "stiffness is in kN"), (2.0, "forces are for each metre of "
-                          "wave height"), (0.5, "forces are halved"), (1 / 9.80665, "forces lack g")):  # fmt: skip
+    for factor, words in ((1e-3, "forces are in kN"), (1e3, "stiffness is in kN"), (2.0, "forces are for 1 m of wave "
+                          "height, not of "
+                          "amplitude"), (0.5, "forces are halved"), (1 / 9.80665, "forces lack g")):  # fmt: skip
         if abs(np.log(ratio / factor)) < 0.2:
             return words
-    return "units, lengths, or water differ between the two"
+    return "the two differ in their units, lengths, density or depth"
 
 
 def _surge(values, n, heave, kL, floats):
@@ -303,13 +313,16 @@ def _surge(values, n, heave, kL, floats):
         return []
     if abs(np.angle(turned)) < np.pi - 1.0:
         return [f"surge force of the longest wave is at {np.degrees(np.angle(X[ahead, SURGE])):.0f}° at "
-                f"{np.degrees(beta[ahead]):g}°; phases are of another point than the origin of the axes, or the hull "
-                "is open"]  # fmt: skip
+                f"{np.degrees(beta[ahead]):g}°; phases are not relative to the origin of the axes, or the hull is "
+                "open"]  # fmt: skip
     long, B = kL < 2 * LONG, values.get("radiation_damping")[:, HEAVE, HEAVE]
     felt = values.get("excitation_force")[long, :, HEAVE].mean(axis=1).imag
     if np.sum(felt * values.omega[long] * B[long]) > 0:
-        return ["surge and heave forces of long waves turn the other way; phases are conjugates, of exp(+iωt)"]
-    return ["surge force of long waves has the opposite sign; headings say where waves come from, or x is aft"]
+        return ["surge and heave forces of long waves have the opposite phase; phases are conjugates, for exp(+iωt)"]
+    return [
+        "surge force of long waves has the opposite sign; headings are the directions that waves come from, or x "
+        "points aft"
+    ]
 
 
 def _causality(values):
@@ -334,8 +347,8 @@ def _causality(values):
         tested = True
         if not least < ratio < most:
             lines.append(
-                f"A_{i + 1}{i + 1} falls by {fall:.4g} from long to short waves, damping makes it {ratio:.3g} times "
-                "that; units of the two differ, or limits are exchanged"
+                f"A_{i + 1}{i + 1} falls by {fall:.4g} from long to short waves; the fall that follows from damping "
+                f"is {ratio:.3g} times as large; their units differ, or the two limits are exchanged"
             )
     return lines[:1] if tested else None
 

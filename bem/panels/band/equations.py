@@ -48,7 +48,7 @@ class BandEquations(NamedTuple):
 
     @classmethod
     def empty(cls, geometry, accuracy, low_rank):
-        """With empty arrays, which `solve_class` fills"""
+        """Equations with empty arrays, which `solve_class` fills"""
         c, n, v = low_rank.velocities.shape
         lid, (q, _) = len(geometry.elements.nodes) - n, low_rank.Y.shape
         u = len(low_rank.points) + v + lid
@@ -67,7 +67,7 @@ class BandEquations(NamedTuple):
         known = np.concatenate([low_rank.X, sides[: n + lid, :columns]], axis=1)
         unit_potentials = self.unit_potentials[i] = lu_solve(factors, known[:n], trans=1, check_finite=False)
         if not np.all(np.isfinite(unit_potentials)):
-            raise FloatingPointError(f"class {i} of the mesh: the equations of the hull have no finite solution")
+            raise FloatingPointError(f"the equations of the hull (symmetry class {i}) have no finite solution")
         areas = self.geometry.elements.weights[:n, None] * self.geometry.copies
         self.potentials_at_samples[i] = unit_potentials[low_rank.error_test.samples.on_hull]
         self.integrals[i] = (low_rank.velocities[i] * areas).T @ unit_potentials

@@ -20,7 +20,7 @@ LARGEST_FULL_SYSTEM = 8000  # nodes of the hull: a gigabyte for each symmetry cl
 
 
 class BandRun(CompressedRun):
-    """As `PanelRun`, at a cost nearly independent of the number of panels.
+    """Like `PanelRun`, at a cost nearly independent of the number of panels.
 
     Forces follow from integrals stored in `bem.panels.band.equations`; potentials are computed on demand.  Where the
     error test fails the full equations are solved, as in `PanelRun`.
@@ -81,15 +81,15 @@ class BandRun(CompressedRun):
         return solution
 
     def rejected(self, error):
-        """None, so that the full equations are solved, or the compressed ones if those are too large.
+        """None if the full equations are to be solved, or the compressed equations if the full ones are too large.
 
         raises : FloatingPointError where neither can be
         """
         if self.geometry.hull > LARGEST_FULL_SYSTEM and self.problem.nodes_per_panel != 4:
             raise FloatingPointError(
-                f"ω = {self.omega:.6g} rad/s: the low-rank waves of the band are {error:.1e} off; allowed: "
-                f"{ALLOWED * self.equations_of_band.accuracy:.1e}; ask for a narrower band, fewer panels or "
-                "a larger tolerance"
+                f"ω = {self.omega:.6g} rad/s: the low-rank waves of the band have an error of {error:.1e}; allowed: "
+                f"{ALLOWED * self.equations_of_band.accuracy:.1e}; give a narrower band, fewer panels or a larger "
+                f"tolerance"
             )
 
     @property

@@ -52,8 +52,8 @@ def solved(geometry, velocities, mirror, table, depth_values, tolerance):
     x, left = gmres(equations, Preconditioner(equations), columns, RESIDUAL, ITERATIONS)
     if not left <= 10 * RESIDUAL:  # written so that a NaN raises too
         raise FloatingPointError(
-            f"{len(tree.nodes)} compressed equations: {left:.1e} are left of the right-hand sides after {ITERATIONS} "
-            f"iterations; allowed: {10 * RESIDUAL:g}; give fewer panels (--panels)"
+            f"{len(tree.nodes)} compressed equations: a residual of {left:.1e} is left after {ITERATIONS} iterations; "
+            f"allowed: {10 * RESIDUAL:g}; give fewer panels (--panels)"
         )
     in_mesh = np.empty_like(x)
     in_mesh[tree.nodes] = x
@@ -62,7 +62,7 @@ def solved(geometry, velocities, mirror, table, depth_values, tolerance):
     compression = max(tolerance, _left_of_full(geometry, potentials, given, mirror, table, depth_values))
     if not compression <= ALLOWED:  # written so that a NaN raises too
         raise FloatingPointError(
-            f"{len(tree.nodes)} compressed equations are {compression:.1e} off; allowed: {ALLOWED:g}; "
+            f"{len(tree.nodes)} compressed equations have an error of {compression:.1e}; allowed: {ALLOWED:g}; "
             "give fewer panels (--panels)"
         )
     return Solution({cls: potentials.get(cls, np.zeros((0, len(x)))) for cls in velocities}, left, compression)

@@ -57,7 +57,7 @@ class CompressedRun(PanelRun):
 
 
 def added_mass_limit(prepared, which):
-    """As `bem.panels.frequency_limits.added_mass_limit`"""
+    """Like `bem.panels.frequency_limits.added_mass_limit`"""
     g, velocities, table, mirror = given_at_limit(prepared, which)
     of_class = {cls: v.T for cls, v in zip(g.classes, velocities, strict=True)}
     found = solved(g, of_class, mirror, table, unit_depth_values, sufficient_accuracy(g.mesh.total))

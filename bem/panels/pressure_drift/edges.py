@@ -61,7 +61,8 @@ class Stencils(NamedTuple):
         return self.replaced(~used, alone._replace(across=across[0], gap=across[1]))._replace(row=self.row)
 
     def same_layout(self, panel):
-        """(n,) whether stencils of other panels (n,) have the same layout: not the same panels, lengths and angles"""
+        """(n,) whether stencils of other panels (n,) have the same layout; their panels, lengths and angles may
+        differ"""
         measured = dict.fromkeys(("panels", "mu", "lengths", "across", "gap", "row"), self.at_edge)
         parts = self._replace(**measured)
         return np.all([np.all((a == a[panel]).reshape(len(panel), -1), axis=1) for a in parts], axis=0)

@@ -197,7 +197,7 @@ def wave_flow(run, surfaces, motions):
 
 
 def disturbed_flow(run, surfaces, motions, own, bent=None):
-    """As `wave_flow` on the hull of one of several bodies; motions : (m, 6N) of all; own : (m, 6) of this one
+    """Like `wave_flow` on the hull of one of several bodies; motions : (m, 6N) of all; own : (m, 6) of this one
 
     bent : as of `Surface.value`
     """

@@ -75,9 +75,9 @@ def pressure_error(run):
 def check_panels(problem, mesh):
     """Raises ValueError for constant panels and zero draft; warns of panels long relative to the gap under the keel"""
     if problem.nodes_per_panel != 4:
-        raise ValueError(f"near-field drift with {problem.nodes_per_panel} node a panel; allowed: 4")
+        raise ValueError(f"nodes_per_panel is {problem.nodes_per_panel}; near-field drift needs 4")
     if problem.zero_draft:
-        raise ValueError("near-field drift at zero draft; allowed: a hull with sides, the far field is right without")
+        raise ValueError("near-field drift needs a hull with sides, and the draft is 0; use the drift by the far field")
     length, gap = coarsest_at_gap(mesh, problem.depth)
     if length > LONGEST_PER_GAP * gap:
         warnings.warn(

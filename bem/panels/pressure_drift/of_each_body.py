@@ -76,7 +76,8 @@ def _bent_load(run, surface, motions, own, number):
 
 
 def own_motions(run, moving):
-    """(m, 6N) motions in the waves of a run, each about its own point in its own axes; 0 of what does not move"""
+    """(m, 6N) motions of all bodies in the waves of a run, each about its own point in its own axes; 0 for motions that
+    are fixed"""
     out = np.zeros((len(run.headings), run.count), complex)
     if moving:
         out[:, run.problem.moving] = run.rao

@@ -36,7 +36,12 @@ def solve_buoyant_lines(x, z, length, weight, axial_stiffness, surface):
     for name, value, good, allowed in (
         ("x", x, np.isfinite(x) & (x >= 0), "finite, at least 0 m"),
         ("length", length, np.isfinite(length) & (length > 0), "finite, above 0 m"),
-        ("weight", weight, np.isfinite(weight) & (weight < 0), "finite, below 0 N/m; `solve_lines` solves heavy lines"),
+        (
+            "weight",
+            weight,
+            np.isfinite(weight) & (weight < 0),
+            "finite and below 0 N/m; use `solve_lines` for lines heavier than water",
+        ),
         ("axial_stiffness", EA, EA > 0, "above 0 N, inf for an inextensible line"),
         ("surface", surface, np.isfinite(surface) & (surface >= 0), "finite, at least 0 m above the anchor"),
         ("z", z, np.isfinite(z) & (z <= surface), "at most the height of the surface above the anchor"),

@@ -119,7 +119,11 @@ def span_at_tension(
         raise ValueError(f"horizontal_tension is {H[bad][0]:g} N; allowed: finite values above 0")
     x, lying = spans_at_tension(lines, H).T
     for wrong, error, what in (
-        (np.isnan(lying), LineError, "would be below the upper end of the bed under the line; give less tension"),
+        (
+            np.isnan(lying),
+            LineError,
+            "would be below the upper end of the bed under the line; give less horizontal tension",
+        ),
         (np.isnan(x), ValueError, "is higher than an inextensible line is long; give a longer line, or its stiffness"),
     ):
         if wrong.any():
@@ -135,7 +139,9 @@ def profile(x, z, length, weight, axial_stiffness=np.inf, bed_friction=0.0, bed_
 
     line = solve_lines(x, z, length, weight, axial_stiffness, bed_friction, bed_slope, bed=bed)
     if line.horizontal_fairlead.shape:
-        raise ValueError(f"profile draws one line, not an array of shape {line.horizontal_fairlead.shape}")
+        raise ValueError(
+            f"profile is for one line, not for an array of lines of shape {line.horizontal_fairlead.shape}"
+        )
     row = np.array([*map(float, line[:5]), *line.stiffness.ravel(), float(line.status)])
     given = (x, z, length, weight, 1 / axial_stiffness, bed_friction, bed_slope)
     return points_along(row, tuple(map(float, given)), np.linspace(0.0, length, points))

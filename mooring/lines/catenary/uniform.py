@@ -93,7 +93,8 @@ def put_slack(row, plumb, lying, weight, flexibility, slope, friction):
 
 @kernel()
 def distance_missed(row, line):
-    """m between the fairlead and where the forces of a solved line put it; of a slack line only its height counts."""
+    """m between the fairlead and the end of the solved line, which its forces determine; for a slack line only the
+    height counts."""
     x, z, length, weight, flexibility, friction, slope = line
     H = row[0]
     if H < 0:

@@ -37,7 +37,7 @@ class ElasticBed:
             raise ValueError(f"bed slope is {self.slope:g} rad; allowed: between −1 and 1")
         if len(self.points):
             if self.slope != 0:
-                raise ValueError(f"bed slope is {self.slope:g} rad beside points; allowed: one of them")
+                raise ValueError(f"bed slope is {self.slope:g} rad and bed points are given too; give one of them")
             object.__setattr__(self, "points", tuple(map(tuple, Bed(self.points).points.tolist())))
         check("bed stiffness", self.stiffness, 0.0, strict=True)
         if self.slip is not None:

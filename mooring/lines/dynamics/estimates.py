@@ -1,10 +1,11 @@
 """Accuracy of the largest tensions of a run: the same run with fewer elements, and with longer steps.
 
-Lines that whip become taut element by element with snaps.  Where such snaps add up, errors of the steps exceed the
+A line that whips becomes taut with snaps, one element after another.  Where such snaps add up, errors of the steps
+exceed the
 tolerance of a single one: at 1e-3 largest tensions at the fairlead have had errors of 16 %, inside 8 %. Their error is
-proportional to the step there, so that it is about the difference from steps twice as long. That of a single largest
-value may be small by chance; it is less likely for the largest of each tenth of the run, and the worse of fairlead and
-inside counts.  `tests/bench/line_peaks.py` counts how often this holds.
+proportional to the step there, so that it is about the difference from steps twice as long. The error of a single
+largest value may be small by chance. This is less likely for the largest values of each tenth of the run, of which the
+worst counts, at the fairlead or inside.  `tests/bench/line_peaks.py` counts how often this holds.
 """
 
 import warnings
@@ -37,8 +38,8 @@ def mesh_error(case, result, limit):
         at = int(np.argmax(error))
         warnings.warn(
             fails(
-                f"{case.line}: the largest tension {_WHERE[at]} is {_kN(ours[at])}, in {other.elements} elements "
-                f"{_kN(peaks[at])}: estimated error {error[at]:.1%}, allowed {limit:.1%}; give more elements"
+                f"{case.line}: the largest tension {_WHERE[at]} is {_kN(ours[at])}, and {_kN(peaks[at])} in "
+                f"{other.elements} elements: estimated error {error[at]:.1%}, allowed {limit:.1%}; give more elements"
             ),
             stacklevel=3,
         )
@@ -53,7 +54,11 @@ def step_error(case, result, state, limit):
     try:
         found = run_esdirk(_plain(case)._replace(coarser=COARSER), state)
     except DynamicLineError as error:
-        warnings.warn(f"the error of largest tensions by steps is not known; with longer steps, {error}", stacklevel=3)
+        warnings.warn(
+            f"the error of the largest tensions caused by time steps is not known: the run with longer "
+            f"steps failed, {error}",
+            stacklevel=3,
+        )
         return np.nan
     edges = np.linspace(result.time[0], result.time[-1], PARTS + 1)
     ours, others = _largest_of_parts(result, edges), _largest_of_parts(found, edges)
@@ -65,8 +70,8 @@ def step_error(case, result, state, limit):
             fails(
                 f"{case.line}: with steps {COARSER:g} times as long the largest tension {_WHERE[at]} from "
                 f"{edges[part]:.4g} to {edges[part + 1]:.4g} s is {_kN(others[at, part])} in place of "
-                f"{_kN(ours[at, part])}: largest tensions are known to {error[at]:.1%} for their steps, allowed "
-                f"{limit:.1%}; give a smaller tolerance than {case.tolerance:g}"
+                f"{_kN(ours[at, part])}: time steps leave an error of {error[at]:.1%} in the largest tensions, "
+                f"allowed {limit:.1%}; give a tolerance smaller than {case.tolerance:g}"
             ),
             stacklevel=3,
         )

@@ -19,7 +19,8 @@ LOSSES = ("drag", "water_inertia", "structural", "bed", "friction")
 
 @dataclass(frozen=True)
 class End:
-    """Tension at one end, N, in the window: largest at `time` s, mean, least; rest : before the motion
+    """Tension at one end, N, in the window: the largest, at `time` s, the mean and the smallest; rest : tension before
+    the motion
 
     slack : s of the window in which it is below a tenth of that at rest, nan without tension at rest
     quasi_static : largest of the line at rest in every position, nan if none has a static shape

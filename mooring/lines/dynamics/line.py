@@ -81,7 +81,7 @@ class DynamicSegment:
         _ = Segment(self.length, 1.0, self.axial_stiffness).strain_table
         strain, tension = np.array(self.axial_stiffness, float).T
         if not np.all(np.diff(strain) > 0):
-            raise ValueError("segment axial_stiffness: a strain occurs twice; allowed: strains that rise from 0")
+            raise ValueError("segment axial_stiffness: the table has a strain twice; allowed: strains that rise from 0")
         return strain, tension
 
     @cached_property
@@ -167,7 +167,10 @@ class DynamicLine:
             raise ValueError("a line has 0 segments; allowed: 1 or more")
         bodies = tuple(self.bodies) or (None,) * (len(segments) - 1)
         if len(bodies) != len(segments) - 1:
-            raise ValueError(f"a line of {len(segments)} segments has {len(bodies)} bodies; allowed: one less, or none")
+            raise ValueError(
+                f"a line of {len(segments)} segments has {len(bodies)} bodies; allowed: one body fewer "
+                f"than segments, or none"
+            )
         anchor = np.asarray(self.anchor, float)
         if anchor.shape != (3,) or not np.all(np.isfinite(anchor)):
             raise ValueError(f"anchor is {self.anchor}; allowed: three finite numbers, m")
@@ -178,8 +181,8 @@ class DynamicLine:
         heavy = [s for s in segments if s.weight > self.gravity * s.mass]
         if self.surface and heavy:
             raise ValueError(
-                f"surface: a segment weighs {heavy[0].weight:g} N/m in water and, of {heavy[0].mass:g} kg/m, "
-                f"{self.gravity * heavy[0].mass:g} N/m in air; allowed: not more in water than in air"
+                f"surface: a segment weighs {heavy[0].weight:g} N/m in water and, with {heavy[0].mass:g} kg/m, "
+                f"{self.gravity * heavy[0].mass:g} N/m in air; allowed: no more in water than in air"
             )
         object.__setattr__(self, "segments", segments)
         object.__setattr__(self, "bodies", bodies)
@@ -309,7 +312,7 @@ class DynamicLine:
         return np.concatenate([[0.0], 1 / (soft[:-1] + soft[1:]), [0.0]])
 
     def _elongation(self):
-        """Where each element's material begins and ends in the rows of all, and these"""
+        """First and last row of each element's material among the rows of all elements, and these rows"""
         tables = [s.elongation for s in self.segments]
         ends = np.cumsum([0, *(len(table) for table in tables)])
         rows = [np.full((s.elements, 2), ends[i : i + 2]) for i, s in enumerate(self.segments)]

@@ -159,8 +159,8 @@ def _control(case, state):
 def stopped(line, time, step, shortest, node):
     """DynamicLineError of a run whose step became too short near a node"""
     return DynamicLineError(
-        f"{line}: at t = {time:.6g} s the time step fell to {step:.3g} s, below {shortest:.3g} s, "
-        f"near node {node} of {line.elements}; give a larger tolerance, more damping or a softer bed"
+        f"{line}: at t = {time:.6g} s the time step fell to {step:.3g} s, limit {shortest:.3g} s, near node {node} of "
+        f"{line.elements}; give a larger tolerance, more damping or a softer bed"
     )
 
 

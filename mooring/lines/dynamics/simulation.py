@@ -109,11 +109,13 @@ def _check_joint(motion, state, from_rest):
     position, velocity, _ = motion.at(state.time)
     gap = np.linalg.norm(position - state.position[-1])
     if not gap <= JOINT * (1 + np.abs(position).max()):
-        raise ValueError(f"motion starts {gap:.3g} m from the end of the run before; allowed: where that run ended")
+        raise ValueError(
+            f"the motion starts {gap:.3g} m from the end of the previous run; allowed: the place where that run ended"
+        )
     jerk = np.linalg.norm(velocity - state.velocity[-1])
     if from_rest and jerk > JERK:
         warnings.warn(
-            f"the fairlead starts at {jerk:.3g} m/s, but the line at rest: the first tensions are those of an "
+            f"the fairlead starts at {jerk:.3g} m/s while the line is at rest: the first tensions are those of an "
             "impact; give the motion a ramp",
             stacklevel=3,
         )

@@ -26,7 +26,10 @@ class Bed:
             raise ValueError(f"bed points have the shape {points.shape}; allowed: (k, 2) finite numbers, k at least 2")
         if not np.all(np.diff(points[:, 0]) > 0):
             step = np.diff(points[:, 0]).min()
-            raise ValueError(f"bed points step {step:g} m in x; allowed: above 0, no vertical walls or overhangs")
+            raise ValueError(
+                f"x of the bed points changes by {step:g} m from one to the next; allowed: above 0, "
+                f"without vertical walls or overhangs"
+            )
         if not (np.isfinite(self.friction) and self.friction >= 0):
             raise ValueError(f"bed friction is {self.friction:g}; allowed: finite, at least 0")
         object.__setattr__(self, "points", points - points[0])
@@ -51,7 +54,10 @@ class Bed:
         anchor, fairlead = np.asarray(anchor, float)[:2], np.asarray(fairlead, float)[:2]
         span = np.hypot(*(fairlead - anchor))
         if span == 0:
-            raise ValueError("the fairlead stands above the anchor; a section needs a direction")
+            raise ValueError(
+                "the fairlead is vertically above the anchor, so the section of the bed has no "
+                "direction; move one of them"
+            )
         for name, point in (("anchor", anchor), ("fairlead", fairlead)):
             if not (x[0] <= point[0] <= x[-1] and y[0] <= point[1] <= y[-1]):
                 raise ValueError(f"{name} at ({point[0]:g}, {point[1]:g}) m is off the bed grid; extend the grid")

@@ -84,7 +84,7 @@ def bend_at_vertex(line, q, g, angle, unknown):
 
 @kernel()
 def slides_down(line, at, facet, tension):
-    """Whether a line with this tension at the facet needs the tension to lie there, since it would slide down and pull.
+    """Whether the line would slide down the facet without this tension, so that it needs the tension to lie there.
 
     On the first facet not above a buoy, which may lift the line.  Exempt are parts fixed by `held`: see `line_data`.
     """

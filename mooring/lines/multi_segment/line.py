@@ -258,7 +258,7 @@ class StaticLine:
             wrong = ~good
             i = int(np.argmax(wrong))
             beyond = status[i] == BEYOND_REACH
-            what = "cannot be reached by" if beyond else "is in reach, but no equilibrium was found for"
+            what = "cannot be reached by" if beyond else "is within reach, but no equilibrium was found for"
             what += f" a line of {self.length:g} m{'' if beyond else self._way_out}"
             count = f"{np.count_nonzero(wrong)} of {x.size} positions: " if x.size > 1 else ""
             raise (BeyondReachError if beyond else LineError)(
@@ -272,8 +272,9 @@ class StaticLine:
             return "; give another length, or move the fairlead or a load a little"
         steepest = np.abs(self.bed.slopes).max()
         return (
-            f": on its bed, with slopes up to {steepest:.3g} and friction {self.bed.friction:g}, it may slide; "
-            f"give a friction of at least {steepest:.3g}, a shorter line, or no loads where it lies"
+            f": the line may slide on its bed, which has slopes up to {steepest:.3g} and friction "
+            f"{self.bed.friction:g}; give a friction of at least {steepest:.3g}, a shorter line, or no loads where it "
+            f"lies"
         )
 
     def _capacity(self, data):

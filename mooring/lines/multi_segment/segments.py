@@ -49,7 +49,7 @@ class Segment:
         good = table.ndim == 2 and len(table) > 1 and table.shape[1] == 2 and np.all(np.isfinite(table))
         if not good or np.any(table[0] != 0) or np.any(np.diff(table[:, 0]) < 0) or np.any(np.diff(table[:, 1]) <= 0):
             raise ValueError(
-                f"segment {self.name}: axial_stiffness is no table of (strain, tension); "
+                f"segment {self.name}: axial_stiffness is not a table of (strain, tension); "
                 "allowed: at least two rows rising from (0, 0)"
             )
         strain, tension = table.T

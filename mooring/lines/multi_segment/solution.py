@@ -71,7 +71,10 @@ class StaticSolution:
     @cached_property
     def _one(self):
         if self.pieces is None:
-            raise ValueError(f"this needs one position; the solution holds {np.shape(self.x)}; solve one at a time")
+            raise ValueError(
+                f"this quantity needs one position, but the solution has positions of shape "
+                f"{np.shape(self.x)}; solve one position at a time"
+            )
         return self.pieces
 
     @cached_property

@@ -32,5 +32,6 @@ def span_of(solve, horizontal_tension, length, z):
             return float(following)
         x = following
     raise LineError(
-        f"no span was found at which {length:g} m of line carry {horizontal_tension:.6g} N, the fairlead {z:g} m up"
+        f"no span was found at which a line of {length:g} m carries {horizontal_tension:.6g} N with its fairlead "
+        f"{z:g} m above the anchor"
     )

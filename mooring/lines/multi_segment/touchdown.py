@@ -156,7 +156,7 @@ def between(low, high, f_low, f_high, wide, room, least):
 
     It is shifted towards the middle, to approach the root from both sides, and so far that the interval is never larger
     than by bisection one step before, which helps where f jumps. I. F. D. Oliveira and R. H. C. Takahashi, ACM Trans.
-    Math. Softw. 47 (2020) 5, the ITP method.
+    Mathematical Software 47 (2020) 5, the ITP method.
 
     wide : initial high − low; room : twice that, halved at every step; least : the smallest step
     """

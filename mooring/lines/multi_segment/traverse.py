@@ -8,7 +8,7 @@ has one root.  SR179 report (1982), section 3.1.3, gives the same rules for node
 The end of that search is an option (`LineData.to_place`).  It ends at the anchor's place, with an excess length; or it
 ends with the line, somewhere on the first facet or its continuation: the distance beyond the anchor's place grows with
 the tension too, on a plane bed for any segments and loads, and the excess of a slack line is laid out there.  Over
-hills the first is the better one, with buoys on slack lines the second.
+hills the first way is better, with buoys on slack lines the second.
 
 The contacts are recorded as steps; `newton` solves the equations of all of them together.
 """

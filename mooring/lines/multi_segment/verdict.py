@@ -7,8 +7,8 @@ each piece ends where the next one begins, the last one at the anchor, and where
 
 is zero off the bed.  On it R, the force of the bed, lies in its cone of friction: so a sinker on a slope pulls with the
 force that exceeds friction, and T jumps on a facet at loads alone; over a vertex it changes no more than that of a rope
-over a bollard.  Parts without tension are exempt; `StaticSolution.slides` reports them. A buoy is under water, or out
-of it, or in the surface with a weight between both.
+over a bollard.  Parts without tension are exempt; `StaticSolution.slides` reports them. A buoy is under water, out of
+the water, or in the surface with a weight between the two.
 """
 
 import math
@@ -150,7 +150,7 @@ def pushed(line, x, across, up, far, stray):
 
 @kernel()
 def heaps(line, rows, count, far, stray):
-    """Whether a slack line has more than it needs to its anchor, and the excess there is not pulled."""
+    """Whether a slack line is longer than the way to its anchor requires, and nothing pulls at the excess."""
     for i in range(count):
         piece = rows[i]
         bottom = rows[i + 1, 3] if i + 1 < count else piece[3]

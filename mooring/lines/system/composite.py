@@ -43,7 +43,7 @@ def composite(system, number, end):
     if given.bed is not None and not end:
         raise LineSystemError(f"line {given.name} has its own bed, but no anchor; allowed: an anchor at one end")
     if not end and all(isinstance(p, Anchor) and p.position[2] <= -system.depth + ON_BED for p in ends):
-        raise LineSystemError(f"line {given.name} has segments and both ends on the bed; allowed: one end on it")
+        raise LineSystemError(f"line {given.name} has segments and both ends on the bed; allowed: one end on the bed")
     return of_line(given, number, end, ends[end == "b"].position[2])
 
 
@@ -98,7 +98,7 @@ def points_along(one, found, A, B, s):
 
 
 def check_free(system, points, solutions):
-    """Refuse a free line that touches the bed, or whose buoy emerges: its solver supports neither."""
+    """Refuse a free line that touches the bed, or whose buoy emerges; the solver of free lines supports neither."""
     for one in system.composites:
         if one.anchored:
             continue
@@ -107,12 +107,12 @@ def check_free(system, points, solutions):
         lowest = level + found.profile(200)[:, 2].min()
         if lowest < -system.depth - ON_BED:
             raise LineSystemError(
-                f"line {name} hangs {-system.depth - lowest:.3g} m below the bed; allowed for a line of segments: "
-                "clear of it, or with one end an anchor on it"
+                f"line {name} hangs {-system.depth - lowest:.3g} m below the bed; allowed for a line of segments: it "
+                "is clear of the bed, or one end is an anchor on the bed"
             )
         highest = level + found.at(one.buoys)[:, 1].max(initial=-np.inf)
         if highest > ON_BED:
             raise LineSystemError(
-                f"line {name} has a buoy {highest:.3g} m above the water; allowed for a line of segments: below it, "
-                "or with one end an anchor on the bed"
+                f"line {name} has a buoy {highest:.3g} m above the water; allowed for a line of segments: the buoy is "
+                "below the surface, or one end is an anchor on the bed"
             )

@@ -102,7 +102,7 @@ def rest(system: System, start: Pose | None = None, steps=2000) -> SystemEquilib
     load = system.total_load(pose)
     if np.any(load.rows[:, 0] >= State.BEYOND_REACH):
         a, b = load.points[system.arrays.ends].swapaxes(0, 1)
-        where = "at the position the search starts from" if may.any() else "where its ends are held"
+        where = "at the start of the search" if may.any() else "where its ends are held"
         raise EquilibriumError(culprit(system, load.rows, a, b, where))
     count, before = 0, np.zeros(len(unit))
     while count < steps:
@@ -203,7 +203,7 @@ def _found(system, pose, load, may, unit, count):
     if not share <= LIMIT:
         worst = int(np.argmax(np.abs(residual / unit)))
         raise EquilibriumError(
-            f"no equilibrium within {count} steps: {residual[worst]:.4g} {'N' if unit[worst] == 1 else 'N m'} "
+            f"no equilibrium was found in {count} steps: {residual[worst]:.4g} {'N' if unit[worst] == 1 else 'N m'} "
             f"is left on {freedom_name(system, worst)}, {share:.2g} of all forces; allowed: {LIMIT:g}; "
             "start nearer to the equilibrium"
         )

@@ -13,7 +13,7 @@ from .hawser import Hawser
 from .parts import CompositeLine
 
 LONGEST_STRAIN = 0.5  # nylon rope parts before
-NEARER = "give it its axial stiffness or more length, or bring its ends nearer to each other"
+NEARER = "give the line its axial stiffness or more length, or move its ends nearer to each other"
 
 
 def strains(system, tension):
@@ -39,7 +39,10 @@ def beyond_tables(system, tension):
         if tension[i] > system.lines[i].most
     ]
     if past:
-        yield f"beyond the table of load over elongation, extrapolated linearly: {', '.join(past)}; extend the table"
+        yield (
+            f"lines beyond their table of load over elongation, which is extrapolated linearly: {', '.join(past)}; "
+            f"extend the table"
+        )
 
 
 def warn_of_floating(system, load):
@@ -57,8 +60,8 @@ def warn_of_floating(system, load):
                 part, top = "middle", middle
         if top > ON_BED:
             warnings.warn(
-                f"line {line.name} floats and its {part} would be {top:.3g} m above the water; allowed: below it, "
-                "since the surface holds no line here; shorten the line, or give it its weight in air",
+                f"line {line.name} floats and its {part} would be {top:.3g} m above the water; allowed: below the "
+                "surface, since lines do not float on it here; shorten the line, or give its weight in air",
                 stacklevel=4,
             )
 
@@ -72,8 +75,8 @@ def warn_of_friction(system, lines):
     ]
     if left:
         warnings.warn(
-            f"bed friction is not included on {', '.join(left)}: between free points it depends on history; "
-            "allowed: lines that end at an anchor on the bed",
+            f"bed friction is not included on {', '.join(left)}: between free points friction depends on the history "
+            "of the motion; allowed: lines that end at an anchor on the bed",
             stacklevel=4,
         )
 
@@ -91,8 +94,8 @@ def warn_of_sliding(system, lines):
     names = [name for name, slides in zip(system.line_names, unheld(lines), strict=True) if slides]
     if names:
         warnings.warn(
-            f"without tension on a bed steeper than friction holds: {', '.join(names)}; it is taken to lie there, "
-            "but in reality it slides and pulls; allowed: tan of the slope up to the friction; give more "
+            f"slack on a bed that is too steep for its friction: {', '.join(names)}; here the line stays where it "
+            "lies, but in reality it slides and pulls; allowed: tan of the slope up to the friction; give more "
             "friction or a shorter line",
             stacklevel=4,
         )

@@ -195,7 +195,7 @@ class System:
 
     @cached_property
     def anchored_ends(self):
-        """(n,) the end of each line that is an anchor on the bed: "a", "b", or "" for neither or both"""
+        """(n,) which end of each line is an anchor on the bed: "a", "b", or "" for neither or both"""
         anchors = {point.name: point.position[2] for point in self.points if isinstance(point, Anchor)}
         on_bed = {name for name, z in anchors.items() if abs(z + self.depth) <= ON_BED}
         found = []

@@ -48,7 +48,9 @@ def pull_of_points(name, elongation, tension):
     """Fender T(e) through points (n,) m, (n,) N that rise from 0, 0.  raises : LineSystemError"""
     e, T = np.asarray(elongation, float), np.asarray(tension, float)
     if e.ndim != 1 or e.shape != T.shape or len(e) < 2:
-        raise LineSystemError(f"line {name}: {e.size} elongations, {T.size} tensions; allowed: as many, at least 2")
+        raise LineSystemError(
+            f"line {name}: {e.size} elongations and {T.size} tensions; allowed: the same number of both, at least 2"
+        )
     for what, unit, values in (("elongation", "m", e), ("tension", "N", T)):
         falling = np.flatnonzero(~(np.diff(values) > 0))
         if values[0] != 0 or len(falling):

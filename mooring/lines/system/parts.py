@@ -27,7 +27,7 @@ class EquilibriumError(ValueError):
 
 @dataclass(frozen=True)
 class LineDynamics:
-    """Properties of moving or bending lines; statics ignore them, files keep them.
+    """Properties that only moving or bending lines need; statics ignore them, and files keep them.
 
     drag_normal, drag_tangential : C_d on d and on π d per metre; added_mass_normal, added_mass_tangential : C_a
     damping : axial, BA in N s; below 0, minus the fraction of critical; bending_stiffness : EI, N m²
@@ -91,7 +91,10 @@ class UniformLine:
         if self.weight_in_air is not None:
             least, air = self.type.weight, self.weight_in_air
             _check(
-                f"line {self.name}: weight_in_air", air, air >= least > 0, "finite, at least a weight in water above 0"
+                f"line {self.name}: weight_in_air",
+                air,
+                air >= least > 0,
+                "finite, at least the weight in water if that is above 0",
             )
 
     @property

@@ -121,9 +121,10 @@ def held_by_bed(force, free, bed, first, i):
 
 @kernel()
 def left_over(force, rows, free, bed, may, unit, moving, residual):
-    """Largest force (over `unit`) on what may move and is not held by the bed, and the sum of the lines' forces, N.
+    """Largest force (over `unit`) on a freedom that may move and is not held by the bed, and the sum of the forces of
+    lines, N.
 
-    moving, residual : (N,) set to what moves, and to the force on it over `unit`
+    moving, residual : (N,) set to the freedoms that move, and to the forces on them over `unit`
     """
     worst, total, first = 0.0, 0.0, force.size - 3 * free.shape[0]
     for i in range(force.size):

@@ -61,7 +61,7 @@ class Surfacing:
             dry[list(out)] = np.clip(dry[list(out)] - np.clip(step, -0.1 * L, 0.1 * L), 1e-9 * L, L)
             if dry.sum() >= L * (1 - 1e-9):
                 dry *= (1 - 1e-6) * L / dry.sum()
-        raise LineError(f"line {self.line.name}: the places where it passes the surface were not found")
+        raise LineError(f"line {self.line.name}: the points where it passes through the surface were not found")
 
     def _solved(self, dry, low, x, high):
         kind, L = self.line.type, self.line.length
@@ -71,8 +71,8 @@ class Surfacing:
         found = of_line(given, 0, "a" if self.anchored else "", low).line.solve(x, high - low)
         if not self.anchored and low + found.profile(PROFILE)[:, 2].min() < self.bed - ON_BED:
             raise LineSystemError(
-                f"line {self.line.name} comes out of the water and lies on the bed; allowed for such a line: clear of "
-                "it, or with one end an anchor on it"
+                f"line {self.line.name} comes out of the water and also lies on the bed; allowed for such a line: it "
+                "is clear of the bed, or one end is an anchor on the bed"
             )
         return found
 

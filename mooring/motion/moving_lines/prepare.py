@@ -33,7 +33,7 @@ def moving_of(moored, settings, sea=None, surface=True):
     system, names = moored.system, () if settings.dynamic_lines == "none" else settings.dynamic_lines
     if system is None or not names:
         if names:
-            raise ValueError("dynamic_lines are given and the body has no lines; leave it out")
+            raise ValueError("dynamic_lines is given, but the body has no lines; leave it out")
         return None
     if moored.reader.modes:
         raise ValueError('dynamic_lines are given with bodies that bend; allowed: "auto", "none"')
@@ -45,7 +45,9 @@ def moving_of(moored, settings, sea=None, surface=True):
     else:
         unknown = [name for name in names if name not in system.line_names]
         if unknown:
-            raise ValueError(f"dynamic_lines: there is no line {unknown[0]!r}; allowed: {', '.join(system.line_names)}")
+            raise ValueError(
+                f"dynamic_lines: there is no line named {unknown[0]!r}; allowed: {', '.join(system.line_names)}"
+            )
         numbers = sorted(system.line_names.index(name) for name in names)
     if not numbers:
         raise ValueError("dynamic_lines: all lines of the body are hawsers, which have no weight and cannot move")

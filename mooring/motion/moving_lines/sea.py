@@ -112,7 +112,7 @@ def line_water(water, first, last):
 
 @kernel(inline=True)
 def sine_and_cosine(turn):
-    """Of an angle, rad, by Taylor's series of its half, within ±π/2; 6e-8 off"""
+    """Sine and cosine of an angle, rad, by Taylor's series of its half, within ±π/2; 6e-8 off"""
     x = 0.5 * (turn - TURN * np.floor(turn * (1 / TURN) + 0.5))
     y = x * x
     s = x * (1 - y * (1 / 6) * (1 - y * (1 / 20) * (1 - y * (1 / 42) * (1 - y * (1 / 72) * (1 - y * (1 / 110))))))

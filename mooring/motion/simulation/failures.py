@@ -39,8 +39,8 @@ def failure(state, clock, settings, scene, moored, hung, stuck):
         )
     if state == integrator.STUCK:
         return (
-            f"{where}: line {moored.system.line_names[stuck]}: its own motion cannot be integrated; leave it out of "
-            "dynamic_lines, or raise the tolerance"
+            f"{where}: line {moored.system.line_names[stuck]}: the motion of this line cannot be integrated; leave it "
+            "out of dynamic_lines, or raise the tolerance"
         )
     if moored.buoy is not None and state in (integrator.NO_LINE, integrator.TOO_SHORT):
         return f"{where}: {_of_buoy(state, clock, hung[1])}"
@@ -53,8 +53,8 @@ def failure(state, clock, settings, scene, moored, hung, stuck):
     if state == integrator.NO_LINE:
         return (
             f"{where}: a line cannot reach its fairlead, its end is below the bed, or a line of segments is "
-            f"beyond the table of its forces, {REACH[1]:g} of the depth up or down; lengthen the line, or "
-            f"reduce the loads"
+            f"beyond the table of its forces, {REACH[1]:g} of the depth up or down; give a longer line, or reduce the "
+            f"loads"
         )
     if state == integrator.TOO_SHORT:
         rigid = name and not scene.lines.lines[_number(moored, name), 2] > 0

@@ -140,7 +140,7 @@ def moored(
         if body.knows_drift_of_each:
             findings = (
                 *findings,
-                "mean and slow drift of hinged bodies are those stored for free motions, without hinges",
+                "mean and slow drift of hinged bodies are the stored ones, for motions without hinges",
             )
     else:
         if berth.names:
@@ -275,8 +275,8 @@ def _of_loose(stiffness, body, free):
     if values[0] < LOOSE * values[-1]:
         worst = body.words[free[int(np.argmax(np.abs(ways[:, 0])))]]
         yield (
-            f"{worst} is held by nothing at rest: ropes and fenders leave a way free there, and the body may lie at "
-            "any of several places; a run begins next to the one given; shorten ropes, or give more of them"
+            f"{worst} is not held at rest: ropes and fenders leave it free to move there, so the body has several "
+            "places of rest; a run begins near the given one; shorten the ropes, or give more of them"
         )
 
 
@@ -288,4 +288,7 @@ def _check_place(system, body):
             f"rotation centres of the database, {wanted.tolist()}"
         )
     if np.isfinite(body.depth) and not abs(system.depth - body.depth) <= 1e-6 * system.depth:
-        raise ValueError(f"the lines are for a depth of {system.depth:g} m, and the database for {body.depth:g} m")
+        raise ValueError(
+            f"the lines are for a depth of {system.depth:g} m, but the database is for {body.depth:g} m; "
+            f"allowed: the same depth"
+        )

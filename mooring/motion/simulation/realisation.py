@@ -204,7 +204,7 @@ def with_error(found, doubt, tolerance, words, runs="a run to a tenth of the tol
         chance = doubt.share(doubt.error)[worst] > CHAOTIC
         findings = (
             *findings,
-            f"the error of {words[worst]} may be {share[worst]:.2g} of its standard deviation, from {runs}: "
+            f"the error of {words[worst]} may be {share[worst]:.2g} of its standard deviation, as {runs} show: "
             f"{chaotic if chance else missed}",
         )
     return found._replace(estimated_error=doubt.error, findings=findings)

@@ -257,4 +257,7 @@ def _of_lost(settings):
                 f"from then on"
             )
         else:
-            yield f"line {name} does not break: {at:g} s after the ramp, a run lasts {settings.duration:g} s"
+            yield (
+                f"line {name} does not break, since its time is {at:g} s after the ramp and a run lasts "
+                f"{settings.duration:g} s"
+            )

@@ -79,7 +79,9 @@ def hull_water(table, length, largest, velocity, linear, mass, turning, drift=No
 
 @kernel(counted=False)
 def hull_water_force(hull, share, moving, weights, room, out, drift):
-    """out (3,) N, N, N m of the water in the body's axes, drift (3,) of the waves, with loads grown to `share`.
+    """out (3,) N, N, N m : force of the water in the body's axes; drift (3,) : force of the waves.
+
+    Loads are multiplied by `share`.
 
     moving : (4,) heading, velocities along and across it and yaw rate over the ground; weights (6,), room (15,)
     """

@@ -1,1 +1,2 @@
-"""A floating breakwater from its section and lines to what passes it, tensions over the tide, anchors, best designs."""
+"""A floating breakwater: from its section and lines to the transmitted waves, tensions over the tide, anchors and best
+designs."""

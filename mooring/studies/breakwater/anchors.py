@@ -87,8 +87,8 @@ def anchors_needed(breakwater, asked, held):
 def _check_not_lifted(weight, pull):
     if weight < pull:
         raise BreakwaterError(
-            f"anchors.sinker: the line pulls up with {pull / KN:.4g} kN/m, more than the {weight / KN:.4g} that keep "
-            "it from sliding; give lifted = true"
+            f"anchors.sinker: the line pulls up with {pull / KN:.4g} kN/m, more than the weight of {weight / KN:.4g} "
+            "kN/m that keeps the sinker from sliding; give lifted = true"
         )
 
 
@@ -98,8 +98,8 @@ def _sinker_row(breakwater, name, sinker, weight, note=""):
     if height > HIGH_SINKER * room:
         wide = sinker.width * height / (HIGH_SINKER * room)
         warnings.warn(
-            f"{name}: {height:.3g} m high, where the lines are taken to begin on the bed and {room:.3g} m are under "
-            f"the keel; allowed: up to {HIGH_SINKER * room:.3g} m; give a width of {wide:.3g} m",
+            f"{name} is {height:.3g} m high, but the lines are computed from the bed and there are only {room:.3g} m "
+            f"under the keel; allowed: up to {HIGH_SINKER * room:.3g} m; give a width of {wide:.3g} m",
             stacklevel=2,
         )
     note = f"{height:.3g} m high, {sinker.width:g} m wide{note}"
@@ -123,5 +123,5 @@ def _common_row(breakwater, sinker):
         weight = sizes.common_sinker(across, up, sinker.friction) * breakwater.waves.height / 2
         buoyancy = 2 * s * (breakwater.pretension(rise) or 0.0)
         greatest = max(greatest, weight.max() + buoyancy)
-    note = ", the body's buoyancy held too" if breakwater.body is not None else ", without the body's buoyancy"
+    note = ", which also hold the body's buoyancy" if breakwater.body is not None else ", without the body's buoyancy"
     return _sinker_row(breakwater, "sinker of both lines", sinker, greatest, note)

@@ -35,8 +35,8 @@ class Water(NamedTuple):
 
 
 class Section(NamedTuple):
-    """shape : rectangle of beam and height, circle of diameter, outline of points [y, z] or [y, z, bulge], the last the
-    the first; draft : on its lines, at mean level; all m"""
+    """shape : rectangle of beam and height, circle of diameter, outline of points [y, z] or [y, z, bulge], the last
+    equal to the first; draft : on its lines, at mean level; all m"""
 
     shape: str
     draft: float
@@ -184,8 +184,8 @@ class Breakwater:
         to_bed = below / np.sin(self.angle)
         if lines.length is not None and lines.length > to_bed * (1 + 1e-9):
             raise BreakwaterError(
-                f"lines.length is {lines.length:g} m, to the bed at {np.degrees(self.angle):.6g}° it is "
-                f"{to_bed:.4g} m; allowed: up to that"
+                f"lines.length is {lines.length:g} m, but a line at {np.degrees(self.angle):.6g}° reaches the bed "
+                f"after {to_bed:.4g} m; allowed: up to that length"
             )
         return to_bed if lines.length is None else lines.length
 
@@ -212,8 +212,8 @@ class Breakwater:
         buoyant = density * min(self.wetted(rise).area for _, rise in self.levels)
         if lines is not None and mass > buoyant:
             raise BreakwaterError(
-                f"{key}: the body weighs {mass / TONNE:.4g} t/m and displaces {buoyant / TONNE:.4g} at least, the "
-                "pretension is negative; give a lighter body or more draft"
+                f"{key}: the body weighs {mass / TONNE:.4g} t/m and displaces {buoyant / TONNE:.4g} t/m at least, so "
+                "the pretension is negative; give a lighter body or more draft"
             )
         return mass
 
@@ -244,7 +244,9 @@ class Breakwater:
         """`TautRectangle` of the long-wave theory"""
         lines, draft = self.lines, self.draft(rise)
         if self.section.shape != "rectangle" or lines.attachment_height:
-            raise BreakwaterError("theory long waves on taut lines needs a rectangle with lines.attachment_height 0")
+            raise BreakwaterError(
+                "the theory of long waves on taut lines needs a rectangle with lines.attachment_height = 0"
+            )
         body, beam = self.body, self.section.beam
         return TautRectangle(
             half=beam / 2, draft=draft, free_draft=self.mass / self.water.density / beam, depth=self.depth(rise),
@@ -258,7 +260,7 @@ class Breakwater:
         try:
             wetted = self.mirrored(self.outline.wetted(draft))
         except OutlineError as error:
-            raise BreakwaterError(f"section afloat without lines: {error}") from None
+            raise BreakwaterError(f"the section does not float without lines: {error}") from None
         body = self.body
         return FloatingBody(
             mass=self.mass, z0=body.center_of_gravity - draft, inertia=self.mass * body.gyration**2, area=wetted.area,
@@ -273,12 +275,14 @@ class Breakwater:
             return section.beam / 2, draft
         if section.shape == "circle":
             return equal_area(section.diameter, draft)
-        raise BreakwaterError("theory long waves needs a rectangle or a circle; section.shape is 'outline'")
+        raise BreakwaterError("section.shape is 'outline'; the theory of long waves needs a rectangle or a circle")
 
     def mirrored(self, wetted):
         """The `Wetted`, if it is symmetric about y = 0.  Raises BreakwaterError otherwise."""
         if not wetted.symmetric:
-            raise BreakwaterError("section is not its own mirror image in y = 0; needed where it moves or loses head")
+            raise BreakwaterError(
+                "the section is not symmetric about y = 0; this is required if it moves or if [loss] is given"
+            )
         return wetted
 
     def changed(self, draft=None, width=None, angle=None):
@@ -314,7 +318,8 @@ class Breakwater:
         if 2 * most > lines.axial_stiffness:
             raise BreakwaterError(
                 f"lines.axial_stiffness is {lines.axial_stiffness / KN:g} kN and the pretension up to {most / KN:.4g} "
-                "kN of a line: more than half of its length would be stretch; give a stiffer line or a heavier body"
+                "kN of a line: the line would stretch by more than half of its length; give a stiffer line or a "
+                "heavier body"
             )
 
     def beside(self):
@@ -326,7 +331,7 @@ class Breakwater:
         if away > CLEAR * self.line:
             yield (
                 f"lines.attachment is {lines.attachment:g} m and attachment_height {lines.attachment_height:g} m, "
-                f"{away:.3g} m beside the body: lines are taken as held by arms there"
+                f"{away:.3g} m off the body: the lines are computed as held there by rigid arms"
             )
 
     def _check_clear(self):
@@ -339,7 +344,7 @@ class Breakwater:
             raise BreakwaterError(
                 f"lines.angle is {np.degrees(lines.angle):.6g}°: a line from y = {lines.attachment:g} m, "
                 f"{lines.attachment_height:g} m above the lowest point, passes through the body; allowed: lines that "
-                "leave it at once; move the attachment"
+                "stay outside the body; move the attachment"
             )
 
 
@@ -349,5 +354,5 @@ def outline_of(points):
     places = rows[:, 0] + 1j * rows[:, 1]
     if len(rows) < 3 or places[0] != places[-1]:
         gap = f"the last point is {abs(places[-1] - places[0]):.3g} m from the first" if len(rows) else "there is none"
-        raise OutlineError(f"the outline leaks: {gap}; allowed: points that end where they began")
+        raise OutlineError(f"the outline is not closed: {gap}; allowed: a last point equal to the first")
     return closed(places[:-1], rows[:-1, 2])

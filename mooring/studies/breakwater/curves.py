@@ -42,7 +42,7 @@ def curves(breakwater, omega):
 def response(breakwater, holding, theory, rise, omega, amplitude=None, obliquity=None):
     """`Response` at frequencies (n,) rad/s.  Raises BreakwaterError for a holding that a theory does not support.
 
-    amplitude : m, of the waves, for what is lost; obliquity : (n,) rad, angle with the normal; by default those of the
+    amplitude : m, of the waves, for the head loss; obliquity : (n,) rad, angle with the normal; by default those of the
     study's regular waves
     """
     obliquity = breakwater.waves.obliquity if obliquity is None else obliquity
@@ -53,9 +53,9 @@ def response(breakwater, holding, theory, rise, omega, amplitude=None, obliquity
         made = _exact(breakwater, holding, rise, omega, angle, obliquity, amplitude)
         return _with_loss(breakwater, made, holding, rise, omega, amplitude)
     if holding not in ("fixed", "taut"):
-        raise BreakwaterError(f"theory {theory} has fixed and taut bodies only")
+        raise BreakwaterError(f"the theory of {theory} covers fixed and taut bodies only")
     if np.any(obliquity):
-        raise BreakwaterError(f"theory {theory} has waves along the normal only")
+        raise BreakwaterError(f"the theory of {theory} covers waves along the normal only")
     half, draft = breakwater.equal_rectangle(rise)
     body = breakwater.taut_rectangle(rise) if holding == "taut" else None
     return long_wave_response(holding, half, draft, breakwater.depth(rise), omega, breakwater.fluid, angle, body)

@@ -50,7 +50,9 @@ def sea_behind(breakwater, curves, tides, held):
         if curve.theory == THEORIES[0] or not np.any(ways):
             behind[curve.name] = in_sea(curve.holding, curve.theory, 0.0).transmission
         else:
-            warnings.warn(f"the sea behind {curve.name} is left out: it has waves along the normal only", stacklevel=2)
+            warnings.warn(
+                f"the sea behind {curve.name} is left out: this theory covers waves along the normal only", stacklevel=2
+            )
     heights = {name: 4 * float(sea.deviation(K)) for name, K in behind.items()}
     waves = breakwater.duration / spectrum.T02
     if held is None:
@@ -84,7 +86,7 @@ def ways_of(breakwater, omega, count=WAYS, any_section=False):
     mean, spread = breakwater.sea.direction, breakwater.sea.spreading
     if not any_section and breakwater.section.shape != "rectangle" and (mean or spread is not None):
         warnings.warn(
-            "waves at an angle are supported for rectangles only: the whole sea is taken along the normal",
+            "waves at an angle are supported for rectangles only: the whole sea is computed along the normal",
             stacklevel=2,
         )
         return np.zeros((1, len(omega)))
@@ -94,8 +96,8 @@ def ways_of(breakwater, omega, count=WAYS, any_section=False):
     ways = mean + np.array([spread.quantile(np.full(len(omega), share), omega) for share in shares])
     if np.any(abs(ways) > MOST_OBLIQUE):
         raise BreakwaterError(
-            f"sea.spreading sends waves at {np.degrees(abs(ways).max()):.3g}° with the normal; allowed: "
-            f"{np.degrees(MOST_OBLIQUE):g}; give a narrower spreading or less obliquity"
+            f"with sea.spreading waves travel at up to {np.degrees(abs(ways).max()):.3g}° to the normal; allowed: "
+            f"{np.degrees(MOST_OBLIQUE):g}; give a narrower spreading or a smaller obliquity"
         )
     return ways
 
@@ -108,7 +110,8 @@ def rougher(breakwater, held, sea):
     if over or sea.least > held.used:
         tensions = "; ".join(f"{end} {s / KN:.4g} kN/m for {w / KN:.4g}" for end, s, w in over)
         yield (
-            f"the greatest of {sea.waves:.0f} waves of the sea is rougher than waves of {breakwater.waves.height:g} m, "
-            f"by which pretension and anchors go: {tensions or 'lines go slack'}; taut in it takes a pretension of "
-            f"{sea.least / KN:.4g} kN/m; give waves.height of the highest wave"
+            f"the highest of {sea.waves:.0f} waves of the sea loads the lines more than the waves of "
+            f"{breakwater.waves.height:g} m, for which pretension and anchors are sized: "
+            f"{tensions or 'lines go slack'}; lines that stay taut in it need a pretension of {sea.least / KN:.4g} "
+            f"kN/m; give the highest wave as waves.height"
         )

@@ -92,7 +92,7 @@ def lee(breakwater, asked, db):
     behind = list(zip(told, np.sqrt(np.mean(rest**2, axis=1)), strict=True))
     warned = list(_remarks(breakwater, asked, missed))
     if moved is not None and reader.viscous is not None:
-        warned.append("the viscous damping of the database's scene is left out of the waves behind the units")
+        warned.append("the waves behind the units do not include the viscous damping of the database's scene")
     tension = None if lines is None else np.sqrt(tension)
     return Lee(x, y, ratio.reshape(len(y), len(x)), middles, half, behind, words, warned, lines, tension)
 
@@ -102,7 +102,7 @@ def held(breakwater, reader, length):
     lines, center = breakwater.lines, float(reader.rotation_center[2])
     if np.any(np.abs(reader.rotation_center[:2]) > 0):
         raise BreakwaterError(
-            "the database's rotation_center is off the middle of the hull; solve it again about x = y = 0"
+            "the database's rotation_center is not in the middle of the hull; solve the body again about x = y = 0"
         )
     holding = breakwater.design[0]
     body = breakwater.afloat(0.0)[0] if holding == "free" else breakwater.taut(0.0)
@@ -140,21 +140,21 @@ def waves_of(breakwater, asked, reader):
             raise BreakwaterError(
                 f"map.period is {asked.period:g} s; the database has {2 * np.pi / high:.4g} to {2 * np.pi / low:.4g}"
             )
-        at = f"regular waves of {asked.period:g} s at {_degrees(breakwater.waves.obliquity)} with the normal"
+        at = f"regular waves of {asked.period:g} s at {_degrees(breakwater.waves.obliquity)} to the normal"
         return omega, np.array([[np.pi / 2 - breakwater.waves.obliquity]]), np.ones(1), at
     sea = equal_cells(breakwater.sea.spectrum, CELLS)
     inside = (sea.omega >= low) & (sea.omega <= high)
     part = sea.energy[inside].sum() / sea.energy.sum()
     if part < LEAST:
         raise BreakwaterError(
-            f"the database has {2 * np.pi / high:.4g} to {2 * np.pi / low:.4g} s, {part:.0%} of the sea's energy; "
-            f"allowed: {LEAST:.0%} or more; solve more frequencies"
+            f"the database covers {2 * np.pi / high:.4g} to {2 * np.pi / low:.4g} s, which is {part:.0%} of the sea's "
+            f"energy; allowed: {LEAST:.0%} or more; solve more frequencies"
         )
     omega = sea.omega[inside]
     angle = ways_of(breakwater, omega, WAYS, any_section=True).T
     spread = "long crests" if breakwater.sea.spreading is None else str(breakwater.sea.spreading)
-    words = f"the sea, {spread}, at {_degrees(breakwater.sea.direction)} with the normal"
-    words += "" if part == 1 else f", {part:.0%} of it, in the database"
+    words = f"the sea, {spread}, at {_degrees(breakwater.sea.direction)} to the normal"
+    words += "" if part == 1 else f", of which the database covers {part:.0%}"
     share = sea.energy[inside] / sea.energy[inside].sum()
     return omega, np.pi / 2 - angle, share, words
 
@@ -189,7 +189,7 @@ def _check_same(breakwater, db):
     """Length of the unit, m.  Raises BreakwaterError for a database of another body or other water."""
     wet, points = breakwater.wetted(0.0), db.mesh.whole().points
     if db.water_depth is None or np.isinf(db.water_depth):
-        raise BreakwaterError("the database is of deep water; allowed: that of the study's depth")
+        raise BreakwaterError("the database is for deep water; allowed: a database for the study's depth")
     length, beam = np.ptp(points[:, 0]), np.ptp(points[:, 1])
     pairs = {
         "depth": (db.water_depth, breakwater.depth(0.0)),
@@ -202,8 +202,8 @@ def _check_same(breakwater, db):
     for name, (there, here) in pairs.items():
         if abs(there / here - 1) > SAME:
             raise BreakwaterError(
-                f"the database has {name} {there:.5g}, the study {here:.5g}; solve the study's section, its length "
-                "along x, at the study's depth"
+                f"{name} is {there:.5g} in the database and {here:.5g} in the study; solve the study's section, with "
+                "its length along x, at the study's depth"
             )
     return float(length)
 
@@ -213,8 +213,8 @@ def _remarks(breakwater, asked, missed):
     if asked.units > 1 and asked.gap < depth:
         left = np.exp(-np.pi * asked.gap / depth)
         yield (
-            f"map.gap is {asked.gap:g} m, less than the depth of {depth:g} m: waves that decay over the depth, "
-            f"{left:.0%} of them from unit to unit, are left out"
+            f"map.gap is {asked.gap:g} m, less than the depth of {depth:g} m: local waves, of which {left:.0%} are "
+            f"left at the next unit, are not included"
         )
     if missed > MISSED:
-        yield f"the waves close to the body are fitted to {missed:.1%} of its far field; allowed: {MISSED:.0%}"
+        yield f"the fit of the waves close to the body misses {missed:.1%} of the far field; allowed: {MISSED:.0%}"

@@ -58,7 +58,7 @@ def front(changed, ranges, samples=64, limits=6):
             trial(x)
         holding = {x: value for x, value in tried.items() if value is not None}
         if not holding:
-            raise BreakwaterError(f"optimisation: none of {samples} designs holds its lines taut; give other ranges")
+            raise BreakwaterError(f"optimisation: none of {samples} designs keeps its lines taut; give other ranges")
         _refine(trial, holding, low, high, limits)
         kept = {x: value for x, value in tried.items() if value is not None}
         best = [x for x, value in kept.items() if not any(_better(other, value) for other in kept.values())]
@@ -108,9 +108,9 @@ def beside_resonances(changed, found):
         _, number, period, passed = max(beside)
         told = ", ".join(f"{K:.2f} at {T:.3g} s" for T, K in zip(period, passed, strict=True))
         yield (
-            f"{len(beside)} of {len(steep)} of the best designs are near a resonance, design {number} most: K_T is "
-            f"{told}; a slightly different draft or period changes K_T by more than {STEEP:g}: take another, or "
-            "give waves.period at closer values there"
+            f"{len(beside)} of the {len(steep)} best designs are near a resonance, nearest design {number}: its K_T "
+            f"is {told}; a slightly different draft or period changes K_T by more than {STEEP:g}; choose another "
+            f"design, or give waves.periods at closer values there"
         )
 
 

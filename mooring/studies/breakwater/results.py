@@ -47,5 +47,8 @@ def results(breakwater, anchors=NONE):
         *rougher(breakwater, held, sea),
     ]
     if breakwater.lines is not None and not has_tensions:
-        warned.append(f"holding {breakwater.design[0]} gives no tension of these lines: no pretension and no anchors")
+        warned.append(
+            f"for holding {breakwater.design[0]} the tension of these lines is not computed, so neither "
+            f"pretension nor anchors are given"
+        )
     return Results(made, tides, held, sea, rows, warned, snapping(breakwater, tides, held))

@@ -60,8 +60,8 @@ def breaking(breakwater):
     if np.any(breaks := height > limit):
         longest = period[breaks].max()
         yield (
-            f"waves of {height:g} m break at {breaks.sum()} of {len(period)} periods, up to {longest:g} s, where "
-            f"{limit[breaks].max():.3g} m is the highest (Miche); they are left out of the tensions"
+            f"waves of {height:g} m break at {breaks.sum()} of {len(period)} periods, up to {longest:g} s, where the "
+            f"highest possible wave is {limit[breaks].max():.3g} m (Miche); these periods are left out of the tensions"
         )
 
 
@@ -74,7 +74,7 @@ def tides_of(breakwater, period):
     """[Tide] of all levels"""
     height, stands = breakwater.waves.height, unbroken(breakwater, period)
     if not len(stands):
-        raise ValueError(f"waves.height is {height:g} m: waves of every period break; give lower waves")
+        raise ValueError(f"waves.height is {height:g} m, and such waves break at every period; give lower waves")
     made = []
     for level, rise in breakwater.levels:
         curve = response(breakwater, *breakwater.design, rise, 2 * np.pi / stands)

@@ -17,7 +17,9 @@ def gusts_of(table):
         raise StudyError(f"wind.gusts is {table.gusts!r}; allowed: {', '.join(GUSTS)}")
     for name in GUST_DEFAULTS:
         if getattr(table, name) is not None and name not in GUSTS[table.gusts]:
-            raise StudyError(f"wind.{name} is given for {table.gusts}; allowed: {', '.join(GUSTS[table.gusts])}")
+            raise StudyError(
+                f"wind.{name} is given for {table.gusts}; allowed with these gusts: {', '.join(GUSTS[table.gusts])}"
+            )
     given = [getattr(table, name) for name in GUSTS[table.gusts]]
     values = [GUST_DEFAULTS[n] if v is None else v for n, v in zip(GUSTS[table.gusts], given, strict=True)]
     try:

@@ -155,7 +155,7 @@ def coefficients_of(where, table):
     from hakobune.mooring.loads.box_drag import drag_table
 
     if table.file is not None:
-        raise StudyError(f"{where}.file is given to tables without a file; allowed: in a study file")
+        raise StudyError(f"{where}.file is given in a study that is not a file; allowed: in a study file only")
     c = table.coefficients
     if c is None:
         return None
@@ -164,7 +164,7 @@ def coefficients_of(where, table):
     wrong += [key for key in ("n", *AREAS) if not whole and getattr(c, key) is not None]
     if wrong:
         ends = "180 or 360" if wrong[0] != "lever" else "90"
-        raise StudyError(f"{where}.coefficients.{wrong[0]} is given; allowed: with angles_deg to {ends}")
+        raise StudyError(f"{where}.coefficients.{wrong[0]} is given; allowed only with angles_deg up to {ends}")
     try:
         if not whole:
             return drag_table(angles, c.x, c.y, c.lever)

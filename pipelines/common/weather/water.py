@@ -46,10 +46,10 @@ def check_solved_depth(depth, solved, name, period=None):
     if math.isclose(depth, solved, rel_tol=1e-6):
         return
     if math.isfinite(solved):
-        raise StudyError(f"water.depth is {depth:g} m, {name} is for {solved:g} m")
+        raise StudyError(f"water.depth is {depth:g} m, but {name} is for {solved:g} m; allowed: the same depth")
     felt = 0.0 if period is None else GRAVITY * period**2 / (4 * math.pi)
     if felt > depth:
         raise StudyError(
-            f"water.depth is {depth:g} m, {name} is for deep water, and the bed affects waves of {period:.3g} s "
+            f"water.depth is {depth:g} m, but {name} is for deep water, and the bed affects waves of {period:.3g} s "
             f"in less than {felt:.3g} m; solve the body in {depth:g} m"
         )

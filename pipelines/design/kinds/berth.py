@@ -69,7 +69,8 @@ def _steady_of_few(file):
     kept, runs = len(file["deflection"]), len(file["seed"])
     if kept < runs:
         yield (
-            f"steady strains cover the {kept} of {runs} runs whose records are kept; others may be larger; give "
+            f"steady strains come from the {kept} of {runs} runs with stored records; other runs may have larger "
+            f"ones; give "
             f"simulation.keep_series = {runs}"
         )
 

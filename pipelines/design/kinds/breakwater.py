@@ -1,8 +1,8 @@
 """A floating breakwater: `hakobune breakwater`, each state of the project as the incident sea.
 
 The waves of a state are the sea.  Anchors and tide are sized with regular waves of the largest height in the duration,
-H₁/₃ √(½ ln N) for N waves of a Rayleigh distribution.  Incidence is the angle to the normal, levels are those of the
-study's tide.
+H₁/₃ √(½ ln N) for N waves of a Rayleigh distribution.  Incidence is the angle to the normal; the water levels are those
+of the tide in the study.
 """
 
 from copy import deepcopy
@@ -59,7 +59,7 @@ def check(project, raw):
         if state.waves is None:
             raise StudyError(f"states[{i}].waves is missing; give height and period of the sea")
         if state.waves.swell:
-            raise StudyError(f"states[{i}].waves.swell is given; a breakwater is computed in one wave system only")
+            raise StudyError(f"states[{i}].waves.swell is given; a breakwater is computed for one wave system only")
         if state.lines != ["intact"]:
             raise StudyError(f"states[{i}].lines is {state.lines}; allowed: intact")
 
@@ -128,8 +128,8 @@ def lost(study):
 
 
 def without(study, name):
-    """Not used: a breakwater has no case with a lost line"""
-    raise StudyError(f"{name}: a lost line is not a load case of a breakwater")
+    """Never called, since a breakwater has no case with a lost line"""
+    raise StudyError(f"{name}: the loss of a line is not a load case of a breakwater")
 
 
 def run(study, database, path, _):

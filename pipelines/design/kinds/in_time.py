@@ -174,7 +174,7 @@ def _held_line(system, line, place):
 
 
 def _held_rope(berth, db, rope, place):
-    """As `_held_line`, for a rope, which is straight"""
+    """Like `_held_line`, for a rope, which is straight"""
     from hakobune.mooring.lines.system.bodies import rotation
     from hakobune.mooring.motion.contacts import contact_forces
 

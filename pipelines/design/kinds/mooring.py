@@ -73,10 +73,12 @@ def check(project, raw):
         raise StudyError("levels need a database for each depth; give project.scene in place of project.database")
     made = make_study(raw)
     if made.quay is not None and not made.at_berth:
-        raise StudyError("the study has a quay but neither fenders nor ropes; a project accepts a quay only at a berth")
+        raise StudyError(
+            "the study has a quay but neither fenders nor ropes; a project allows a quay only with fenders or ropes"
+        )
     if project.simulation is None and made.at_berth:
         raise StudyError(
-            "the study has fenders or ropes, which are judged in simulations; give the project [simulation]"
+            "the study has fenders or ropes, which are judged by simulations only; give the project [simulation]"
         )
 
 

@@ -30,8 +30,8 @@ BELONGING = {
 LEFT_OUT = ("wind", "current", "waves", "maps", "site")
 STABLE, SLEWING = "stable headings", "slewing amplitude"  # number; degrees, at the end of the run
 SOURCES = (
-    "Tensions are the largest of the run in time if the study has one, with 20 % added if the waves have no slow "
-    "drift; otherwise they are tensions at rest. A line's pretension is its tension with the buoy alone. "
+    "Tensions are the largest of the run in time if the study has one, with 20 % added if the run has no slow drift; "
+    "otherwise they are tensions at rest. A line's pretension is its tension with the buoy alone. "
     "Offsets are those of the buoy."
 )
 METHOD = (
@@ -52,7 +52,9 @@ def read(path):
 def check(project, raw):
     """Raises StudyError for a project with requirements that this kind does not support."""
     if project.simulation is not None:
-        raise StudyError("simulation is given; a single-point study is simulated by its own [slewing]")
+        raise StudyError(
+            "[simulation] is given, but a single-point study is simulated by its own [slewing]; leave it out"
+        )
     if project.database_with_levels:
         raise StudyError("levels need a database for each depth; give project.scene in place of project.database")
 
@@ -110,7 +112,7 @@ def finds(raw):
 
 
 def lost(study):
-    """Names of the lines, by their headings: the command renumbers lines when one is lost"""
+    """Names of the lines by their headings, since the command renumbers the lines when one is lost"""
     return [f"line at {heading:g}°" for heading in study["mooring"]["headings_deg"]]
 
 

@@ -82,12 +82,17 @@ def mode_remarks(scene, hulls):
             shape = mode.shape
             points = [_in_shape(scene, mode, i, hulls[i].whole().centroids) for i in mode.moves]
             error = 100 * shape.error(np.concatenate(points))
-            yield f"{mode.name}: is known on the hull within {error:.2g} % of its largest displacement, by two splines"
+            yield (
+                f"{mode.name}: its shape on the hull is uncertain by {error:.2g} % of its largest displacement, the "
+                f"difference of two splines"
+            )
             if shape.dimensions < 3:
                 where = "in a plane" if shape.dimensions == 2 else "on a line"
-                yield f"{mode.name}: its points lie {where}, and it is taken as constant across them"
+                yield f"{mode.name}: its points lie {where}; across these the shape is constant"
             if shape.masses is None and scene.motions_known:
-                yield f"{mode.name}: {table.file} has no masses: the shape has no mass coupling with the rigid motions"
+                yield (
+                    f"{mode.name}: {table.file} has no masses: so the shape is not coupled to the rigid motions by mass"
+                )
 
 
 def _tables(scene):
@@ -192,7 +197,9 @@ def _check_strained(scene, modes, hulls):
             has, way = "the body has", ""
             if mode.on:
                 has, way = "each body has", ", or join bodies by [[hinges]] of a study"
-            raise SceneError(f"{mode.name} has no strain: it is a rigid motion, which {has} already; leave it out{way}")
+            raise SceneError(
+                f"{mode.name} does not deform the body: it is a rigid motion, which {has} already; leave it out{way}"
+            )
 
 
 def _body(scene, number):

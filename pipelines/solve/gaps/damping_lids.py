@@ -39,4 +39,4 @@ def _check_on_water(key, corners, mesh):
     dry = covered(points, mesh)
     if np.any(dry):
         x, y = points[np.argmax(dry)]
-        raise SceneError(f"{key} lies on a hull at x = {x:.4g}, y = {y:.4g} m; allowed: open water")
+        raise SceneError(f"{key} covers a hull at x = {x:.4g}, y = {y:.4g} m; allowed: open water only")

@@ -23,7 +23,7 @@ WANT = ("added_mass", "radiation_damping", "excitation_force", "rao")
 
 @dataclass(frozen=True)
 class Case:
-    """A scene, the name of its files, the columns that tell it apart in a table, and its headings χ in degrees."""
+    """A scene, the name of its files, the columns that identify it in a table, and its headings χ in degrees."""
 
     name: str
     columns: dict

@@ -79,7 +79,7 @@ def wave_panels(lines, kind, phase, headings):
 
 
 def _unbroken(degrees):
-    """Without the vertical strokes where a phase crosses 180°"""
+    """The curve without the vertical strokes where a phase crosses 180°"""
     degrees = degrees.copy()
     degrees[1:][np.abs(np.diff(degrees)) > 180] = np.nan
     return degrees

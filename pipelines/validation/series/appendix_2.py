@@ -7,11 +7,12 @@ hawsers, or a contact buoy at the bow.  What the report does not tell is taken a
 yields three times as far as they stretch.  A buoy that stays upright snaps two to three times as hard as was measured
 in waves alone.  Significant loads are means of the highest third of the crests, as of records of a tank.
 
-Pitch is that of the run on the intermediate buoy, which is one equation with it.  With a contact buoy it is that of the
+Pitch is taken from the run on the intermediate buoy, in which buoy and body are one equation.  With a contact buoy it
+is that of the
 sea's spectrum: the buoyancy of 0.2 × 0.5 m hinged 2.061 m ahead is a spring between the bow and the surface of the
 waves, and the free model pitches 1 to 2 % more than that; 8 to 10 % more than with a spring against still water.  These
-are the ends of what a contact buoy can do; on an intermediate one 15 to 19 % more were measured, which is also more
-than the free model does in any sea of that spectrum, and its hawsers are too weak to lift it there.
+are the two limits for a contact buoy. On an intermediate buoy the measured pitch is 15 to 19 % larger, also larger than
+that of the free model in any sea of that spectrum, although the hawsers are too weak to lift it.
 """
 
 import warnings
@@ -214,7 +215,7 @@ def ceilings(databases):
 
 
 def chains():
-    """Lines on the chain that the largest tension asks for at full scale"""
+    """Lines on the chain that the largest tension requires at full scale"""
     load = LARGEST_KGF * SCALE**3 / 1e3 * SAFETY
     for grade, printed in REPORT_CHAINS.items():
         d = next(d for d in range(10, 200) if _breaking(grade, d) >= load)

@@ -3,7 +3,8 @@
 SR179 report (1982), section 3.7.5: fenders of 700 tonf/m (C2000H, floater A) and 1200 tonf/m (C3000H, B), ISSC spectra,
 waves, wind and current on the beam; strains of at most 10 % under the steady loads and 35 % in all.  Fenders stand on
 two dolphins at a quarter of the length from each end, `fenders` on each; the report gives no layout.  With a quay
-behind them the rows of the design spectrum method stand before it, by the far field, those of open water beside.
+behind the dolphins, the rows of the design spectrum method include the quay by its far field; the values for open water
+stand beside them.
 """
 
 import math
@@ -131,8 +132,8 @@ def statements(rows):
         limits = ", ".join(f"{r['limit_m']:.2f} ({r['depth_m']:g} m, {r['wind_m_s']:g} m/s)"
                            for r in sorted(own, key=lambda r: r["wind_m_s"]))  # fmt: skip
         yield (
-            f"floater {floater}, {count} on each dolphin, 10 s: printed {printed:g} m, here {limits}; 0: the steady "
-            "loads alone press too far"
+            f"floater {floater}, {count} on each dolphin, 10 s: limit printed {printed:g} m, here {limits}; 0 means "
+            "that the steady loads alone compress the fenders too far"
         )
     for floater, worst in (("A", 1), ("B", 5)):
         found = [max(_of(rows, floater=floater, depth_m=depth, period_s=10.0, height_m=1.0, wind_m_s=50.0),

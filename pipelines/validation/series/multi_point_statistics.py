@@ -1,6 +1,6 @@
 """Table 3.5.5.5 of the SR179 report (1982) again: floater A on twelve lines in 20 m, chain, buoy and sinker, in time.
 
-Four calculations and one that moves the body as the report says it moved:
+Four calculations, and a fifth with the motions that the report states:
 
 report    coefficients at the mean frequency, drift by half waves (section 3.5.1.2); T₀₁ = T̄/1.1 as in section 3.7.1.2
 one leg   the same with the modulus of 7000 kgf/mm² on the area of one leg of the chain's links, for that of both
@@ -108,13 +108,13 @@ def _of(kind, quantity, name, record):
 
 
 def _of_force(kind, name, tension):
-    """Of the line whose mean + X_1000 is the largest"""
+    """Statistics of the line whose mean + X_1000 is the largest"""
     each = [_of(kind, "force", name, record) for record in tension.T / TONF]
     return max(each, key=lambda one: one["mean"] + one["largest"])
 
 
 def statements(rows):
-    """One line on each calculation: its force, and its motions over the print"""
+    """One line on each calculation: its force, and its motions over the printed ones"""
     for one in rows:
         if one["quantity"] == "force":
             mean, largest, theirs = one["mean"], one["largest"], one["printed_mean"] + one["printed_largest"]

@@ -88,7 +88,7 @@ def _computed(case, db, seeds):
 
 
 def surge_at(point, tension):
-    """m that the buoy has moved straight back when its leading line pulls with a tension, N"""
+    """m by which the buoy has moved straight back when the tension of its leading line has a given value, N"""
 
     def leading(force):
         return float(point.buoy_under(np.array([-force, 0.0])).tension.max()) - tension
@@ -159,7 +159,7 @@ def statements(found):
 def trends(found):
     """Lines on significant over static tension of a contact buoy head-on, six lines, computed beside printed
 
-    Where lines are nearly taut, decimetres of surge decide: by how many the two are apart is told with each.
+    Where lines are nearly taut, decimetres of surge decide; each line gives the difference of surge between the two.
     """
     groups = {}
     for one in found:

@@ -1,4 +1,4 @@
-"""Laws that every result obeys, as violations over those that its estimated error e allows.
+"""Laws that every result obeys; each violation is divided by the violation that the estimated error e allows.
 
 With Z and X each wrong by no more than e of their size, theory allows
 
@@ -20,7 +20,7 @@ ALLOWED = {"reciprocity": 2, "Haskind": 2, "energy": 3, "dissipation": 2}
 
 
 def violations(solved):
-    """{law: violation over what is allowed}; raises ArithmeticError for a value or a check that is not finite"""
+    """{law: violation over the allowed violation}; raises ArithmeticError for a value or a check that is not finite"""
     check_finite(solved.result)
     found = {**solved.result["checks"], "dissipation": negative_damping(solved.Z / solved.sizes[0])}
     for name in ("estimated_error", *ALLOWED):

@@ -66,7 +66,8 @@ def test_critical_damping_is_that_of_the_motion_at_its_own_frequency():
     w = float(min(r.real for r in roots if r.real > 0 and abs(r.imag) < 1e-12))
     assert made().critical_damping(2) == pytest.approx(2 * 6e5 / w, rel=2e-4)  # of a fit to five frequencies
     with pytest.raises(
-        ValueError, match="surge has no restoring force, so that critical damping is not defined; give a matrix"
+        ValueError,
+        match="surge has no restoring force, so its critical damping is not defined; give damping as a matrix",
     ):
         made().critical_damping(0)
 

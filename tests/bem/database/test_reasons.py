@@ -16,7 +16,7 @@ from hakobune.bem.database.widening import content
     (OSError(errno.EAGAIN, "no"), "another process has opened it"),
     (OSError(35, "no"), "another process has opened it"),
     (OSError("Unable to open: unable to lock file"), "another process has opened it"),
-    (OSError("Unable to open: truncated file: eof = 96"), "it is truncated; copy it again, or give another name"),
+    (OSError("Unable to open: truncated file: eof = 96"), "the file is truncated; copy it again, or give another name"),
     (OSError(errno.EACCES, "no"), "Permission denied"), (OSError("bad signature\nmore"), "bad signature"),
 ])  # fmt: skip
 def test_a_reason_is_in_words(error, says):
@@ -81,5 +81,5 @@ def test_a_group_has_axes_first_and_without_them_it_is_damaged(tmp_path):
         assert list(datasets) == ["omega", "a"] and datasets["a"][:2] == (("omega",), "N")
         assert datasets["omega"][1] == "" and attributes == {"kind": "sums"} and content(file, "other") is None
         del group["a"].attrs["axes"]
-        with pytest.raises(DatabaseError, match=r"a\.h5 is damaged: forces: .*; compute the group again"):
+        with pytest.raises(DatabaseError, match=r"a\.h5 is damaged: forces: .*; compute this group of results again"):
             content(file, "forces")

@@ -30,7 +30,11 @@ def stiffness(heave=1.0, roll=0.0):
 @pytest.mark.parametrize("sign", [1, -1])
 def test_a_volume_two_per_cent_off_is_of_another_hull(sign):
     on_hull(values({"displaced_volume": VOLUME * (1 + 0.019 * sign)}), HULL)
-    with pytest.raises(FormatError, match=r"the mesh displaces 800 m³, the results are of .*; allowed: within 2 %"):
+    with pytest.raises(
+        FormatError,
+        match=r"the mesh displaces 800 m³, but the results are for a body of .*; allowed: "
+        r"within 2 %",
+    ):
         on_hull(values({"displaced_volume": VOLUME * (1 + 0.021 * sign)}), HULL)
 
 
@@ -89,10 +93,10 @@ def test_a_given_weight_takes_the_place_of_that_of_the_file():
 @pytest.mark.parametrize(
     "roll, words",
     [
-        (0.0, "has the weight in it"),
-        (0.018, "has the weight in it"),
-        (0.022, "is neither with this weight nor without any"),
-        ("bare", "is without the weight"),
+        (0.0, "includes the weight"),
+        (0.018, "includes the weight"),
+        (0.022, "fits neither this weight nor no weight"),
+        ("bare", "does not include the weight"),
     ],
 )
 def test_a_stiffness_within_two_per_cent_of_pitch_is_known(roll, words):
@@ -101,7 +105,7 @@ def test_a_stiffness_within_two_per_cent_of_pitch_is_known(roll, words):
     size = stiffness()[4, 4] + arm
     C = stiffness(roll=0.0 if roll == "bare" else arm + roll * size)
     remarks = on_hull(values({"hydrostatic_stiffness": C}), HULL, Weight(center=(0, 0, -1.5)))[1]
-    assert words in remarks[0] and "that of the hull with the weight is stored" in remarks[0]
+    assert words in remarks[0] and "the value of the hull with its weight at the centre of mass is stored" in remarks[0]
 
 
 def test_motions_of_the_free_body_follow_where_all_is_there():
@@ -148,7 +152,7 @@ def test_a_table_is_put_on_its_grid_in_any_order_and_a_place_twice_is_damage():
     assert grid.tolist() == [[11, 0, 13], [21, 0, 23]]
     twice = gridded("a", [np.append(w, 1.0), np.append(i, 3.0)], np.array([21.0, 13.0, 23.0, 11.0, 13.0]))[1]
     assert twice.tolist() == [[11, 13], [21, 23]]  # of one value both times
-    with pytest.raises(FormatError, match="a: 2 values for 1, 3; allowed: one value for each place"):
+    with pytest.raises(FormatError, match="a: 2 values for 1, 3; allowed: exactly one value for each combination"):
         gridded("a", [np.append(w, 1.0), np.append(i, 3.0)], np.arange(5.0))
     with pytest.raises(FormatError, match="a: 0 values for 2, 3"):
         gridded("a", [w[[0, 1, 3]], i[[0, 1, 3]]], np.arange(3.0), modes=((1, 2, 3),))

@@ -85,7 +85,8 @@ def test_modes_beyond_six_are_of_another_body_or_of_bending_where_the_inputs_hav
 
 
 def test_results_are_made_dimensionless_by_ulen(values, written):
-    """A = ρ L^(3 + p + q) Ā, X = ρ g L^(2 + p) X̄, C = ρ g L^(2 + p + q) C̄, motions ξ̄ L^(−p); WAMIT manual, chapter 3"""
+    """A = ρ L^(3 + p + q) Ā, X = ρ g L^(2 + p) X̄, C = ρ g L^(2 + p + q) C̄, motions ξ̄ L^(−p); WAMIT manual, "
+    "chapter 3"""
     L = 10.0
     power = {number: MODES[number - 1] for number in range(1, 7)}
     rewritten(
@@ -240,7 +241,7 @@ def test_a_body_of_hams_mrel_is_read_by_its_number(values, tmp_path):
             place.unlink()
     found = hams.read(tmp_path, WATER | {"body": 2})
     assert found.rotation_center == pytest.approx([9, 0, -1]) and found.others == 1
-    assert "HullMesh_2.pnl is drawn about (9, 0, 0) m" in found.left_out[-1]
+    assert "HullMesh_2.pnl has its origin at (9, 0, 0) m" in found.left_out[-1]
     for name in ("added_mass", "excitation_force", "hydrostatic_stiffness"):
         assert np.allclose(found.get(name), values.get(name), rtol=1e-5, atol=1e-5 * np.abs(values.get(name)).max())
     control.write_text(control.read_text().replace("LCS_2 9 0 0 0", "LCS_2 9 0 0 30"))
@@ -314,7 +315,7 @@ def test_an_import_without_mass_is_given_one_and_has_the_motions_of_the_solved_b
         "with --gyration"
     ) in capsys.readouterr().err
     assert cli.main([*words, "--fresh", "--gyration", "3,6,6"]) == 0
-    assert "that of the files has the weight in it" in capsys.readouterr().err
+    assert "the value in the files includes the weight" in capsys.readouterr().err
     db = open_database(output)
     assert np.allclose(db["rao"], values.get("rao"), rtol=1e-4, atol=1e-5)
     assert db.header.body["mass"] == pytest.approx(RHO * 800)
@@ -327,7 +328,7 @@ def test_a_stiffness_without_the_weight_is_known_by_its_roll_and_pitch(values):
     mass = values.get("mass")
     still = replace(values, body={"hydrostatic_stiffness": C})
     raised, remarks = on_hull(still, values.mesh, Weight(center=(0.0, 0.0, 1.0), gyration=(3, 6, 6)))
-    assert "that of the files is without the weight" in remarks[0]
+    assert "the value in the files does not include the weight" in remarks[0]
     lowered = raised.get("hydrostatic_stiffness")[3, 3] - C[3, 3]
     assert lowered == pytest.approx(-mass * G * 1.0, rel=1e-6)  # −m g z_G
 

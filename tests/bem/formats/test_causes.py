@@ -89,16 +89,16 @@ CHANGES = {
     "phases are the conjugates of ours": lambda one: changed(one, FORCES, np.conj),
     "forces are -1 times as large: the opposite sign": by(FORCES, -1.0),
     "phases are 90° ahead of ours": by(FORCES, 1j),
-    "headings say where waves come from": lambda one: turned(one, "opposite"),
+    "headings are the directions that waves come from": lambda one: turned(one, "opposite"),
     "headings are counted clockwise": lambda one: turned(one, "mirrored"),
-    "clockwise, where waves come from": lambda one: turned(one, "opposite mirrored"),
+    "compass directions (clockwise) that waves come from": lambda one: turned(one, "opposite mirrored"),
     "axes have z down and y to starboard": axes((1, -1, -1, 1, -1, -1), "mirrored"),
     "axes have x aft and y to starboard": axes((-1, -1, 1, -1, -1, 1), "opposite"),
     "pitch has the opposite sign": axes((1, 1, 1, 1, -1, 1), ""),
     "moments and rotations are about (5, 1, -3) m": moved(FORCES + MATRICES, (5.0, 1.0, -3.0)),
-    "moments of the forces, and not of added mass, are about (0, 0, -4) m": moved(FORCES, (0, 0, -4.0)),
-    "rotations of added mass and damping, and not moments": moved(MATRICES, (2.0, 0, -4.0)),
-    "phases are of a crest at (6, -2) m": crest_at(6.0, -2.0),
+    "moments of the wave forces, but not those of added mass, are about (0, 0, -4) m": moved(FORCES, (0, 0, -4.0)),
+    "rotations of added mass and damping, but not moments": moved(MATRICES, (2.0, 0, -4.0)),
+    "phase 0 is a crest at (6, -2) m": crest_at(6.0, -2.0),
     "frequencies are in Hz": lambda one: replace(one, omega=one.omega / (2 * np.pi)),
 }
 
@@ -181,7 +181,7 @@ def test_an_import_refuses_what_a_cause_explains_and_stores_it_corrected_if_aske
     assert believed.believed(right(), ())[1:] == ([], ["a law"])
     monkeypatch.setattr(believed, "own_of", lambda values, mesh: None)
     _, told, _ = believed.believed(right(), ())
-    assert "not held against our own solution, no frequency is of a long wave; laws tested: laws" in told[0]
+    assert "not compared with our own solution: no frequency belongs to a long wave; laws tested: laws" in told[0]
 
 
 @pytest.mark.parametrize(

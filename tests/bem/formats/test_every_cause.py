@@ -15,11 +15,11 @@ from hakobune.bem.formats.judging.causes import FORCES, MATRICES, changed, corre
 PHASES = {
     "": lambda X: X, "phases are the conjugates of ours": np.conj, "forces have the opposite sign": lambda X: -X,
     "phases are 90° behind ours": lambda X: X / 1j, "phases are 90° ahead of ours": lambda X: X * 1j,
-    "phases are conjugates of the opposite sign": lambda X: -np.conj(X),
+    "phases are conjugates with the opposite sign": lambda X: -np.conj(X),
 }  # fmt: skip
-HEADINGS = {"": lambda b: b, "headings say where waves come from": lambda b: b + np.pi,
+HEADINGS = {"": lambda b: b, "headings are the directions that waves come from": lambda b: b + np.pi,
             "headings are counted clockwise": lambda b: -b,
-            "headings say, clockwise, where waves come from, as a compass": lambda b: np.pi - b}  # fmt: skip
+            "headings are compass directions (clockwise) that waves come from": lambda b: np.pi - b}  # fmt: skip
 AXES = {
     "axes have z down and y to starboard": ((1, -1, -1), lambda b: -b),
     "axes have x aft and y to starboard": ((-1, -1, 1), lambda b: b + np.pi),
@@ -116,7 +116,7 @@ def test_a_length_is_told_with_its_way_out(length):
     rotation = np.array([0, 0, 0, 1, 1, 1.0])
     wrong = changed(right(), MATRICES, lambda M: M * length ** (3 + rotation + rotation[:, None]))
     wrong = changed(wrong, FORCES, lambda X: X * length ** (2 + rotation))
-    found = taken_back(wrong, f"made dimensionless by a length of {1 / length:.4g} m and not by the one taken")
+    found = taken_back(wrong, f"made dimensionless by a length of {1 / length:.4g} m, not by the assumed length")
     assert found.cause.way_out == f"--length-unit {1 / length:.4g}"
 
 
@@ -192,4 +192,4 @@ def test_crests_within_a_fiftieth_of_half_the_hull_are_at_the_origin():
     for x, told in ((0.39, False), (0.41, True)):
         wrong = changed(right(), FORCES, lambda X, x=x: X * np.exp(-1j * k * x * np.cos(BETA))[..., None])
         texts = [one.text for one in causes._about_points(wrong, Hull())]
-        assert any(text.startswith("phases are of a crest at (0.41, 0) m") for text in texts) is told
+        assert any(text.startswith("phase 0 is a crest at (0.41, 0) m") for text in texts) is told

@@ -185,7 +185,7 @@ def test_uneven_frequencies_and_damaged_files_are_refused(values, tmp_path):
     with pytest.raises(FormatError, match="0 values for"):
         wamit.read(path, WATER)
     path.write_text("\n".join([*whole, "1.0 2 x"]))
-    with pytest.raises(FormatError, match="is not numbers"):
+    with pytest.raises(FormatError, match="is not a number"):
         wamit.read(path, WATER)
     bemio.write(values, tmp_path / "b.h5")
     with pytest.raises(FormatError, match="no file of Capytaine"):

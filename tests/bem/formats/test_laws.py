@@ -67,13 +67,14 @@ def test_directions_all_round_give_every_mode_its_damping():
 
 @pytest.mark.parametrize("change, words", [
     ({"excitation_force": np.conj}, "phases are conjugates"),
-    ({"excitation_force": lambda X: X * np.array([-1, -1, 1, -1, -1, 1])}, "headings say where waves come from"),
+    ({"excitation_force": lambda X: X * np.array([-1, -1, 1, -1, -1, 1])}, "headings are the directions that waves "
+        "come from"),
     ({"excitation_force": np.negative}, "forces have another sign"),
-    ({"excitation_force": lambda X: 2 * X}, "forces are for each metre of wave height"),
+    ({"excitation_force": lambda X: 2 * X}, "forces are for 1 m of wave height"),
     ({"excitation_force": lambda X: X / 1e3}, "forces are in kN"),
-    ({"radiation_damping": lambda B: B / 1e3}, "damping in kN beside forces in N"),
+    ({"radiation_damping": lambda B: B / 1e3}, "damping is in kN and forces are in N"),
     ({"radiation_damping": np.negative}, "B_33 is below 0: damping has the opposite sign"),
-    ({"radiation_damping": lambda B: B / np.linspace(0.2, 1.6, 15)[:, None, None]}, "damping is that over ω"),
+    ({"radiation_damping": lambda B: B / np.linspace(0.2, 1.6, 15)[:, None, None]}, "damping is divided by ω"),
     ({"added_mass": lambda A: A + 300.0 * (np.arange(36).reshape(6, 6) == 4)}, "A_15 and A_51 differ by"),
 ])  # fmt: skip
 def test_a_broken_law_names_its_cause(change, words):
@@ -93,7 +94,7 @@ def test_the_walls_of_a_channel_are_told_by_the_damping_of_surge_and_heave():
     """(B³³, B¹¹)·(1, 2)/kw, by the energy of two plane waves between walls w apart"""
     k = wavenumber(body().omega, DEPTH, G)
     walls = np.diag([2.0, 2.0, 1.0, 0, 0, 0]) / (k * 5.0)[:, None, None]
-    assert "waves in a channel 5.0" in said(changed(body(), radiation_damping=lambda B: B * walls)).replace(
+    assert "damping in a channel 5.0" in said(changed(body(), radiation_damping=lambda B: B * walls)).replace(
         "5 m", "5.0 m"
     )
 
@@ -102,7 +103,10 @@ def test_beside_other_bodies_no_channel_is_told():
     k = wavenumber(body().omega, DEPTH, G)
     walls = np.diag([2.0, 2.0, 1.0, 0, 0, 0]) / (k * 5.0)[:, None, None]
     found = said(replace(changed(body(), radiation_damping=lambda B: B * walls), others=1))
-    assert "which no unit does: panels are too few, or there are sheets" in found and "channel" not in found
+    assert (
+        "so the cause is not a unit: there are too few panels, or thin plates in the mesh" in found
+        and "channel" not in found
+    )
 
 
 def test_beside_other_bodies_long_waves_tell_nothing():
@@ -143,7 +147,7 @@ def test_waves_all_round_tell_at_one_frequency():
     some = {name: data[4:5] for name, data in round_.quantities.items()}
     one = replace(round_, omega=round_.omega[4:5], quantities=some)
     assert "damping and excitation" in doubts(one)[1] and said(one) == ""
-    assert "damping in kN beside forces in N" in said(changed(one, radiation_damping=lambda B: B / 1e3))
+    assert "damping is in kN and forces are in N" in said(changed(one, radiation_damping=lambda B: B / 1e3))
 
 
 def test_added_mass_follows_damping_without_its_limits():
@@ -166,18 +170,19 @@ def test_modes_that_agree_rule_out_a_wrong_unit():
     round_ = body(headings=np.radians(np.arange(0, 360, 30.0)))
     heave = np.where(np.arange(6) == 2, 2.0, 1.0)[None, :, None] * np.ones((1, 6, 6))
     line = said(replace(changed(round_, radiation_damping=lambda B: B * heave), others=1))
-    assert "B_11, B_22 agrees, so that units do: panels are too few for mode 3" in line
+    assert "B_11, B_22 agrees, so the units are right: there are too few panels for mode 3" in line
 
 
 @pytest.mark.parametrize("factor, words", [
-    (1e-3, "forces are in kN"), (1e3, "stiffness is in kN"), (2.0, "forces are for each metre of wave height"),
+    (1e-3, "forces are in kN"), (1e3, "stiffness is in kN"),
+    (2.0, "forces are for 1 m of wave height, not of amplitude"),
     (0.5, "forces are halved"), (1 / 9.80665, "forces lack g"),
 ])  # fmt: skip
 def test_a_factor_of_forces_is_named_within_a_fifth_of_it(factor, words):
     """ln within 0.2 either way, e^0.2 = 1.2214, of the heave force of long waves over what restoring makes of it"""
     for share, named in ((1.215, True), (1 / 1.215, True), (1.235, False), (1 / 1.235, False)):
         line = laws._factor_of_force(factor * share)
-        assert line == (words if named else "units, lengths, or water differ between the two")
+        assert line == (words if named else "the two differ in their units, lengths, density or depth")
 
 
 def test_frequencies_at_which_anything_is_not_finite_are_left_out_of_all_judging():

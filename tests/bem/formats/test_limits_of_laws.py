@@ -189,8 +189,9 @@ def test_a_power_of_the_frequency_is_told_by_five_ratios_without_scatter():
     assert laws._slope(omega, omega * np.exp(0.055 * noise)) == 0
 
 
-WHYS = {0.25: "for each metre of wave height", 1e-6: "damping in MN beside N", 1e-3: "damping in kN beside forces in N",
-        1e3: "damping in N beside forces in kN", 1e6: "forces are in kN", 9.80665: "the factor g",
+WHYS = {0.25: "for 1 m of wave height", 1e-6: "damping is in MN and forces are in N", 1e-3: "damping is in kN and "
+    "forces are in N",
+        1e3: "damping is in N and forces are in kN", 1e6: "forces are in kN", 9.80665: "the factor g",
         1 / 9.80665: "the factor g", 1 / 1025: "the factor ρ", 1025.0: "the factor ρ"}  # fmt: skip
 
 
@@ -207,16 +208,18 @@ def test_a_thousand_is_kilo_before_it_is_the_density(factor):
     for share in (1.2, 1 / 1.28):
         assert WHYS[factor] in laws._why(factor * share, 0.0, np.full(9, factor))
     beyond = 1025.0 * 1.29 if factor > 1 else 1 / 1025.0 / 1.29
-    assert "units of damping" in laws._why(beyond, 0.0, np.full(9, beyond))
+    assert "damping and forces differ in their units" in laws._why(beyond, 0.0, np.full(9, beyond))
     other = 1025.0 if factor > 1 else 1 / 1025.0
     share = 1.283 if factor > 1 else 1 / 1.283  # beyond 1000 e^0.25, within 1025 e^0.25
     assert "the factor ρ" in laws._why(other * share, 0.0, np.full(9, other))
 
 
 @pytest.mark.parametrize("slope, words", [
-    (0.71, "it goes with ω: damping is that times ω"), (1.29, "it goes with ω"), (-0.71, "it goes with 1/ω"),
-    (-1.29, "it goes with 1/ω: damping is that over ω"), (0.69, "units of damping"), (1.31, "units of damping"),
-    (-0.69, "units of damping"), (-1.31, "units of damping"),
+    (0.71, "the ratio is proportional to ω: damping is multiplied by ω"), (1.29, "the ratio is proportional to "
+        "ω"), (-0.71, "the ratio is proportional to 1/ω"),
+    (-1.29, "the ratio is proportional to 1/ω: damping is divided by ω"), (0.69, "damping and forces "
+        "differ"), (1.31, "damping and forces differ"),
+    (-0.69, "damping and forces differ"), (-1.31, "damping and forces differ"),
 ])  # fmt: skip
 def test_damping_over_or_times_the_frequency_is_told_by_the_power(slope, words):
     assert laws._why(5.0, slope, np.full(9, 5.0)).startswith(words)
@@ -325,7 +328,7 @@ def test_a_channel_is_told_by_widths_within_a_quarter(heave, surge, width):
     assert bool(said) is (width is not None)
     if said:
         middle = np.median([5.0] * 5 + [5.0 * surge / 2] * 5)
-        assert f"waves in a channel {middle:.3g} m wide, and not of open water" in said
+        assert f"damping in a channel {middle:.3g} m wide, not in open water" in said
 
 
 def test_five_ratios_tell_a_channel():
@@ -351,8 +354,9 @@ def long_wave(ratio=1.0, surge=-1j, k=0.1, headings=(0.0,), C=RHO * G, volume=1.
 
 @pytest.mark.parametrize("ratio, words", [
     (1.0, ""), (1.24, ""), (1.26, "is 1.26 times the value from C₃₃"), (1 / 1.24, ""), (1 / 1.26, "is 0.794 times"),
-    (np.exp(0.59j), ""), (np.exp(0.61j), "is at 35°, at 0° where it follows the crest"), (np.exp(-0.61j), "is at -35°"),
-    (-1.0, "is at 180°"), (2.0, "forces are for each metre of wave height"),
+    (np.exp(0.59j), ""), (np.exp(0.61j), "is at 35°, it must be at 0°, in phase with the crest"), (np.exp(-0.61j),
+        "is at -35°"),
+    (-1.0, "is at 180°"), (2.0, "forces are for 1 m of wave height"),
 ])  # fmt: skip
 def test_heave_of_the_longest_wave_follows_the_crest_and_its_stiffness(ratio, words):
     lines = laws._long_waves(long_wave(ratio))
@@ -383,8 +387,10 @@ def test_a_stiffness_that_inertia_all_but_takes_away_tells_nothing():
 
 
 @pytest.mark.parametrize("angle, words", [
-    (0.0, ""), (0.99, ""), (-0.99, ""), (1.01, "phases are of another point"), (-1.01, "phases are of another point"),
-    (np.pi - 1.01, "phases are of another point"), (np.pi - 0.99, "has the opposite sign"), (np.pi, "has the opposite"),
+    (0.0, ""), (0.99, ""), (-0.99, ""), (1.01, "phases are not relative to the origin"), (-1.01, "phases are not "
+        "relative to the origin"),
+    (np.pi - 1.01, "phases are not relative to the origin"), (np.pi - 0.99, "has the opposite sign"), (np.pi, "has "
+        "the opposite"),
 ])  # fmt: skip
 def test_surge_of_long_waves_is_a_quarter_period_behind_the_crest(angle, words):
     """−i cosβ, within a radian either way"""
@@ -407,7 +413,10 @@ def test_surge_across_the_waves_or_too_small_has_no_sign():
 
 def test_conjugates_turn_the_small_part_of_heave_too():
     """−iωB₃₃ in exp(−iωt): of the opposite sign with surge it is of exp(+iωt)"""
-    for sign, words in ((1, "phases are conjugates, of exp(+iωt)"), (-1, "headings say where waves come from")):
+    for sign, words in (
+        (1, "phases are conjugates, for exp(+iωt)"),
+        (-1, "headings are the directions that waves come from"),
+    ):
         values = long_wave(1 + sign * 0.05j, surge=1j, B33=1.0)
         assert words in laws._long_waves(values)[0]
 

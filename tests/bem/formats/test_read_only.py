@@ -96,7 +96,7 @@ def test_a_listing_of_wamit_is_read_as_its_files(tmp_path):
     assert beside.get("added_mass")[0, 2, 2] == pytest.approx(two.get("added_mass")[0, 2, 2])
     assert beside.rotation_center == pytest.approx(two.rotation_center)
     place.write_text(OUT.split(" Wave period =")[0])
-    with pytest.raises(FormatError, match="ended before the first period"):
+    with pytest.raises(FormatError, match="ends before the first period"):
         wamit.read(place, KNOWN | {"body": 1})
 
 
@@ -183,7 +183,7 @@ def test_a_data_base_of_diodore(aqua, tmp_path):
         text += f"[ADDED_MASS_LINE_{i}]\n 2.0 {' '.join(map(str, matrix(5)[i - 1]))}\n 4.0 {'1.0 ' * 6}\n"
         text += f"[DAMPING_TERM_{i}]\n 2.0 {'0.25 ' * 6}\n 4.0 {'0.5 ' * 6}\n"
     place.write_text(text)
-    with pytest.raises(FormatError, match=r"--depth is missing; .* does not say it"):
+    with pytest.raises(FormatError, match=r"--depth is missing, and .* does not give the depth"):
         diodore.read(place, KNOWN)
     found = diodore.read(place, KNOWN | {"water_depth": 25.0})
     assert found.omega == pytest.approx([np.pi / 2, np.pi]) and found.get("added_mass")[1] == pytest.approx(matrix(5))
@@ -192,7 +192,7 @@ def test_a_data_base_of_diodore(aqua, tmp_path):
     assert found.get(name)[0, 0] == pytest.approx(3j * np.exp(0.5j)) and found.body["displaced_volume"] == 50.0
     assert (found.get("excitation_force") is None) == aqua
     place.write_text(text.replace("   0.00", "   5.00"))
-    with pytest.raises(FormatError, match="is of a forward speed; allowed: 0"):
+    with pytest.raises(FormatError, match="is for a body with forward speed; allowed: speed 0"):
         diodore.read(place, KNOWN | {"water_depth": 25.0})
 
 
@@ -230,7 +230,7 @@ def test_volume_centres_and_mass_of_a_body_of_wamit(kind, title, factor, tmp_pat
     assert body["inertia_matrix"].diagonal() == pytest.approx(np.array([4, 4, 4, 1.5, 2.5, 3]) * factor)
     first = mass_of(place, 0, RHO, np.zeros(3))
     assert first["mass"] == 9 * RHO and "inertia_matrix" not in first  # no inertia in rotation
-    with pytest.raises(FormatError, match="has 2 bodies; allowed: as many as the files beside it"):
+    with pytest.raises(FormatError, match="has 2 bodies; allowed: as many as the other files have"):
         mass_of(place, 2, RHO, np.zeros(3))
 
 
@@ -240,7 +240,7 @@ def test_drift_of_other_headings_is_left_out_and_said(single, tmp_path):
     (tmp_path / "a.9").write_text(rows)
     found = wamit.read(tmp_path / "a.1", KNOWN | {"water_depth": 20.0})
     assert found.get("drift_force_fixed") is None and found.wave_direction.tolist() == [0.0]
-    assert "a.9 has other periods or headings than the files beside it" in found.left_out[0]
+    assert "a.9 does not have the periods and headings of the other files;" in found.left_out[0]
 
 
 def test_stiffness_of_six_numbers_beside_capytaine(single, tmp_path):
@@ -375,8 +375,8 @@ def test_a_folder_of_hydrostar_has_a_triangle_and_the_other_time_factor(tmp_path
     with pytest.raises(FormatError, match=r"forward speed of 1.5 m/s"):
         hydrostar.read(tmp_path)
     (tmp_path / "ADDED-MASS_11.rao").write_text(head.format(speed="0.0", kind="ADDED-MASS", mode="11"))
-    with pytest.raises(FormatError, match="has a head and no rows"):
+    with pytest.raises(FormatError, match="has a header but no rows"):
         hydrostar.read(tmp_path)
     (tmp_path / "ADDED-MASS_11.rao").write_text("#RAOTYPE : ADDED-MASS\n#COMPONENT : 11\n1.0 1.0 0.0\n")
-    with pytest.raises(FormatError, match="has another head, or other rows, than HydroStar"):
+    with pytest.raises(FormatError, match="does not have the header and rows that HydroStar"):
         hydrostar.read(tmp_path / "LOAD_1.rao")

@@ -71,7 +71,10 @@ def test_what_leaves_less_than_a_fiftieth_is_the_last_tried(taken):
 
 
 def test_deep_water_is_tried_where_nothing_agrees_and_the_set_is_of_shallow(taken):
-    for deep, left, text in ((0.159, 0.159, "the set is of deep water, not of 12 m"), (0.161, 0.2, "leaves 0.2")):
+    for deep, left, text in (
+        (0.159, 0.159, "the set is for deep water, not for a depth of 12 m"),
+        (0.161, 0.2, "leaves 0.2"),
+    ):
         own = SimpleNamespace(in_water=lambda depth, deep=deep: deep * (1.0 if np.isinf(depth) else 9.0))
         causes.gaps, plain = (lambda v, o: {"force": o if isinstance(o, float) else float(v)}), causes.gaps
         found = taken(Shallow(1.0), [leaves(0.2)], own)

@@ -168,7 +168,7 @@ def test_near_and_far_field_of_panels_differ_by_no_more_than_estimated(depth, re
 
 def test_the_estimate_needs_one_of_the_pressures():
     alone = solved(replace(panel_body(60, 20.0).problem, coarse=None).prepared(), 0.7)
-    with pytest.raises(ValueError, match="allowed: with a coarse mesh"):
+    with pytest.raises(ValueError, match="allowed: a run with a coarse mesh"):
         near_field_error(alone, False)
 
 
@@ -306,8 +306,8 @@ def test_what_has_no_pressure_on_its_sides_is_refused():
     with pytest.raises(ValueError, match="near-field drift by method strip; allowed: panel, contour"):
         near_field_drift(strip.run(0.7, [0.0], {"drift_force_fixed"}, None, DOFS), False)
     for options, message in (
-        ({"nodes_per_panel": 1}, "1 node a panel; allowed: 4"),
-        ({"zero_draft": True}, "zero draft"),
+        ({"nodes_per_panel": 1}, "nodes_per_panel is 1; near-field drift needs 4"),
+        ({"zero_draft": True}, "the draft is 0"),
     ):
         run = panel_body(60, 20.0, **options).run(0.7, [0.0], {"drift_force_fixed"}, None, DOFS)
         for question in (near_field_drift, near_field_error):
@@ -340,8 +340,8 @@ def test_panels_half_as_long_again_as_the_gap_is_high_are_too_long(gap, told):
     if told:
         assert "are 5 m long over a gap of 3.2 m; reliable: up to 4.8 m" in str(caught[0].message)
     for wrong, words in (
-        ({"nodes_per_panel": 1}, "with 1 node a panel; allowed: 4"),
-        ({"zero_draft": True}, "at zero draft"),
+        ({"nodes_per_panel": 1}, "nodes_per_panel is 1; near-field drift needs 4"),
+        ({"zero_draft": True}, "needs a hull with sides, and the draft is 0"),
     ):
         with pytest.raises(ValueError, match=words):
             check_panels(SimpleNamespace(**(vars(problem) | wrong)), mesh)

@@ -239,7 +239,7 @@ def test_motions_belong_to_the_class_of_their_parity_and_shapes_to_that_of_their
     )
     assert g.modes[:, 3:6] == pytest.approx(np.cross(points, normals))
     both = influence.Geometry(mesh, None, 20.0, modes=(Mode("bent", shape=shape(lambda x: x**2 + x)),))
-    with pytest.raises(ValueError, match="bent is not its own image in x; allowed: a mesh without that plane"):
+    with pytest.raises(ValueError, match="bent is not symmetric about x; allowed: a mesh without that plane"):
         both.members((1, 1))
     walled = influence.Geometry(mesh, None, 20.0, wall=4.0)
     assert walled.origin.tolist() == [0.0, -4.0, 0.0] and walled.classes == ((1, 1), (-1, 1))

@@ -362,13 +362,13 @@ def test_frequencies_of_the_force_are_those_of_even_steps_up_to_the_highest():
     assert frequencies_of(omega, 9.0, DIFFERENCE) == pytest.approx([0.0, 0.1, 0.2])
     assert frequencies_of(omega, 1.2, SUM) == pytest.approx([1.0, 1.1, 1.2])
     assert frequencies_of(omega, 9.0, SUM) == pytest.approx([1.0, 1.1, 1.2, 1.3, 1.4])
-    with pytest.raises(ValueError, match=r"sums of frequencies up to 0.99 rad/s; allowed: 1 or above"):
+    with pytest.raises(ValueError, match=r"sums of frequencies are requested up to 0.99 rad/s; allowed: 1 or above"):
         frequencies_of(omega, 0.99, SUM)
     frequencies_of(np.array([0.5, 0.6, 0.7 + 0.9e-7]), 0.1, DIFFERENCE)
     for uneven in ([0.5, 0.6, 0.7 + 1.2e-7], [0.5], [0.7, 0.6, 0.5]):
         with pytest.raises(
             ValueError,
-            match="forces of wave pairs at uneven frequencies; allowed: two or more",
+            match="forces of wave pairs need two or more",
         ):
             frequencies_of(np.array(uneven), 0.1, DIFFERENCE)
 

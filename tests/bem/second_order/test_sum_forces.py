@@ -106,5 +106,5 @@ def test_two_headings_in_the_other_order_give_the_same():
 
 
 def test_sums_below_the_lowest_are_refused():
-    with pytest.raises(ValueError, match=r"sums of frequencies up to 0.7 rad/s; allowed: 0.8 or above"):
+    with pytest.raises(ValueError, match=r"sums of frequencies are requested up to 0.7 rad/s; allowed: 0.8 or above"):
         quadratic_forces(floating(), [0.4, 0.5], [0.0], 0.7, False, kind=SUM)

@@ -67,5 +67,5 @@ def test_one_section_moves_as_by_hand():
 
 
 def test_hinges_of_one_section_are_refused():
-    with pytest.raises(ValueError, match="a hinge holds sections 1 and 1"):
+    with pytest.raises(ValueError, match="a hinge joins sections 1 and 1"):
         linked_sections(PAIR, 12.0, 0.5, [Hinge((1, 1), 0.0, 0.0)])

@@ -105,7 +105,7 @@ def test_the_water_is_met_at_a_degree_or_more(degrees, taken):
     "make, words",
     [
         (lambda: Outline((Edge(0, 1),)), "the outline has 1 edges; allowed: 2 or more"),
-        (lambda: closed(np.array([0, 1, np.nan])), "edge 2 is not of finite numbers"),
+        (lambda: closed(np.array([0, 1, np.nan])), "edge 2 has a number that is not finite"),
         (lambda: closed(np.array([0, 1, 1, 1j])), r"edge 2 has zero length at \(1, 0\)"),
         (lambda: closed(np.array([0, 1, 2 + 1e-12j, 3])), "crosses itself|encloses"),
         (

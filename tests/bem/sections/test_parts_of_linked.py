@@ -35,7 +35,8 @@ def test_a_hinge_holds_its_point_and_a_rigid_one_the_turn():
         assert rows.shape == (count, 9) and rows @ motions == pytest.approx((at(2, 2, -3) - at(0, 2, -3))[:count])
     for pair in ((0, 3), (-1, 0), (3, 1), (0, -1), (2, 2)):
         with pytest.raises(
-            ValueError, match=rf"a hinge holds sections {pair[0]} and {pair[1]}; allowed: two of 0 to 2"
+            ValueError,
+            match=rf"a hinge joins sections {pair[0]} and {pair[1]}; allowed: two different sections from 0 to 2",
         ):
             linked._rows(Hinge(pair, 0.0, 0.0), points)
 

@@ -88,7 +88,7 @@ def test_flow_under_a_slender_body_becomes_uniform_at_first_order():
 
 
 def test_a_section_of_another_draft_is_refused():
-    with pytest.raises(ValueError, match="use the section of the body"):
+    with pytest.raises(ValueError, match="give the section of this body"):
         taut_exact(body_at(44), section_at(2.0, 0.202))
 
 

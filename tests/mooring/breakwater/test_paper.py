@@ -161,5 +161,5 @@ def test_what_cannot_be_moored_is_refused():
         TautRectangle(angle=np.pi, **TESTED)
     with pytest.raises(ValueError, match="above the draft"):
         TautRectangle(angle=1.0, **(TESTED | {"depth": 30.0}))
-    with pytest.raises(ValueError, match="crossed lines the body can move"):
+    with pytest.raises(ValueError, match="crossed lines let the body move"):
         line_tensions(1.0, 1.0, np.pi / 2)

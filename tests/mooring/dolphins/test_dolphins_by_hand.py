@@ -103,7 +103,7 @@ def test_a_fender_that_buckles_first_reacts_with_a_force_before_its_peak():
     fender = fender_of_points("b", 1.0, [0.0, 0.1, 0.3, 0.5], [0.0, 1e6, 4e5, 2e6], corners=True)
     assert deflection_at(fender, 5e5) == pytest.approx(0.05, rel=1e-9)
     assert deflection_at(fender, 1.2e6) == pytest.approx(0.3 + 0.2 * 0.5, rel=1e-9) and deflection_at(fender, 0.0) == 0
-    with pytest.raises(DolphinError, match="b: 2001 kN act on it, and its table ends with 2000 kN"):
+    with pytest.raises(DolphinError, match="b: 2001 kN act on it, but its table ends at 2000 kN"):
         deflection_at(fender, 2.001e6)
 
 

@@ -67,7 +67,7 @@ FETCH = (3.5 / 0.13) ** (1 / 0.33) * 25 / 9.80665  # m, of 5 m/s, where f_p U/g 
         (lambda v: jonswap_fetch(v, 0.2), 0.1, 0.0999, "wind speed is 0.0999 m/s; allowed: 0.1 to 200"),
         (lambda v: jonswap_fetch(v, 1e5), 200.0, 201.0, "wind speed is 201 m/s"),
         (lambda v: jonswap_fetch(20, v), 0.1, 0.0999, "fetch is 0.0999 m"),
-        (lambda v: jonswap_fetch(5, v), 0.999 * FETCH, 1.001 * FETCH, "after 5.497e+04 m the sea of a wind of 5 m/s"),
+        (lambda v: jonswap_fetch(5, v), 0.999 * FETCH, 1.001 * FETCH, "beyond 5.497e+04 m the sea of a wind of 5 m/s"),
         (lambda v: issc(v, mean_period=1e5), 1e3, 1001.0, "wave height is 1001 m"),
         (lambda v: issc(v, mean_period=9), 1e-6, 0.99e-6, "wave height is 9.9e-07 m"),
         (lambda v: issc(1e-6, mean_period=v), 1e-3, 0.99e-3, "mean period is 0.00099 s; allowed: 0.001 to 1e+06"),
@@ -89,8 +89,8 @@ FETCH = (3.5 / 0.13) ** (1 / 0.33) * 25 / 9.80665  # m, of 5 m/s, where f_p U/g 
         (lambda v: torsethaugen(4, peak_period=v), 25.0, 25.1, "peak period of torsethaugen is 25.1"),
         (lambda v: CosinePower(v), 0.0, -0.1, "exponent of the spreading is -0.1"),
         (lambda v: CosinePower(v), 1e4, 1.01e4, "exponent of the spreading is 10100"),
-        (lambda v: CosinePower(2, v, 1.0), -math.pi / 2, -1.58, "spreading from -1.58 to 1 rad"),
-        (lambda v: CosinePower(2, 0.5, v), 0.51, 0.5, "spreading from 0.5 to 0.5 rad"),
+        (lambda v: CosinePower(2, v, 1.0), -math.pi / 2, -1.58, "the spreading extends from -1.58 to 1 rad"),
+        (lambda v: CosinePower(2, 0.5, v), 0.51, 0.5, "spreading extends from 0.5 to 0.5 rad"),
         (lambda v: HalfCosinePower(v), 1e5, 1.01e5, "s of the spreading is 101000"),
         (lambda v: Mitsuyasu(v, 0.6), 1e5, 1.01e5, "s_max of the spreading is 101000"),
         (lambda v: Mitsuyasu(10, v), 0.1, 0.0, "peak frequency of the spreading is 0"),
@@ -99,8 +99,13 @@ FETCH = (3.5 / 0.13) ** (1 / 0.33) * 25 / 9.80665  # m, of 5 m/s, where f_p U/g 
         (lambda v: Peaked("p", v, 0.6), 1.0, 0.0, "level of the spectrum is 0"),
         (lambda v: Peaked("p", 1.0, v), 1.0, 0.0, "peak frequency is 0 rad/s"),
         (lambda v: Peaked("p", 1.0, 1.0).density(v), 0.0, -0.1, "frequency is -0.1 rad/s"),
-        (lambda v: NARROW.moment(0, v, 0.6), 0.6, 0.61, "moment from 0.61 to 0.6 rad/s; allowed: 0 ≤ low ≤ high"),
-        (lambda v: NARROW.moment(0, v, 0.6), 0.0, -0.1, "moment from -0.1 to 0.6"),
+        (
+            lambda v: NARROW.moment(0, v, 0.6),
+            0.6,
+            0.61,
+            "the moment is requested from 0.61 to 0.6 rad/s; allowed: 0 ≤ low ≤ high",
+        ),
+        (lambda v: NARROW.moment(0, v, 0.6), 0.0, -0.1, "the moment is requested from -0.1 to 0.6"),
         (lambda v: NARROW.moment(v), 4, 5, "order of the moment is 5"),
         (lambda v: tabulated([0.0, 1.0], [v, 1.0]).moment(-1), 0.0, 1.0, "density at frequency 0 is 1 m² s"),
         (lambda v: tabulated([0.0, 1.0], [v, 1.0]), 0.0, -0.1, "density of the spectrum is -0.1 to 1"),
@@ -108,7 +113,12 @@ FETCH = (3.5 / 0.13) ** (1 / 0.33) * 25 / 9.80665  # m, of 5 m/s, where f_p U/g 
         (lambda v: Sea(NARROW, v), 7.0, math.inf, "direction of the sea is inf"),
         (lambda v: Sea(NARROW).components(v, 1), 1, 0, "count is 0; allowed: a whole number, at least 1"),
         (lambda v: Sea(NARROW).components(9, v), 0, -1, "seed is -1; allowed: a whole number, at least 0"),
-        (lambda v: Sea(NARROW).components(9, 1, low=0.5, high=v), 0.7, 0.5, "components from 0.5 to 0.5 rad/s"),
+        (
+            lambda v: Sea(NARROW).components(9, 1, low=0.5, high=v),
+            0.7,
+            0.5,
+            "components are requested from 0.5 to 0.5 rad/s",
+        ),
         (
             lambda v: Sea(NARROW, math.radians(v)).directional([0, math.pi / 4]),
             44.0,
@@ -116,8 +126,8 @@ FETCH = (3.5 / 0.13) ** (1 / 0.33) * 25 / 9.80665  # m, of 5 m/s, where f_p U/g 
             "46° does not lie between two headings",
         ),
         (lambda v: linear_weights(np.array([0.0, v]), np.zeros(1)), 1e-8, 1e-10, "0° is given twice"),
-        (lambda v: Scatter([v], [5.0], [[1.0]], "peak_period"), 0.1, 0.0, "classes begin with 0 m, 5 s"),
-        (lambda v: Scatter([1.0], [v], [[1.0]], "peak_period"), 0.1, 0.0, "classes begin with 1 m, 0 s"),
+        (lambda v: Scatter([v], [5.0], [[1.0]], "peak_period"), 0.1, 0.0, "the first classes are 0 m and 5 s"),
+        (lambda v: Scatter([1.0], [v], [[1.0]], "peak_period"), 0.1, 0.0, "the first classes are 1 m and 0 s"),
         (
             lambda v: seismic_coefficient("A", coefficient=v),
             0.3,
@@ -206,7 +216,7 @@ def test_a_spreading_that_the_cells_miss_by_more_than_a_hundredth_is_refused(wid
     """Even over a sector as wide as 20.2 cells of 0.1°, of which 20 have their middles in it: they hold 1/1.01 of it"""
     sector = CosinePower(0.0, -math.radians(wide), math.radians(wide))
     if refused:
-        with pytest.raises(ValueError, match=r"the sum over cells of 0\.1° misses 1 by 0\.01; allowed: 0\.01"):
+        with pytest.raises(ValueError, match=r"the sum over cells of 0\.1° differs from 1 by 0\.01; allowed: 0\.01"):
             sector.shares()
     else:
         assert sector.shares().sum() == pytest.approx(1.0)
@@ -238,7 +248,7 @@ def test_times_of_a_record_are_even_to_a_hundredth_of_a_step(tmp_path, off, refu
     rows = [(0.0, 1.0), (0.5, 2.0), (1.0 + 0.5 * off, 3.0), (1.5, 4.0), (2.0, 5.0)]
     path = written(tmp_path, "time_s,eta_m\n" + "".join(f"{t!r},{y}\n" for t, y in rows))
     if refused:
-        with pytest.raises(TableError, match=r"line 4: time goes from 0\.5 to 1\.00505 s"):
+        with pytest.raises(TableError, match=r"line 4: the time goes from 0\.5 to 1\.00505 s,"):
             read_record(path)
     else:
         found = read_record(path)
@@ -260,7 +270,7 @@ def test_columns_of_a_record_are_in_the_units_of_their_names(tmp_path):
         read_record(alone)
     with pytest.raises(
         TableError,
-        match=r"has a time column, and a step of 0\.2 s is given as well; leave out "
+        match=r"has a time column, but a step of 0\.2 s is given as well; leave out "
         r"the step",
     ):
         read_record(path, 0.2)
@@ -336,6 +346,6 @@ def test_a_wind_that_the_froya_formula_does_not_reach_near_the_sea_is_refused():
     u = np.linspace(0.0, 200.0, 200001)
     top = np.max(u * (1 + 0.0573 * np.sqrt(1 + 0.15 * u) * math.log(0.02)))
     assert mean_over(0.99 * top, 3600, 600, 0.2) > 0.99 * top
-    with pytest.raises(ValueError, match=r"at 0\.2 m: the Frøya formula has at most .* give the wind at 10 m"):
+    with pytest.raises(ValueError, match=r"at 0\.2 m; the Frøya formula reaches at most .* give the wind at 10 m"):
         mean_over(1.01 * top, 3600, 600, 0.2)
     assert mean_over(1.01 * top, 3600, 3600, 0.2) == 1.01 * top

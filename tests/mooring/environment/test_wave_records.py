@@ -198,7 +198,7 @@ def test_gaps_and_odd_words_have_their_lines(tmp_path):
         ),
         ("t,eta\n0,1\n1,abc\n2,1\n", "line 3 has 'abc'; allowed: numbers"),
         ("head\nt,eta\n0,1\n1,1,1\n", "line 4 has 3 columns; allowed: 2"),
-        ("head\nt,eta\n\n0,1\n1,1\n2,1\n4,1\n", "line 7: time goes from 2 to 4 s"),
+        ("head\nt,eta\n\n0,1\n1,1\n2,1\n4,1\n", "line 7: the time goes from 2 to 4 s,"),
         ("t,eta\n", "no rows of numbers"),
         ("t;eta\n0,5;1.25\n1,0;2\n", "line 2 has '1.25'; allowed: numbers with the same decimal mark"),
     ):
@@ -220,18 +220,18 @@ def test_a_column_is_found_by_its_name_and_a_lone_one_needs_its_step(tmp_path):
         (
             "t,eta\n0,1\n1,2\n3,1\n4,2\n",
             None,
-            "line 4: time goes from 1 to 3 s and the step elsewhere is 1 s: 1 row is missing",
+            "line 4: the time goes from 1 to 3 s, and the step elsewhere is 1 s: 1 row is missing",
         ),
         ("t,eta\n0,1\n1,2\n2.4,1\n3.1,2\n4,1\n", None, "from 0.7 to 1.4 s in the file; allowed: equal steps; interp"),
         ("t,eta\n0,1\n1,\n2,1\n", None, "line 3 has no finite number"),
         ("t,eta\n0,1\n1,nan\n", None, "line 3 has no finite number"),
         ("t,eta\n0,1\n1,2,3\n", None, "line 3 has 3 columns; allowed: 2"),
-        ("t,eta\n0,1\n1,2\n", 0.5, "has a time column, and a step of 0.5 s is given as well; leave out the step"),
+        ("t,eta\n0,1\n1,2\n", 0.5, "has a time column, but a step of 0.5 s is given as well; leave out the step"),
         ("1\n2\n", None, "give the step"),
         ("t,eta\n", None, "no rows of numbers"),
         ("", None, "has no rows"),
         ("t,eta\n1,2\n", None, "has one row"),
-        ("t,eta\n2,2\n1,2\n0,1\n", None, "allowed: equal steps"),
+        ("t,eta\n2,2\n1,2\n0,1\n", None, "allowed: increasing times at equal steps"),
     ],
 )
 def test_what_is_no_record_is_refused(tmp_path, text, step, words):

@@ -100,7 +100,7 @@ def test_energy_beyond_the_table_is_found_where_an_overload_goes_on():
     assert made.energy(0.5 + more) == pytest.approx(1.5e6, rel=1e-12)
     assert spring().deflection_at_energy(0.4e6) == pytest.approx(math.sqrt(2 * 0.4e6 / K), rel=1e-12)
     assert spring().deflection_at_energy(0.49999e6) < 0.5
-    with pytest.raises(FenderError, match=r"500\.1 kJ are requested and the table ends at 0\.5 m with 500 kJ"):
+    with pytest.raises(FenderError, match=r"500\.1 kJ is requested, but its table ends at 0\.5 m with 500 kJ"):
         spring().deflection_at_energy(0.5001e6)
 
 

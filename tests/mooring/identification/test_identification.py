@@ -109,12 +109,12 @@ def test_noise_moves_the_damping_of_a_free_decay_within_its_limit(let_go, noise,
     [
         (
             lambda: decay(np.delete(TIME, 50), np.delete(np.sin(TIME), 50)),
-            "steps by 2 s after 49 s, and elsewhere by 1 s",
+            "is 2 s after 49 s and 1 s elsewhere;",
         ),
         (lambda: decay(TIME, np.full(600, np.nan)), "row 1 of the record has a value that is not a number"),
         (
             lambda: decay(TIME, np.exp(0.002 * TIME) * np.cos(OMEGA * TIME)),
-            "in half a cycle; allowed: a decaying motion",
+            "in half a cycle; allowed: a motion that decays",
         ),
         (lambda: decay(TIME, np.exp(-0.1 * TIME)), "crosses its mean"),
         (lambda: forced(TIME[:10], TIME[:10], TIME[:10]), "10 times; allowed: 16 or more"),

@@ -196,7 +196,7 @@ def test_a_slack_line_on_a_bed_that_falls_more_steeply_than_its_friction_holds_i
     with warnings.catch_warnings(record=True) as said:
         warnings.simplefilter("always")
         rest(system)
-    assert any("steeper than friction holds: L0;" in str(text.message) for text in said) == (friction < 0.3)
+    assert any("that is too steep for its friction: L0;" in str(text.message) for text in said) == (friction < 0.3)
 
 
 def test_a_floating_buoy_holds_a_fairlead_above_the_water_as_one_as_far_below():

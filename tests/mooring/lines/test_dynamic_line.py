@@ -379,7 +379,7 @@ def test_wrong_input_is_named(change, words):
 def test_impossible_lines_are_named():
     with pytest.raises(ValueError, match="length is -1"):
         segment(-1.0)
-    with pytest.raises(ValueError, match="bodies; allowed: one less"):
+    with pytest.raises(ValueError, match="bodies; allowed: one body fewer"):
         DynamicLine((segment(), segment()), (0, 0, -50.0), (None, None))
     with pytest.raises((LineError, ValueError)):
         simulate(chain(10), FairleadMotion.still((0, 0, -60.0)), 1.0)

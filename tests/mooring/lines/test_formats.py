@@ -212,7 +212,7 @@ def test_a_depth_stands_in_where_the_file_has_none_and_only_there():
         match="WtrDpth is missing; the bed is assumed at the lowest point, 70 m; give the depth if this is wrong",
     ):
         assert system_of_moordyn(parse_moordyn(bare)).depth == 70.0
-    with pytest.warns(UserWarning, match="depth is 60 m and the lowest point at 70 m"):
+    with pytest.warns(UserWarning, match="depth is 60 m, but the lowest point lies at 70 m"):
         assert system_of_moordyn(parse_moordyn(bare), depth=60.0).depth == 70.0
     with pytest.raises(FormatError, match="WtrDpth is 70 m and the given depth is 80 m"):
         quiet_system(VERSION_2, depth=80.0)
@@ -223,18 +223,18 @@ def test_a_depth_stands_in_where_the_file_has_none_and_only_there():
 
 LEFT_OUT = [
     ("-0.8         0 ", "-0.8         4e4 ", "bending stiffness EI of chain is not included"),
-    ("1000     rhoW", "3 WaveKin", "waves (WaveKin 3) left out"),
-    ("1000     rhoW", "1 Currents", "currents (Currents 1) left out"),
-    ("1000     rhoW", "bed.txt SeafloorFile", "the bathymetry (SeafloorFile bed.txt) left out"),
+    ("1000     rhoW", "3 WaveKin", "waves (WaveKin 3) is left out"),
+    ("1000     rhoW", "1 Currents", "currents (Currents 1) is left out"),
+    ("1000     rhoW", "bed.txt SeafloorFile", "the bathymetry (SeafloorFile bed.txt) is left out"),
     ("1000     rhoW", "3 mystery", "option mystery is unknown and ignored"),
     ("-- OPTIONS", "-- SYROPE IC ---\nLine(s) Tmax0 Tmean0\n(-) (N) (N)\n2 1e6 5e5\n--- OPTIONS",
      "section SYROPE IC is not used: no line type is a Syrope rope"),
     ("3    Body1 ", "3    Coupled ", "dynamic stiffness (EA a|b) of rope is not included; the static"),
     ("1    Coupled     0      0     0      0     0     30 ", "1    Free        0      0     0      0    -90     0  ",
-     "free body 1 starts heeled (r0, p0): not used, its equilibrium is sought from upright"),
-    ("3    Body1 ", "3    Coupled ", "failure 1 of lines is left out: nothing breaks at rest"),
+     "free body 1 starts heeled (r0, p0): the heel is not used; the search for its equilibrium starts from upright"),
+    ("3    Body1 ", "3    Coupled ", "failure 1 of lines is left out: lines do not break in the statics"),
     ("7    Fixed       280     -160    -70     0       0       0      0\n",
-     "7 Fixed 280 -160 -70 0 0 0 0\n8 Free 0 0 0 0 0 0 0\n", "point 8 is free and held by no line: ignored"),
+     "7 Fixed 280 -160 -70 0 0 0 0\n8 Free 0 0 0 0 0 0 0\n", "point 8 is free and no line holds it, so it is ignored"),
 ]  # fmt: skip
 
 
@@ -344,7 +344,9 @@ def test_lines_above_the_water_weigh_what_they_do_in_air(tmp_path):
 
 
 def test_a_line_that_floats_is_said_to_weigh_in_air_what_it_does_in_water():
-    with pytest.warns(UserWarning, match="line 3 leaves the water, and its weight in water is used there too"):
+    with pytest.warns(
+        UserWarning, match="line 3 leaves the water; its part in the air also has its weight in water here"
+    ):
         system_of_moordyn(parse_moordyn(DRY.replace("0.25 100 ", "0.25 40 ")))
 
 
@@ -377,7 +379,9 @@ def test_the_written_time_step_is_stable_for_the_axial_waves_of_every_line():
 
 
 def test_a_system_written_for_moordyn_and_read_back_has_the_same_forces():
-    with pytest.warns(UserWarning, match="line bow comes out of the water; the part above has its weight in water"):
+    with pytest.warns(
+        UserWarning, match="line bow comes out of the water; its part in the air has its weight in water"
+    ):
         moordyn_of_system(bridle())
     points = [replace(point, position=(30.0, 1.0, -1.0)) if point.name == "bow" else point for point in bridle().points]
     system = replace(bridle(), points=tuple(points))

@@ -384,7 +384,7 @@ def test_bending_of_rods_is_left_out_where_there_are_rods_and_lines(monkeypatch,
 def test_options_of_time_and_of_the_water_are_known_and_others_are_told():
     options = {"dtM": "0.1", "rhoW": "1025", "WtrDpth": "20", "mystery": "3", "Currents": "1", "WaveKin": "0", "x": "-"}
     assert list(moordyn_left_out._of_options(SimpleNamespace(options=options))) == [
-        "currents (Currents 1) left out: still water over a flat bed is used",
+        "currents (Currents 1) is left out: the water is still and the bed is flat",
         "option mystery, x is unknown and ignored",
     ]
 

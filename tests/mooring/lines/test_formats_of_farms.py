@@ -178,7 +178,7 @@ def test_a_line_between_turbines_hangs_where_the_farm_has_them(tmp_path):
     with pytest.raises(FormatError, match="2 turbines and 0 rows of WT_X"):
         read_fast_farm(tmp_path / "less.fstf")
     (tmp_path / "none.fstf").write_text(FSTF.replace("SharedMoorFile", "Other"))
-    with pytest.raises(FormatError, match="no NumTurbines or no SharedMoorFile"):
+    with pytest.raises(FormatError, match="lacks NumTurbines or SharedMoorFile"):
         read_fast_farm(tmp_path / "none.fstf")
 
 
@@ -186,7 +186,7 @@ def test_what_holds_no_system_is_told_for_what_it_is():
     for text, says in (
         ("site: {}\nmooring_line_configs: {}\nmooring_systems: {}\n", "is an ontology of FAModel"),
         ("modeling_options: {}\n", "has no mooring: .* it has modeling_options"),
-        ("array_mooring:\n  file: a.dat\narray: {keys: [x]}\n", "array has no x_location and y_location"),
+        ("array_mooring:\n  file: a.dat\narray: {keys: [x]}\n", "array lacks x_location or y_location"),
     ):
         with pytest.raises(FormatError, match=says):
             system_of_moorpy(parse_yaml(text))
@@ -204,7 +204,7 @@ def test_columns_of_lines_in_another_order_are_known_or_refused(tmp_path):
     assert (line.length, line.a, line.b, line.elements) == (105.0, "1", "2", 2)
     (tmp_path / "strange.txt").write_text(old.replace("NumNodes", "HowMany"))
     with pytest.raises(
-        FormatError, match="column 'howmany' is unknown and 'unstrlen' is not in its place of version 2"
+        FormatError, match="column 'howmany' is unknown, and 'unstrlen' is not in its place in MoorDyn version 2"
     ):
         read_moordyn_system(tmp_path / "strange.txt")
 

@@ -32,7 +32,9 @@ def peaks(run):
 @pytest.mark.parametrize("given", ROPES)
 def test_what_is_said_of_the_largest_tension_of_a_whipping_rope_covers_its_error(given):
     line, motion, duration = rope(*given)
-    with pytest.warns(UserWarning, match="known to .* for their steps, allowed 2.0%; give a smaller tolerance"):
+    with pytest.warns(
+        UserWarning, match="an error of .* in the largest tensions, allowed 2.0%; give a tolerance smaller"
+    ):
         run = simulate(line, motion, duration)
     fine = simulate(line, motion, duration, tolerance=1e-5, check_mesh=False)
     error = np.abs(peaks(run) / peaks(fine) - 1).max()

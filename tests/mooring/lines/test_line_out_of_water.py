@@ -124,5 +124,5 @@ def off(run, fine):
 
 
 def test_a_line_heavier_in_water_than_in_air_is_refused():
-    with pytest.raises(ValueError, match="allowed: not more in water than in air"):
+    with pytest.raises(ValueError, match="allowed: no more in water than in air"):
         line((0, 0, -20.0), weight=G * MASS + 1)

@@ -107,8 +107,8 @@ def test_a_heavy_rope_reaches_its_end_by_the_strains_of_its_tensions(tmp_path, E
 FAULTS = [
     ("none.dat", "EXP WCType\n0.2 k1\n1.5 k2\n", "EA of rope is 'none.dat'"),
     ("SYROPE:syrope.dat|1|1", "CUBIC WCType\n0.2 k1\n1.5 k2\n", "WCType LINEAR, QUADRATIC, EXP"),
-    ("SYROPE:syrope.dat|1|1", "EXP WCType\n1.2 k1\n1.5 k2\n", "working curves that begin at the strain"),
-    ("SYROPE:syrope.dat|1|1", "QUADRATIC WCType\n0.2 k1\n1.5 k2\n", "a working curve that falls, k2 1.5"),
+    ("SYROPE:syrope.dat|1|1", "EXP WCType\n1.2 k1\n1.5 k2\n", "working curves begin at the strain"),
+    ("SYROPE:syrope.dat|1|1", "QUADRATIC WCType\n0.2 k1\n1.5 k2\n", "a working curve falls"),
 ]
 
 

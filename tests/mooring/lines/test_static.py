@@ -368,7 +368,7 @@ def test_a_section_of_a_plane_grid_is_a_plane():
         (lambda: Segment(1.0, 2.0, ((0, 0), (0.1, -5))), "no table of"),
         (lambda: StaticLine([]), "at least one segment"),
         (lambda: StaticLine([Segment(10.0, 1.0)], [PointLoad(12.0, 5.0)]), "position is 12 m"),
-        (lambda: Bed(((0, 0), (0, 1))), "no vertical walls"),
+        (lambda: Bed(((0, 0), (0, 1))), "without vertical walls"),
         (lambda: Bed.sloping(0.1, -1), "friction is -1"),
         (lambda: StaticLine([Segment(10.0, 1.0)]).solve(-1.0, 2.0), "x is -1 m"),
         (lambda: StaticLine([Segment(10.0, 1.0)]).solve(5.0, -2.0), "2 m below the bed"),

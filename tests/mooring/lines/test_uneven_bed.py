@@ -94,7 +94,7 @@ def test_tangent_is_the_derivative_of_the_reaction_where_the_bed_bends(tangent_f
 
 
 def test_points_that_are_no_bed_are_named():
-    with pytest.raises(ValueError, match="no vertical walls"):
+    with pytest.raises(ValueError, match="without vertical walls"):
         ElasticBed(points=((0, 0), (0, 1)))
-    with pytest.raises(ValueError, match="beside points; allowed: one of them"):
+    with pytest.raises(ValueError, match="and bed points are given too; give one of them"):
         ElasticBed(slope=0.1, points=((0, 0), (10, 1)))

@@ -50,9 +50,10 @@ def test_lines_run_between_joints_of_a_platform():
 
 
 @pytest.mark.parametrize(("change", "said"), [
-    (lambda m: m["line_types"][0].pop("mass_density"), "line type main of windIO has no mass_density, and which"),
+    (lambda m: m["line_types"][0].pop("mass_density"), "type main of windIO has no mass_density, and its custom of"),
     (lambda m: [m["line_types"][0].pop(k) for k in ("mass_density", "stiffness")], "no mass_density and no stiffness"),
-    (lambda m: m["nodes"][1].update(joint="nowhere"), "joint nowhere of node b is in no joints of floating_platform"),
+    (lambda m: m["nodes"][1].update(joint="nowhere"), "joint nowhere of node b is not among the joints of "
+        "floating_platform"),
     (lambda m: m["lines"][0].pop("unstretched_length"), "components.mooring of windIO lacks or misplaces 'unstretched"),
 ])  # fmt: skip
 def test_what_windio_leaves_open_is_named(change, said):

@@ -96,8 +96,10 @@ def test_a_longer_pontoon_has_the_coefficients_of_the_longest_tested_and_says_so
     longer, tested = box_table(150, 50, 5.0, 20.0), box_table(100, 50, 5.0, 20.0)
     assert np.allclose(longer.x, tested.x) and np.allclose(longer.y, tested.y)
     assert np.allclose(longer.lever, tested.lever)  # no more than that of L/B = 2
-    assert any(note.startswith("current force: L/B = 3 is outside the tests; used is 2") for note in longer.notes)
-    assert any("current moment of L/B = 3 is a guess, lever 0.09 L" in note for note in longer.notes)
+    assert any(
+        note.startswith("current force: L/B = 3 is outside the tests; the value for 2 is used") for note in longer.notes
+    )
+    assert any("current moment for L/B = 3 is a guess (lever 0.09 L" in note for note in longer.notes)
 
 
 @pytest.mark.parametrize("relative", [1.2, 1.3, 1.6, 3.0, 10.0, 17.9])

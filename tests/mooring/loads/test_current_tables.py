@@ -136,7 +136,7 @@ def test_between_tested_slendernesses_values_lie_between_and_are_called_a_guess(
     middle = table(1.6, 10.0, 30.0)
     assert np.allclose(middle.x, (low.x + high.x) / 2) and np.allclose(middle.y, (low.y + high.y) / 2)
     assert any("L/B = 1.6 lies between" in note for note in middle.notes)
-    assert any("moment of L/B = 1.6 is a guess, lever 0.054 L" in note for note in middle.notes)
+    assert any("moment for L/B = 1.6 is a guess (lever 0.054 L" in note for note in middle.notes)
 
 
 def test_moment_vanishes_towards_a_square_and_is_the_printed_law_at_two():
@@ -196,9 +196,9 @@ def test_a_proportion_within_a_fortieth_of_a_tested_one_is_that(name, at, sizes)
     """Tests end at L/B = 2 and B/d = 20: 2.4 % more is taken as those without a word, 2.6 % more is told"""
     for share, told in ((1.024, False), (1.026, True)):
         notes = " ".join(box_table(*sizes(share * at)).notes)
-        assert (f"{name} = {share * at:.4g} is outside the tests; used is {at:g}" in notes) is told
+        assert (f"{name} = {share * at:.4g} is outside the tests; the value for {at:g} is used" in notes) is told
         if name == "L/B":
-            assert (f"current moment of L/B = {share * at:.4g} is a guess" in notes) is told
+            assert (f"current moment for L/B = {share * at:.4g} is a guess" in notes) is told
 
 
 @pytest.mark.parametrize("ratio, between", [(1.2 * 1.024, False), (1.2 * 1.026, True), (2 * 0.974, True),

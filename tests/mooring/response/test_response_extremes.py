@@ -100,9 +100,9 @@ def test_thousand_waves_have_the_factor_of_the_report():
     [
         (
             lambda: bandwidth(1.0, 2.0, 1.0),
-            "the moments do not belong to a spectrum; allowed: above 0, with m2² at most m0 m4",
+            "these moments are not those of a spectrum; allowed: above 0, with m2² at most m0 m4",
         ),
-        (lambda: bandwidth_of_periods(11.0, 10.0), "period between maxima is 1.1 of that"),
+        (lambda: bandwidth_of_periods(11.0, 10.0), "period between maxima is 1.1 times the period of zero crossings"),
         (lambda: expected_maximum(1.0, 10.0, 8.0), "1.25 zero crossings; allowed: above 3"),
         (lambda: maximum_not_exceeded(1.0, 1e4, 8.0, 1.0), "probability is 1.0; allowed: between 0 and 1"),
         (lambda: mean_of_highest(0.0, 0.3), "share of the maxima is 0"),
@@ -115,7 +115,7 @@ def test_thousand_waves_have_the_factor_of_the_report():
         (lambda: long_term([1.0], [1.0], [1.0]).level(1.0), "cycles; allowed: more than 1"),
         (
             lambda: long_term([1.0], [1.0], [1.0]).level(np.inf),
-            "inf s contain inf cycles; allowed: more than 1, finite",
+            "inf s contains inf cycles; allowed: more than 1, finite",
         ),
     ],
 )

@@ -99,7 +99,7 @@ def test_waves_beyond_the_database_are_named_with_their_share(box_body):
     share = 100 * result.sea.spectrum.moment(0, box_body.omega[-1], np.inf) / result.sea.spectrum.moment(0)
     said = "\n".join(result.warnings)
     assert f"{share:.1f} % of the wave energy is in waves shorter than the stored 5.98 s" in said
-    assert "bow relative elevation" in said and "% of the mean drift force is from waves beyond" in said
+    assert "bow relative elevation" in said and "% of the mean drift force is due to waves beyond" in said
 
 
 def test_a_sea_mostly_outside_the_database_is_refused(box_body):

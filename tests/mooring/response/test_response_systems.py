@@ -153,7 +153,7 @@ def test_directions_of_a_wavewatch_file_are_where_waves_travel_clockwise_from_no
         with pytest.raises(TableError, match=said):
             read_sea(path, 90.0, **words)
     path.write_text(wavewatch(np.ones((4, 3)))[:-30])
-    with pytest.raises(TableError, match="words; wanted: 42 for each time"):
+    with pytest.raises(TableError, match="expected: 42 for each time"):
         read_sea(path, 90.0, time="20260101 000000")
 
 
@@ -162,11 +162,11 @@ def test_directions_of_a_wavewatch_file_are_where_waves_travel_clockwise_from_no
     [
         ("hello\n", "is not a spectrum of SWAN, NDBC or WAVEWATCH III, Datawell"),
         (SWAN.format(kind="NDIR"), "directions are nautical; give the compass heading of the x axis"),
-        (SWAN.format(kind="CDIR").replace("4 0 2 0", "4 0 x 0"), "line 30 .* wanted: numbers, densities"),
-        (SWAN.format(kind="CDIR")[:-20], "more lines, the file ends"),
+        (SWAN.format(kind="CDIR").replace("4 0 2 0", "4 0 x 0"), "line 30 .* expected: numbers, densities"),
+        (SWAN.format(kind="CDIR")[:-20], "more lines, but the file ends"),
         (  # the time of the next block is no density
             SWAN.format(kind="CDIR").rstrip("0123456789 \n") + " x\n20260101.060000\nNODATA\nNODATA\n",
-            "wanted: numbers, densities",
+            "expected: numbers, densities",
         ),
     ],
 )

@@ -270,13 +270,13 @@ def test_times_of_a_transfer_file_are_told_apart(tmp_path):
     with pytest.raises(TableError, match="has no time 5; it has 20260101 000000, 20260101 030000"):
         read_sea(two, 90.0, "5")
     cut = written(tmp_path, wavewatch()[:-4] + "\n", "cut.txt")
-    with pytest.raises(TableError, match=r"after the directions stand \d+ words; wanted: 42 for each time"):
+    with pytest.raises(TableError, match=r"\d+ words follow the directions; expected: 42 for each time"):
         read_sea(cut, 90.0)
     word = written(tmp_path, wavewatch().replace("0.2 0.3", "0.2 abc"), "word.txt")
-    with pytest.raises(TableError, match="has 'abc'; wanted: numbers, frequencies and directions"):
+    with pytest.raises(TableError, match="has 'abc'; expected: numbers, frequencies and directions"):
         read_sea(word, 90.0)
     head = written(tmp_path, wavewatch().replace("     3     4", "     x     4", 1), "head.txt")
-    with pytest.raises(TableError, match="its head has 'x'"):
+    with pytest.raises(TableError, match="its header has 'x'"):
         read_sea(head, 90.0)
 
 
@@ -369,7 +369,7 @@ def test_the_most_probable_sea_by_hand():
     b, lam, w = 2.75 * 0.6**4, 2.5, 0.8
     wanted = 0.25 * b**lam / math.gamma(lam) * 4.0 * w ** -(4 * lam + 1) * math.exp(-b / w**4)
     assert float(one.density(w)) == pytest.approx(wanted, rel=1e-12)
-    with pytest.raises(ValueError, match="moment 4 has no end at shape 1"):
+    with pytest.raises(ValueError, match="moment 4 is infinite at shape 1"):
         OneSystem(2.0, 0.6, 1.0).moment(4)
 
 

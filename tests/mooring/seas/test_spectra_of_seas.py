@@ -73,7 +73,7 @@ def test_the_most_probable_sea_has_its_height_and_the_printed_periods():
     swell, wind = sea.parts
     assert np.isclose(swell.height / wind.height, 0.84 / 0.54)
     assert np.isclose(swell.peak_omega, 0.5824, rtol=1e-3) and np.isclose(wind.peak_omega, 0.9839, rtol=1e-3)
-    with pytest.raises(ValueError, match="ochi_hubble: peak_period is given; give no period"):
+    with pytest.raises(ValueError, match="ochi_hubble: peak_period is given; leave out the period"):
         ochi_hubble(4.0, peak_period=9.0, mean_period=None)
 
 
@@ -116,7 +116,7 @@ def test_waves_break_at_miches_height():
     [
         (lambda y, t: y + 1e-4 * t, "the mean level moves by 0.3"),
         (lambda y, t: y + 0.5 * np.sin(2 * np.pi * t / 44714.0), "the mean level moves by"),
-        (lambda y, t: np.where(t == 1800.0, 99.0, y), "1 values are beyond 8 deviations"),
+        (lambda y, t: np.where(t == 1800.0, 99.0, y), "1 values exceed 8 standard deviations"),
     ],
     ids=["trend", "tide", "spike"],
 )

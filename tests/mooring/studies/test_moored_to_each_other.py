@@ -106,5 +106,5 @@ def test_drift_of_each_on_a_current_that_carries_the_waves_is_refused():
     from hakobune.mooring.studies.conditions import Current
 
     waves = Conditions(current=Current(0.5, 0.0), waves=Waves(2.0, 12.0, 0.0), method="regular_wave")
-    with pytest.raises(ValueError, match='known without a current that carries the waves; say waves = "still"'):
+    with pytest.raises(ValueError, match='known only for waves in still water; give waves = "still"'):
         multi_point(database(), system(), {"a": BOX, "b": BOX}, waves)

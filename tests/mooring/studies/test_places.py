@@ -42,14 +42,14 @@ def test_a_fairlead_on_the_hull_or_on_a_bracket_is_accepted(fairlead):
 
 def test_a_fairlead_on_a_bracket_is_told():
     (said,) = place_findings(system((58.0, 0.0, 5.0)), HULLS)
-    assert said == "fairleads beside the hull: one 8 m; limit 1 m; check where they are"
+    assert said == "fairleads away from the hull: one 8 m; limit 1 m; check their coordinates"
 
 
 def test_a_fairlead_off_the_hull_of_a_database_is_told():
     mesh = box(100, 50, 10, panels=60)
     assert not list(off_the_mesh(system((50.0, 25.0, 7.0)), "body", mesh))
     (said,) = off_the_mesh(system((60.0, 25.0, 7.0)), "body", mesh)
-    assert said.startswith("fairleads off the hull of the database: ") and "10 m; limit 1 m" in said
+    assert said.startswith("fairleads away from the hull of the database: ") and "10 m; limit 1 m" in said
 
 
 def test_a_line_that_no_material_stretches_to_its_anchor_is_refused():

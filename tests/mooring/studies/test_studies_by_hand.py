@@ -220,7 +220,7 @@ def test_lines_that_add_a_twentieth_to_heave_are_told(k, stiff):
 
 def test_periods_outside_the_solved_ones_and_motions_that_are_unstable_are_told():
     (said,) = told._held(periods(80, np.inf, 5, 6, 7, 90, inside=np.array([False, False, True, True, True, False])))
-    assert said.endswith("added mass of the nearest one: Surge 80 s, Yaw 90 s")
+    assert said.endswith("added mass at the nearest good frequency: Surge 80 s, Yaw 90 s")
     result = SimpleNamespace(at_rest=periods(9, 9, 9, np.nan, 9, 9), at_equilibrium=periods(*6 * [9]))
     (said,) = told._unstable(result)
     assert said == "FAILS: unstable at rest, without waves: Roll; the body needs more restoring"

@@ -128,9 +128,9 @@ def test_a_makers_table_lies_beside_the_study_wherever_the_command_is_called(tmp
 @pytest.mark.parametrize(
     ("mass", "depth", "says"),
     [
-        (1.021, 20.0, ["the body of a.h5 displaces 1000 t, and the ship has 1021 t; the ship's mass is used"]),
+        (1.021, 20.0, ["the body of a.h5 displaces 1000 t, but the ship has 1021 t; the ship's mass is used"]),
         (1.019, 20.0, []), (0.981, 19.7, []), (1.0, None, []),
-        (1.0, 19.5, ["the memory of a.h5 holds for a water depth of 20 m, and depth is 19.5 m"]),
+        (1.0, 19.5, ["the memory of a.h5 is valid for a water depth of 20 m, but depth is 19.5 m"]),
     ],
 )  # fmt: skip
 def test_a_memory_of_another_mass_or_depth_is_told_beyond_two_hundredths(monkeypatch, mass, depth, says):

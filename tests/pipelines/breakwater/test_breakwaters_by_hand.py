@@ -128,7 +128,7 @@ def test_lines_go_slack_where_waves_take_more_than_the_pretension(tmp_path, shar
     height = float(2 * PULL / pulls(found_of(tmp_path)).max() * share)
     found = found_of(tmp_path, ("height = 0.5", f"height = {height!r}"))
     assert found.status == status == len(found.fails)
-    told = f"lines snap when they become taut again; give more pretension than {PULL / 1e3:.4g}"
+    told = f"lines snap when they become taut again; give a pretension above {PULL / 1e3:.4g}"
     assert not status or told in found.fails[0]
 
 
@@ -142,7 +142,8 @@ def test_a_pretension_is_allowed_up_to_what_waves_leave_of_the_allowable_tension
     assert found["pretension.most"] == pytest.approx(most)
     assert found.status == status == len(found.fails)
     told = (
-        f"the pretension of {PULL / 1e3:.4g} kN/m exceeds {most / 1e3:.4g} kN/m, the most within the allowable tension"
+        f"the pretension of {PULL / 1e3:.4g} kN/m exceeds {most / 1e3:.4g} kN/m, the most that the allowable tension "
+        f"permits;"
     )
     assert not status or told in found.fails[0]
 
@@ -188,7 +189,7 @@ def test_piles_blocks_and_anchors_hold_the_greatest_tension(tmp_path):
     up = np.real((front + back) * phases) * math.sin(alpha)
     common = (across + up).max() + 2 * used * math.sin(alpha)
     assert row("sinker of both lines") == pytest.approx([common, 500e3, common / 500e3], rel=1e-4)
-    assert found["anchor[sinker of both lines].size"].endswith(", the body's buoyancy held too")
+    assert found["anchor[sinker of both lines].size"].endswith(", which also hold the body's buoyancy")
 
 
 @pytest.mark.parametrize("share, status", [(1.01, 0), (0.99, 1)])
@@ -210,7 +211,7 @@ def test_a_block_higher_than_half_of_the_water_under_the_keel_is_warned_of(tmp_p
     block = f"friction = 0.5, width = {width * enough!r}, unit_weight_kN_per_m3 = 13.0, lifted = true"
     found = found_of(tmp_path, more=f"[anchors]\nsinker = {{ {block} }}\n")
     assert found.status == 0
-    words = f"5 m are under the keel; allowed: up to 2.5 m; give a width of {enough:.3g} m"
+    words = f"5 m under the keel; allowed: up to 2.5 m; give a width of {enough:.3g} m"
     assert any(words in line for line in found.findings) is told
 
 
@@ -293,7 +294,9 @@ def test_waves_break_above_the_limit_of_miche(tmp_path, asked, height, told):
     limit = 0.142 * 2 * math.pi / k * math.tanh(k * DEPTH)
     path = written(tmp_path, ("[6.0, 8.0, 10.0]", "[3.0, 8.0]"), ("height = 0.5", f"height = {limit * height!r}"))
     _, said = asked("breakwater", path, status=None)
-    assert (f"m break at 1 of 2 periods, up to 3 s, where {limit:.3g} m is the highest (Miche)" in said) is told
+    assert (
+        f"m break at 1 of 2 periods, up to 3 s, where the highest possible wave is {limit:.3g} m (Miche)" in said
+    ) is told
 
 
 LIMITS = [
@@ -372,7 +375,7 @@ def test_best_designs_beside_a_resonance_are_told_with_what_passes_at_the_period
     monkeypatch.setattr(pareto, "response", passed)
     front = pareto.Front(("draft",), np.array([[60.0], [6.0]]), np.ones(2), np.ones(2), 2)
     (told,) = pareto.beside_resonances(changed, front)
-    assert told.startswith("1 of 2 of the best designs are near a resonance, design 2 most")
+    assert told.startswith("1 of the 2 best designs are near a resonance, nearest design 2: its")
     assert "K_T is 0.71 at 5.7 s, 1.00 at 6 s, 0.71 at 6.3 s" in told
     assert list(pareto.beside_resonances(changed, front._replace(designs=front.designs[:1]))) == []
 

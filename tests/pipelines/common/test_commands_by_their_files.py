@@ -226,8 +226,8 @@ def _qtf(room):
     assert given == ("db",) and one["omega"] == pytest.approx([0.5, 0.6, 0.7])
     assert one["headings"] == pytest.approx([0.0, math.pi / 2]) and two["headings"] is None and two["omega"] is None
     assert (one["highest"], one["sums"], two["highest"], two["sums"]) == (0.2, False, 3.0, True)
-    for words, says in (({"difference": 0.2, "sums": True}, "--difference is given; it is for use without --sum"),
-                        ({"highest": 3.0}, "--highest is given; it is for use with --sum")):  # fmt: skip
+    for words, says in (({"difference": 0.2, "sums": True}, "--difference is given; it can be used without --sum"),
+                        ({"highest": 3.0}, "--highest is given; it can be used with --sum")):  # fmt: skip
         with pytest.raises(ValueError, match=says):
             of_qtf.qtf(Path("body.h5"), **words)
     return status, ["plan.png"]

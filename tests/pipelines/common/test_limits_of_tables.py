@@ -114,7 +114,7 @@ def test_segments_of_other_friction_need_the_friction_of_the_line():
     segments = {"segments": [{"type": "chain", "length": 10.0}, {"type": "wire", "length": 20.0}]}
     with pytest.raises(
         StudyError,
-        match=r"bed_friction of its types is 0\.6 to 0\.9, and a line has only one; "
+        match=r"bed_friction of its types is 0\.6 to 0\.9, but a line has only one friction; "
         r"give bed\.friction",
     ):
         line(segments, {"chain": rough, "wire": WIRE})

@@ -80,7 +80,7 @@ def test_components_of_a_stream_come_in_pairs(stream):
     """3 and 4 m/s are 5; of a wind the direction is where it comes from, of a current where it goes to"""
     columns = {f"{stream} east": np.array([3.0]), f"{stream} north": np.array([4.0])}
     for name in list(columns):
-        refused(f"hindcast.columns has {name!r} alone; allowed: '{stream} east' and '{stream} north'",
+        refused(f"hindcast.columns has {name!r} only; give both '{stream} east' and '{stream} north'",
                 _streams, {name: columns[name]})  # fmt: skip
     _streams(columns)
     ends = "from" if stream == "wind" else "to"
@@ -136,7 +136,7 @@ def test_points_and_keels_are_finite_and_under_a_keel_there_is_water():
     refused("keel.tide is inf; allowed: finite, m", keel, tide=math.inf)
     refused("keel.extra_draft is nan; allowed: finite, m", keel, extra_draft=math.nan)
     assert keel(tide=-1.99)[0].gap == pytest.approx(0.01)
-    refused("under (1, 2, -10) there is 0 m of water at rest, depth 12, tide -2", keel, tide=-2.0)
+    refused("under (1, 2, -10) there is 0 m of water at rest, with depth 12 m, tide -2", keel, tide=-2.0)
     db.water_depth = math.inf
     refused("the water of the database has no bed", keel)
 
@@ -155,7 +155,7 @@ def test_a_file_of_a_shape_is_rows_of_points_each_once(tmp_path):
     refused("points; allowed: ", read, *rows[:4])
     refused("all finite", read, *rows, "9,9,0,0,0,inf")
     refused("rows of [6, 7] numbers", read, *rows, rows[0] + ",1.0")
-    refused("has only displacements of 0", read, *[row.rsplit(",", 1)[0] + ",0" for row in rows])
+    refused("are 0; allowed: a shape that moves", read, *[row.rsplit(",", 1)[0] + ",0" for row in rows])
     refused("has negative masses, or all masses are 0; allowed: 0 or more, kg", read, *[row + ",0" for row in rows])
     assert read(*[row + ",0" for row in rows[1:]], rows[0] + ",2.0").shape == (26, 7)
 
@@ -239,10 +239,16 @@ def test_coefficients_of_a_site_are_those_it_has(monkeypatch, tmp_path):
     monkeypatch.setattr(link, "site_file", lambda _: values)
     assert link._laid(path, "a study", taken)[0]["ground"]["coefficient"] == 0.12
     values.earthquake = {}
-    refused("the file of the site has no seismic coefficient; give [earthquake] to hakobune site",
+    refused("the file of the site has no seismic coefficient; give [earthquake] in the study of hakobune site",
             link._laid, path, "a study", taken)  # fmt: skip
     path.write_text('[site]\nfile = "bay.toml"\nlevel = "high"\n')
-    refused("site.level is 'high'; a study takes no water level of a site", link._laid, path, "a study", taken)
+    refused(
+        "site.level is 'high', but a study does not use the water level of a site; leave it out",
+        link._laid,
+        path,
+        "a study",
+        taken,
+    )
 
 
 def test_anchors_are_of_lines_that_end_at_one_each_in_one_table():

@@ -440,7 +440,7 @@ def test_stations_lie_on_a_beam_with_both_its_ends(monkeypatch):
 def test_what_is_left_out_of_slow_drift_is_told():
     slow = SimpleNamespace(difference=[0.1, 0.35], by_current=1, damping=None)
     assert [line[:28] for line in of_response._of_drift(slow)] == [
-        "slow drift: beats up to 0.35", 'current.waves = "still" excl', "no wave drift damping: the d",
+        "slow drift: difference frequ", 'current.waves = "still" excl', "no wave drift damping: the d",
     ]  # fmt: skip
     slow.by_current, slow.damping = None, 2
     assert len(of_response._of_drift(slow)) == 1
@@ -666,7 +666,10 @@ def test_how_well_a_shape_is_known_is_told_in_per_cent(dimensions, masses, known
     monkeypatch.setattr(modes, "modes_of", lambda scene, hulls: [mode])
     hull = SimpleNamespace(whole=lambda: SimpleNamespace(centroids=np.zeros((2, 3))))
     first, *said = modes.mode_remarks(SimpleNamespace(motions_known=known), [hull, hull])
-    assert first == "m: is known on the hull within 1.2 % of its largest displacement, by two splines"
+    assert (
+        first
+        == "m: its shape on the hull is uncertain by 1.2 % of its largest displacement, the difference of two splines"
+    )
     assert len(said) == len(told) and all(words in line for words, line in zip(told, said, strict=True))
 
 

@@ -259,7 +259,7 @@ def test_a_sweep_is_checked_by_the_cases_it_has(missing, status, lines, monkeypa
     monkeypatch.setattr(checking, "pending", lambda path: missing)
     said = []
     assert checking._check_sweep("x.h5", said.append) == status and len(said) == lines
-    assert said[0] == f"x.h5: a file of sweep, {5 - len(missing)} of 5 cases are stored; a sweep has no checksums"
+    assert said[0] == f"x.h5: a file of a sweep; {5 - len(missing)} of 5 cases are stored; a sweep has no checksums"
     if missing:
         assert said[1].startswith("FAILS: 2 cases are missing; 'hakobune sweep SWEEP --output x.h5' runs them")
 

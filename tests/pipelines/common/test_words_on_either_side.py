@@ -39,7 +39,7 @@ def test_water_is_from_fresh_and_warm_to_the_dead_sea(density, told):
 def test_gravity_is_that_of_the_earth_and_in_feet_it_is_said_to_be(gravity, told, feet):
     said = " ".join(remarks._gravity_remarks(gravity))
     assert said.startswith(f"gravity {gravity:g} m/s² is not gravity on the earth, 9.7 to 9.9 m/s²") == told
-    assert (": this is gravity in ft/s²" in said) == feet
+    assert (": this is the value in ft/s²" in said) == feet
 
 
 def check(name, largest, limit=0.01, exceeding=0):
@@ -56,7 +56,8 @@ def test_laws_are_broken_beyond_the_tolerance_or_a_quarter_with_panels_of_ones_o
     monkeypatch.setattr(of_solve, "stored_checks", lambda db: checks)
     limit = 0.25 if own_panels else 0.01
     wanted = (
-        f"checks failed: energy is broken by {largest:.2g} at ω = 0.8 rad/s, limit {limit:.2g}; the mesh or the method"
+        f"checks failed: energy is broken by {largest:.2g} at ω = 0.8 rad/s, limit {limit:.2g}; either the mesh or "
+        f"the method"
     )
     said = of_solve.failed_laws(None, own_panels)
     assert said.startswith(wanted) if told else said == ""
@@ -120,7 +121,7 @@ def test_folders_of_older_installations_are_those_with_our_modules(tmp_path, mon
     assert doctor._left_over() == ""
     (tmp_path / "mooring").mkdir()
     (tmp_path / "mooring" / "catenary.py").touch()
-    said = f"mooring in {tmp_path} belong to an older installation; remove these folders"
+    said = f"mooring in {tmp_path} are from an older installation; remove these folders"
     assert doctor._left_over() == said
 
 
@@ -247,7 +248,7 @@ def test_slender_ships_leave_out_that_one_blocks_more_than_half_of_the_depth(met
 def test_what_a_passage_is_of_is_noted(method):
     """5 m/s in 20 m: Fₕ = 5/√(9.80665 · 20) = 0.36"""
     *_, notes = passage(method)
-    assert notes[0].startswith("both hulls under a rigid surface, about 100 panels") == (method == "panels")
+    assert notes[0].startswith("both hulls lie under a rigid surface and have about 100 panels") == (method == "panels")
     assert notes[1] == "5 m/s through the water, 61.25 m between the sides, depth Froude number 0.36"
     assert notes[2].endswith("rotation_center [0, 0, 0]")
 

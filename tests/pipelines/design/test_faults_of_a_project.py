@@ -206,7 +206,7 @@ FAULTS = {
         "lines",
         [(storm("current", "coefficients"),
           {"angles_deg": [0, 90, 180], "x": [1, 0, -1], "y": [0, 1, 0], "lever": [0, 0, 0]})],
-        ("states[0].current.coefficients.lever is given", "angles_deg to 90"),
+        ("states[0].current.coefficients.lever is given", "angles_deg up to 90"),
     ),
     "gusts": ("lines", [(storm("wind", "gusts"), "davenprt")], ("wind.gusts is 'davenprt'", "davenport, hino")),
     "key of other gusts": ("lines", [(storm("wind", "gust_height"), 9.0)], ("wind.gust_height", "surface_drag")),
@@ -221,14 +221,15 @@ FAULTS = {
     ),
     "regular wave that is not solved for": (
         "lines", [(storm("waves"), {"height": 1.0, "period": 90.0, "method": "regular_wave"})],
-        ("waves of 90 s lie outside", "5 to 60 s", "s; solve them as well"),
+        ("waves of 90 s lie outside", "5 to 60 s", "s; solve this period as well"),
     ),
     "waves of the simplified method": (
         "lines", [(project("simulation"), ...), (storm("waves", "period"), 200.0)],
         ("of the wave energy", "allowed: 50 %", "add periods"),
     ),
     "direction that is not solved for": (
-        "lines", [(scene("waves", "headings_deg"), [0, 30])], ("wave direction 240°", "at most 45° apart", "add it"),
+        "lines", [(scene("waves", "headings_deg"), [0, 30])],
+        ("wave direction 240°", "at most 45° apart", "add this direction"),
     ),
     "radii of gyration": ("lines", [(scene("bodies", 0, "gyration"), ...)], ("radii of gyration", "give gyration")),
     "what of the waves is wanted": (
@@ -246,14 +247,14 @@ FAULTS = {
     ),
     "level": ("lines", [(storm("levels"), ["hihg"])], ("states[0].levels is 'hihg'", "allowed: mean, high")),
     "level in the ground": ("lines", [(project("levels", "high"), -21.0)], ("levels.high is -21 m", "above the bed")),
-    "level of the keel": ("lines", [(project("levels", "high"), -12.0)], ("draft is 10.0", "below the depth")),
+    "level of the keel": ("lines", [(project("levels", "high"), -12.0)], ("draft is 10.0", "less than the depth")),
     "kind of a state": ("lines", [(storm("state"), "calm")], ("states[0].state is 'calm'", "normal, abnormal")),
     "which line is lost": ("lines", [(storm("lost"), "best")], ("states[0].lost is 'best'", "worst, each")),
     "states of one file": (
         "lines", [(project("states", 1, "name"), "storm!"), (project("states", 1, "incidence_deg"), [60.0])],
-        ("'storm' and 'storm!'", "a name of its own"),
+        ("'storm' and 'storm!'", "its own name"),
     ),
-    "weather of no site": ("lines", [(storm("weather"), "extreme")], ("project.site is not given", "give its file")),
+    "weather of no site": ("lines", [(storm("weather"), "extreme")], ("project.site is missing;", "give the file")),
     "site": ("lines", [(project("project", "site"), "bay.toml")], ("bay.toml does not exist",)),
     "rule set": ("lines", [(project("rules", 0, "rule"), "JSCEE")], ("rule set 'JSCEE' is unknown", "JSCE, JSRA")),
     "subject": (
@@ -269,7 +270,7 @@ FAULTS = {
     ),
     "hawser that there is not": (
         "lines", [(project("limits"), [{**LIMIT, "quantity": "tension / breaking load", "subject": "hawser"}])],
-        ("limits[0].subject is 'hawser'", "and the study has no hawser; leave the subject out"),
+        ("limits[0].subject is 'hawser'", "but the study has no hawser; leave the subject out"),
     ),
     "quantity of a value": (
         "lines", [(project("values"), [{"quantity": "gust", "value": 1.0, "source": "x"}])],
@@ -337,7 +338,7 @@ FAULTS = {
     ),
     "no lines": ("lines", [(study("lines"), ...)], ("the study has no lines", "at least one")),
     "quay without a berth": ("lines", [(study("quay"), {"y": 30.0})], ("has a quay", "the study has a quay but "
-    "neither fenders nor ropes; a project accepts a quay only at a berth")),
+    "neither fenders nor ropes; a project allows a quay only with fenders or ropes")),
     "freeboard": ("lines", [(study("hull", "freeboard"), -1.0)], ("hull.freeboard is -1", "above 0")),
     "earthquake of lines": ("lines", [(project("earthquakes"), [{"name": "q", "study": "q.toml"}])], ("no fenders",)),
     "direction of a database": (
@@ -353,7 +354,8 @@ FAULTS = {
         "database", [(project("levels"), {"high": 1.0})], ("a database for each depth", "project.scene"),
     ),
     "dolphin of a fender": ("berth", [(study("fender", 0, "on"), "D9")], ("no dolphin 'D9'", "allowed: D1")),
-    "dolphin without a fender": ("berth", [(study("fender", 0, "on"), ...)], ("'D1' carries no fender", "one")),
+    "dolphin without a fender": ("berth", [(study("fender", 0, "on"), ...)],
+                                ("'D1' carries no fender", "name the dolphin")),
     "family of a fender": (
         "berth", [(study("fender", 1, "family"), "coen")], ("'coen' is unknown", "cell, v, h, cone"),
     ),
@@ -381,7 +383,7 @@ FAULTS = {
         "berth", [(simulation("lines_lost"), [{"line": "head", "time": 1.0}])], ("no line 'head'", "allowed: none"),
     ),
     "berth that is not simulated": ("berth", [(project("simulation"), ...)], ("the study has fenders or ropes, "
-    "which are judged in simulations; give the project", "[simulation]")),
+    "which are judged by simulations only; give the project", "[simulation]")),
     "earthquake": ("berth", [(project("earthquakes"), [{"name": "q", "study": "q.toml"}])], ("q.toml does not exist",)),
     "line type at a single point": (
         "single point", [(study("mooring", "type"), "chian")], ("mooring.type is 'chian'", "allowed: chain"),
@@ -396,7 +398,7 @@ FAULTS = {
         "single point", [(study("hull", "freeboard"), ...)], ("freeboard is missing", "give it"),
     ),
     "simulation of a single point": (
-        "single point", [(project("simulation"), {"duration": 600.0})], ("simulation is given", "[slewing]"),
+        "single point", [(project("simulation"), {"duration": 600.0})], ("[simulation] is given", "[slewing]"),
     ),
     "holding of a breakwater": ("breakwater", [(study("design", "holding"), "tight")], ("is 'tight'", "fixed, taut")),
     "wind on a breakwater": (

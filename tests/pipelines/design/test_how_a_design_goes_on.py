@@ -97,7 +97,8 @@ def test_with_fatigue_all_cases_that_have_a_share_of_the_time_are_run_again(trie
 @pytest.mark.parametrize("one, others, beyond", [
     (judged(met=True, used=0.9), {}, ""), (judged(met=None, used=None), {}, ""),
     (judged("service life"), {"service life": 20.0},
-     "No change of lines affects limit of service life, service life at most 0.5: the project gives these values."),
+     "No change of lines affects limit of service life, service life at most 0.5, "
+     "since the project gives these values."),
 ])  # fmt: skip
 def test_nothing_is_tried_where_lines_change_nothing(one, others, beyond, tried):
     assert advise(read_project(), [one], {"one": case()}, others, {}, Path("f"), None) == Advice((), (), beyond)
@@ -117,7 +118,7 @@ def test_advice_of_static_lines_says_so_first():
     still, moves = ran(), ran(found=(f"{OF_LINES} snap",))
     assert after_lines_move(given, [still]) == given
     said = after_lines_move(given, [still, moves, running.Ran(case(), Path("x"), None)])
-    assert said.beyond.startswith(f"This advice rests on static lines ({OF_LINES} snap).")
+    assert said.beyond.startswith(f"This advice was computed with static lines ({OF_LINES} snap).")
     assert said.beyond.endswith("first. And more.") and said.tried == ("size",)
     nothing = Advice((), (), "")
     assert after_lines_move(nothing, [moves]) == nothing
@@ -298,7 +299,7 @@ def test_natural_periods_and_records_at_a_berth_are_told():
     assert berth._periods(file) == "natural periods of small motions at the berth: surge 12.3 s, yaw 60 s"
     file.attrs["natural_period"] = [math.inf] * 3
     assert berth._periods(file).endswith("none, since nothing holds the body at rest")
-    for kept, told in ((3, []), (2, ["steady strains cover the 2 of 3 runs"])):
+    for kept, told in ((3, []), (2, ["steady strains come from the 2 of 3 runs"])):
         said = list(berth._steady_of_few({"deflection": [0] * kept, "seed": [0] * 3}))
         assert [line[: len(words)] for line, words in zip(said, told, strict=True)] == told
 

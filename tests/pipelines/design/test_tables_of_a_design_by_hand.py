@@ -247,7 +247,7 @@ def test_states_have_the_weather_of_their_site_and_the_project_its_life_where_it
     assert made["states"][0]["wind"] == {"speed": 30.0} and made["states"][1] == raw["states"][1]
     raw["project"]["service_life"] = 25.0
     assert "probability" not in project._at_site(raw, Path())["project"]
-    with pytest.raises(ValueError, match=r"project\.site is not given"):
+    with pytest.raises(ValueError, match=r"project\.site is missing;"):
         project._at_site(raw | {"project": {}}, Path())
     raw["states"][0]["waves"]["height"] = 3.0
     with pytest.raises(ValueError, match=r"states\[0\]\.waves\.height is given by the study and by its site"):

@@ -40,7 +40,7 @@ LONG_CRESTED = "long-crested waves in swell; give waves.spreading"
 
 @pytest.mark.parametrize("states, qtf, met, how", [
     ([state()], "body", None, "there are no waves"),
-    ([state(waves=SHORT)], None, False, "one regular wave with the significant height; give [simulation]"),
+    ([state(waves=SHORT)], None, False, "a single regular wave of the significant height is used; give [simulation]"),
     ([state(waves=SHORT), state("swell", waves=LONG)], "body", False, LONG_CRESTED),
     ([state(waves=SHORT)], "body", True, "waves.spreading of every state"),
 ])  # fmt: skip
@@ -82,8 +82,8 @@ def test_fenders_and_earthquakes_are_asked_for_where_there_are_fenders(tmp_path)
     )
     for study, given, met, how in (
         ({}, (), None, "lines leave the hull with long natural periods"),
-        (fenders, (), False, "not a load case; give [[earthquakes]]"),
-        (fenders, (rule,), False, "no record in time for rule; give [record] in its study"),
+        (fenders, (), False, "earthquakes are not a load case; give [[earthquakes]]"),
+        (fenders, (rule,), False, "earthquake rule has no time record; give [record] in its study"),
         (fenders, (rule, timed), True, "records of timed"),
     ):
         found = asked("earthquakes as", states=[state()], study=study, earthquakes=given, folder=tmp_path)
@@ -142,7 +142,7 @@ def test_a_return_period_is_told_with_life_and_probability():
     own = SimpleNamespace(service_life=20.0, probability=0.8)
     period = 1 / (1 - 0.8 ** (1 / 20))
     said = report_words.return_words(own, SimpleNamespace(return_period=period))
-    assert said == ("A value that stays unexceeded for 20 years with probability 0.8 has a return period of 90 years.")
+    assert said == ("A value that is not exceeded in 20 years with probability 0.8 has a return period of 90 years.")
 
 
 def made(quantity="tension / breaking load", limit=0.5, sense="at most", **more):

@@ -155,7 +155,7 @@ def test_a_berth_without_time_is_refused(tanker):
     put(tanker.parent, "still.toml", raw)
     with pytest.raises(
         StudyError,
-        match=r"the study has fenders or ropes, which are judged in simulations; "
+        match=r"the study has fenders or ropes, which are judged by simulations only; "
         r"give the project \[simulation\]",
     ):
         read_project(tanker.parent / "still.toml")
@@ -212,8 +212,8 @@ def test_a_barge_at_a_single_point_is_judged_by_hawser_lines_and_slewing(barge, 
 @pytest.mark.parametrize(
     ("drop", "message"),
     [
-        ("hawser", r"a hawser \(hawser\) and no chosen criterion judges them; .* with subject = \"hawser\""),
-        ("chain of a single-point mooring", r"lines at the buoy \(mooring\) and no chosen criterion judges them"),
+        ("hawser", r"a hawser \(hawser\), but no chosen criterion judges them; .* with subject = \"hawser\""),
+        ("chain of a single-point mooring", r"lines at the buoy \(mooring\), but no chosen criterion judges them"),
     ],
 )
 def test_a_hawser_and_the_lines_of_its_buoy_are_each_judged(barge, drop, message):
@@ -339,11 +339,14 @@ def test_a_breakwater_is_judged_by_what_passes_it(marina):
             lambda p: p.update(levels={"high": 1.0}),
             "levels are given; a breakwater takes its water levels from water.tide of its study",
         ),
-        (lambda p: p["project"].update(scene="box.toml"), "a study of a breakwater defines its own section"),
+        (
+            lambda p: p["project"].update(scene="box.toml"),
+            "a study of a breakwater defines its own section; leave it out",
+        ),
         (lambda p: p["limits"][0].update(at_least=1.0), r"limits\[0\]: give one of at_most, at_least"),
         (lambda p: p["limits"][0].update(state="calm"), r"limits\[0\].state is 'calm'"),
-        (lambda p: p["limits"].pop(1), r"the study has lines \(lines\) and no .* 'tension / allowable tension'"),
-        (lambda p: p["limits"].pop(2), r"the study has anchors of a known capacity \(anchors\) and no"),
+        (lambda p: p["limits"].pop(1), r"the study has lines \(lines\), but no .* 'tension / allowable tension'"),
+        (lambda p: p["limits"].pop(2), r"the study has anchors of a known capacity \(anchors\), but no"),
         (lambda p: p["limits"][3].update(unit="%"), "unit of slack share of the cycles is '%'; allowed: -"),
     ],
 )

@@ -217,7 +217,11 @@ def test_energy_beyond_the_stored_frequencies_is_told_above_a_hundredth_and_refu
     (line,) = said(0.8, 0.995, 1.0, 0.0)
     assert line.startswith("in 33.3 % of the rows with waves, more than 1 % of the energy lies outside")
     assert "the stored 5 to 20 s, at most 20 %" in line
-    with pytest.raises(StudyError, match=r"in 100 % of the rows.*allowed: at most 50 % in half of them"):
+    with pytest.raises(
+        StudyError,
+        match=r"in 100 % of the rows.*allowed: at most 50 % of the energy in half of the "
+        r"rows;",
+    ):
         said(0.49, 0.4, 0.9, 0.0)
 
 

@@ -146,7 +146,7 @@ def test_codes_and_empty_places_are_unknown_hours(tmp_path):
 
 def test_calms_need_no_period_and_no_direction(tmp_path):
     found = record(tmp_path, rows(hs=[0.0, *[1.0] * 47], tp=["", *[8.0] * 47], dir=["", *[270.0] * 47]))
-    assert found.height[0] == 0 and any("1 rows are calms" in line for line in found.said)
+    assert found.height[0] == 0 and any("1 rows are calm," in line for line in found.said)
 
 
 def test_hours_under_ice_have_no_waves(tmp_path):
@@ -170,7 +170,7 @@ def test_a_level_needs_to_know_what_it_is_above(tmp_path):
     lines = rows(wl=1.5)
     with pytest.raises(
         StudyError,
-        match=r"hindcast\.columns has a level above some datum, and level_at_rest is missing; give the value of that",
+        match=r"hindcast\.columns has a water level, but level_at_rest is missing; give the value of that",
     ):
         record(tmp_path, lines, columns={"level": "wl"})
     found = record(tmp_path, lines, columns={"level": "wl"}, level_at_rest=1.2)
@@ -188,7 +188,7 @@ AUTUMN = [f"2020-10-24T{h:02}:00" for h in range(24)] + [f"2020-10-25T{h:02}:00"
 def test_summer_time_in_a_record_that_says_utc_is_found_out(tmp_path):
     with pytest.raises(
         TableError,
-        match=r"1 hours are repeated, the first .*local time with summer time; give "
+        match=r"1 hours are repeated, first .*local time with summer time; give "
         r"hindcast.zone",
     ):
         record(tmp_path, local(AUTUMN))
@@ -218,7 +218,7 @@ def test_offsets_of_the_zone_or_of_each_time(tmp_path, zone, ending, first):
     (local(["2020-01-01T00:00"] * 30), "time does not increase after 2020-01-01T00:00:00, at 29 places; "
     "allowed: increasing, without repetition"),
     (rows()[:10], "has 9 rows; allowed: at least 24"),
-    ([*rows(), "2020-03-03T00:30:00,1,8,270"], "step after 2020-03-02T23:00:00 is 1.5 h, and the others are 1 h"),
+    ([*rows(), "2020-03-03T00:30:00,1,8,270"], "step after 2020-03-02T23:00:00 is 1.5 h and the other steps are 1 h"),
     ([*rows(), "2020-03-03T00:00:00,1,8"], "row 50: 3 cells; allowed: 4"),
     (rows(hs="low"), "row 2: hs is 'low'; allowed: a number"),
     (rows(dir=400.0), "dir is 400°; allowed: −360 to 360"),

@@ -246,7 +246,11 @@ def test_hours_of_states_have_errors_of_ninety_per_cent_and_states_that_failed_a
 
 @pytest.mark.parametrize("key", ["points", "keel", "lee"])
 def test_what_is_of_linear_responses_is_refused_with_simulation(key):
-    with pytest.raises(StudyError, match=rf"{key} is given with \[simulation\]; it belongs to linear responses"):
+    with pytest.raises(
+        StudyError,
+        match=rf"{key} is given with \[simulation\], but it applies to linear responses "
+        rf"only;",
+    ):
         moored.moored(of_simulation(**{key: [1]}), None, None, None, "local", print)
 
 

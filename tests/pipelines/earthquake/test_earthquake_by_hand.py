@@ -77,8 +77,7 @@ def test_fenders_fail_beyond_the_end_of_their_table(tmp_path, share, status):
     found = hakobune.earthquake(path)
     assert found.status == status == len(found.fails)
     assert (
-        not status
-        or ("1005 kN act on it, and its table ends with 1000 kN; use more or larger fenders") in found.fails[0]
+        not status or ("1005 kN act on it, but its table ends at 1000 kN; use more or larger fenders") in found.fails[0]
     )
     assert np.isnan(found["method.deflection"][0]) == bool(status)
 
@@ -200,7 +199,7 @@ def test_a_course_is_asked_for_with_a_record_alone(tmp_path, capsys):
     path = written(tmp_path, "coefficient = 0.001\n" + STUDY)
     assert main(["earthquake", str(path), "--output", str(tmp_path / "c.csv")]) == 2
     assert (
-        "--output is a time series, which needs [record] in the study; give it, or an .h5 file"
+        "--output is a time series, which needs [record] in the study; give [record], or an .h5 file"
     ) in capsys.readouterr().err
     assert main(["earthquake", str(written(tmp_path, STUDY))]) == 2
     assert "the earthquake is not defined; give one or more of" in capsys.readouterr().err

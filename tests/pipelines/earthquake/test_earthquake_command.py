@@ -31,7 +31,7 @@ def test_methods_stand_beside_each_other_and_the_course_is_kept(study, tmp_path,
     assert found["method[seismic coefficient 0.2].over_weight"] == pytest.approx(0.2, rel=1e-12)
     assert np.isnan(found["method[seismic coefficient 0.2].deflection"])
     assert (
-        "FAILS: seismic coefficient 0.2: cell 2 m: 3.351e+04 kN act on it, and its table ends with"
+        "FAILS: seismic coefficient 0.2: cell 2 m: 3.351e+04 kN act on it, but its table ends at"
     ) in capsys.readouterr().out
     _, names, *rows = place.read_text().splitlines()
     course = dict(zip(names.split(","), np.array([row.split(",") for row in rows], float).T, strict=True))
@@ -64,9 +64,9 @@ def test_a_wrong_study_is_told_in_one_line(study, capsys, old, new, says):
     [
         (
             lambda rows: rows[:50] + rows[53:],
-            "line 51: time goes from 0.96 to 1.04 s and the step elsewhere is 0.02 s: 3 rows are",
+            "line 51: the time goes from 0.96 to 1.04 s, and the step elsewhere is 0.02 s: 3 rows are",
         ),
-        (lambda rows: rows[:50] + rows[49:], "line 51: time stays at 0.96 s"),
+        (lambda rows: rows[:50] + rows[49:], "line 51: the time stays at 0.96 s"),
         (
             lambda rows: rows[:50] + ["1.0,nan"] + rows[51:],
             "line 51 has 'nan'; allowed: finite numbers; fill in the value",
@@ -105,5 +105,5 @@ def test_a_body_comes_from_the_study_or_a_database(study, capsys):
 def test_a_course_is_not_asked_for_without_a_record(tmp_path, capsys):
     assert cli.main(["earthquake", str(SCENE), "--output", str(tmp_path / "c.csv")]) == 2
     assert (
-        "--output is a time series, which needs [record] in the study; give it, or an .h5 file"
+        "--output is a time series, which needs [record] in the study; give [record], or an .h5 file"
     ) in capsys.readouterr().err

@@ -40,11 +40,11 @@ def test_what_a_format_has_no_place_for_is_named(left_out, to, names, says):
 
 def test_frequencies_that_are_not_solved_and_axes_that_are_not_said_are_told(left_out):
     first, about = left_out("wamit", rows=(True, False), about=(1.0, 0.0, -2.5))
-    assert ("box.h5 has 1 of 2 frequencies solved, and only these are written; run the") in first and first.startswith(
-        "FAILS: "
-    )
+    assert (
+        "only 1 of 2 frequencies of box.h5 are solved, and only these are written; to write all, run the"
+    ) in first and first.startswith("FAILS: ")
     assert about.startswith(
-        "moments and rotations are about (1, 0, -2.5) m, which these files do not record; "
+        "moments and rotations are about (1, 0, -2.5) m, which these files do not contain; "
         "give --about when they are imported"
     )
     assert left_out("bemio", about=(1.0, 0.0, 0.0)) == []
@@ -54,9 +54,12 @@ def test_frequencies_that_are_not_solved_and_axes_that_are_not_said_are_told(lef
 
 def test_rows_of_limits_that_stand_for_the_frequency_next_to_them_are_told(left_out):
     endless = left_out("wamit", ("added_mass_infinity",), added_mass_infinity=np.array([1.0, np.inf]))
-    assert endless == ["added_mass_infinity repeats the nearest frequency, since HydroDyn needs rows for both limits"]
+    assert endless == [
+        "no finite value of added_mass_infinity is stored, so that at the nearest frequency is written; "
+        "HydroDyn needs rows for both limits"
+    ]
     (said,) = left_out("hams", added_mass_zero=None)
-    assert said.startswith("added_mass_zero repeats the nearest frequency")
+    assert said.startswith("no finite value of added_mass_zero is stored")
 
 
 @pytest.mark.parametrize(

@@ -39,7 +39,7 @@ def test_what_files_do_not_say_is_to_be_given(tmp_path, known, says):
 def test_what_files_say_is_not_asked_and_their_unit_not_given(tmp_path):
     check(tmp_path, silent=(), water_depth=None, density=0.0)
     with pytest.raises(
-        ValueError, match="--length-unit is given, and these files define their units; it is for --from wamit only"
+        ValueError, match="--length-unit is given, but these files define their units; it is for --from wamit only"
     ):
         check(tmp_path, silent=(), length_unit=1.0)
 

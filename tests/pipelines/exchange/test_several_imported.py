@@ -86,9 +86,12 @@ def test_bodies_of_a_set_move_together(place):
     [
         (("--bodies", "a"), "has 2 bodies, and --bodies names 1; name all of them"),
         (("--bodies", "a,a"), "give each body a different name"),
-        (("--bodies", "a,b", "--gyration", "1,1,1"), "three numbers for each of a, b, ; between"),
+        (("--bodies", "a,b", "--gyration", "1,1,1"), "three numbers for each of a, b, separated by ;"),
         (("--uncoupled",), "--uncoupled is given without --bodies"),
-        (("--bodies", "a,b", "--body", "1"), "several bodies are read as the files describe them"),
+        (
+            ("--bodies", "a,b", "--body", "1"),
+            "several bodies are read exactly as the files describe them; leave these flags out",
+        ),
     ],
 )
 def test_faults_are_one_line(place, more, line, capsys):

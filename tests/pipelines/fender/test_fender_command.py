@@ -28,7 +28,9 @@ def test_an_inclined_face_is_told_beside_the_upright_one_and_drawn(tmp_path, cap
     picture = tmp_path / "f.png"
     asked = f"fender --family cell --height 2 --angle 8 --width 2.4 --energy 900 --plot {picture}"
     assert cli.main(asked.split()) == 0
-    assert "face inclined by 8° over 2.4 m, computed in strips; a deflection is that" in capsys.readouterr().out
+    assert (
+        "the face is inclined by 8° over 2.4 m and computed in strips; a deflection is that" in capsys.readouterr().out
+    )
     words, tilted = {"family": "cell", "height": 2.0}, {"angle_deg": 8.0, "width": 2.4}
     found, upright = hakobune.fender(words | tilted, energy=9e5), hakobune.fender(words)
     for name in ("reaction", "energy"):
@@ -70,7 +72,7 @@ def test_fenders_side_by_side_add():
         ("--height 2 --table nowhere.csv", "nowhere.csv does not exist"),
         ("--height 2 --family cell --angle 8", "fender.angle_deg is 8 without a width; give the width of the panel, m"),
         ("--height 2 --family cell --angle 60 --width 2", "inclined by 60°; allowed: 0 to 45"),
-        ("--height 2 --family cell --width 2", "fender.width is 2 m without an angle_deg"),
+        ("--height 2 --family cell --width 2", "fender.width is 2 m but angle_deg is missing;"),
         ("--height 2 --family cell --plot f.txt", "has the suffix '.txt'"),
     ],
 )

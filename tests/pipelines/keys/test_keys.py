@@ -144,7 +144,7 @@ def test_a_search_is_printed_with_the_files_that_have_the_key_and_nothing_found_
     printed = capsys.readouterr().out
     assert "breaking_load_kN" in printed and "study, simulation" in printed
     assert cli.main(["keys", "pasta", "sauce"]) == 2
-    assert "no key of any file has 'pasta and sauce'" in capsys.readouterr().err
+    assert "no key of any file contains 'pasta and sauce'" in capsys.readouterr().err
 
 
 @pytest.fixture(scope="module")

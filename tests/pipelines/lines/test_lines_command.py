@@ -197,10 +197,10 @@ def test_line_warns_in_one_line_of_a_tension_above_the_breaking_load(capsys):
         ),
         (
             [*FLOATING, "--friction", "1"],
-            "--friction is 1; allowed with HMPE 160 mm, lighter than water: 0, it does not",
+            "--friction is 1; allowed with HMPE 160 mm, lighter than water: 0, since the line does not lie",
         ),
         ([*HANGING, "--tension", "1e12"], "--tension is 1e+12 kN, at which an inextensible line of 300 m is straight"),
-        ([*HANGING, "--tension", "1", "--slope-deg", "5"], "--tension is 1 kN, at which the line is "),
+        ([*HANGING, "--tension", "1", "--slope-deg", "5"], "--tension is 1 kN; the line would then hang "),
         ([*HANGING, "--tension", "9000", "--slope-deg", "15"], "60 m above the anchor on a line of 300 m with 9e+06 N"),
         ([*HANGING, "--tension", "9", "--stiffness", "-1"], "--stiffness is -1 kN; allowed: above 0"),
     ],
@@ -270,7 +270,7 @@ def test_coupled_points_of_a_moordyn_file_are_held_until_a_force_moves_the_vesse
     assert "bending stiffness EI of chain is not included" in shown
     assert main(["lines", str(legs), "--depth", "60", "--force", "50,0,0"]) == 0
     shown = capsys.readouterr().out
-    assert "vessel is held at its position; with --force it moves in surge, sway and yaw" in shown
+    assert "vessel is held at its position without --force; with --force it moves in surge, sway and yaw" in shown
     assert lines(legs, depth=60.0, force=[50e3, 0, 0])["body[vessel].x"] > 0.1
 
 
@@ -386,7 +386,7 @@ def test_segments_with_a_body_between_them_are_lines_joined_at_a_free_point(tmp_
         (
             "bed_friction = 0.5",
             "bed_friction = 0.4",
-            "bed_friction of its types is 0.4 to 0.5, and a line has only one; give bed.friction",
+            "bed_friction of its types is 0.4 to 0.5, but a line has only one friction; give bed.friction",
         ),
         ('{ type = "wire"', '{ type = "rope"', "lines[0].segments[1].type is 'rope'; allowed: chain, wire"),
         (
@@ -487,4 +487,4 @@ def test_a_moordyn_file_without_lines_is_refused_by_what_it_has(tmp_path, capsys
     table += "ID RodType Attachment Xa Ya Za Xb Yb Zb NumSegs\n-\n"
     (tmp_path / "rods.txt").write_text(table + "1 log free 0 -1 -10 0 1 -10 4\n--- OPTIONS ---\n16 WtrDpth\n")
     assert main(["lines", str(tmp_path / "rods.txt")]) == 2
-    assert "there are no LINES, only RODS; give lines" in capsys.readouterr().err
+    assert "has no section LINES, only RODS; give lines" in capsys.readouterr().err

@@ -135,7 +135,9 @@ def test_a_body_that_a_file_does_not_have_at_rest_is_told_with_its_pose(tmp_path
     """Its fairleads are where the file has them: 20 m ahead of it, wherever it stands"""
     study, _ = read(tmp_path, file=FILE.replace("Coupled 0 0 0 0 0 90", f"Coupled {pose}"))
     told = [str(one.message) for one in recwarn if "displaced body" in str(one.message)]
-    assert len(told) == bool(said) and all(f"its body body 1 at {said}; its fairleads there" in line for line in told)
+    assert len(told) == bool(said) and all(
+        f"its body body 1 at {said}; the fairleads at that place" in line for line in told
+    )
     x, *_, yaw = map(float, pose.split())
     turned = (20 * math.cos(math.radians(yaw)) - 5 * math.sin(math.radians(yaw))) + x
     assert study.lines[0].fairlead[0] == pytest.approx(turned, abs=1e-9)

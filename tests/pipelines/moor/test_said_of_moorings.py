@@ -25,7 +25,7 @@ def test_what_a_current_adds_is_told_beside_still_water():
     """−20 kN of which −5 are by the current: a third more than the −15 of still water; of nothing there is no share"""
     assert said(CURRENT)[0] == (
         "the current of 1.5 m/s changes the mean drift by Fx -5 kN (+33 %), Fy +1 kN, Mz +100 kN m (+25 %) "
-        'relative to still water, which current.waves = "still" has; waves are given in intrinsic frequencies'
+        'relative to still water (current.waves = "still"); the waves are given in intrinsic frequencies'
     )
     assert len(said()) == 1 and len(said(CURRENT, waves=False)) == 1
 
@@ -45,5 +45,5 @@ def test_a_tension_by_motions_that_nothing_damps_says_so_in_its_own_line():
     (line,) = said(warnings=("period: its amplitude 0.5 rad has no viscous damping; …",))
     assert (
         line.startswith("largest tension: 912 kN")
-        and ("the motions are at a resonance damped by waves only, and far larger than in simulations") in line
+        and ("the motions are at a resonance that only waves damp, so they are far larger than in simulations") in line
     )

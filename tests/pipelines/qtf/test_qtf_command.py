@@ -54,7 +54,7 @@ def test_a_second_call_tells_what_is_stored_and_draws_it(path, capsys, tmp_path)
     assert "13 frequencies 0.3 to 1.2 rad/s, differences to 0.3" in said
     assert 1 < float(re.search(r"free-surface forcing around the body is (\S+) %", said)[1]) < 50
     assert 0.1 < float(re.search(r"estimated error of the panels.*surge (\S+) %", said)[1]) < 50
-    assert float(re.search(r"the pressure gives a value that differs by (\S+) %", said)[1]) < 10
+    assert float(re.search(r"the drift by pressure differs from it by (\S+) %", said)[1]) < 10
     assert path.read_bytes() == before and (tmp_path / "qtf.png").stat().st_size > 10_000
 
 
@@ -165,7 +165,7 @@ def test_what_is_not_stored_is_named_with_the_command_that_adds_it(path):
     found, (said,) = beside_newman(db, Sea(SWELL.spectrum, 0.0), "auto")
     assert found.level == "bound-wave" and "has no wave pairs towards 0°" in said
     found, (said,) = beside_newman(db, Sea(jonswap(1.0, peak_period=5.0), np.pi), "auto")
-    assert found is None and "takes newman at kh = 4." in said and "pairs are stored from 0.3 to 1.2" in said
+    assert found is None and "uses newman at kh = 4." in said and "pairs are stored from 0.3 to 1.2" in said
 
 
 def narrow(peak):
@@ -179,9 +179,9 @@ def test_what_is_taken_in_place_of_pairs_that_are_not_stored_is_told_as_left_out
     for peak, takes, size in ((0.6, "bound-wave", "1.5 times too large"), (0.95, "newman at kh = 1.9", "0.7 to 1.2")):
         _, (said,) = beside_newman(db, narrow(peak), "auto")
         assert said.startswith("left out: the force of wave pairs") and "\n" not in said
-        assert f'qtf = "auto" takes {takes}' in said and size in said
+        assert f'qtf = "auto" uses {takes}' in said and size in said
         assert said.endswith(f"'hakobune qtf {lacking} --heading 180 --level full' computes it")
-        assert beside_newman(whole, narrow(peak), "auto")[1][0].startswith('qtf = "auto" takes full: ')
+        assert beside_newman(whole, narrow(peak), "auto")[1][0].startswith('qtf = "auto" uses full: ')
 
 
 def test_the_whole_slow_surge_force_of_a_box_in_short_waves_is_as_far_from_newmans_as_is_told(path):
@@ -347,7 +347,7 @@ def test_a_question_that_is_stored_is_not_solved_again_and_differences_end_with_
     "panel, says",
     [
         (4.0, "the difference falls with more panels"),
-        (8.5, "3 panels to a wave only up to 1.55 rad/s; use smaller panels in the scene, or --omega up to there"),
+        (8.5, "3 panels to a wave length; use smaller panels in the scene, or --omega up to that frequency"),
     ],
 )
 def test_drift_by_pressure_that_is_off_on_panels_too_large_for_the_waves_is_told_with_the_waves_they_carry(panel, says):

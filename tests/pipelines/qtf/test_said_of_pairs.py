@@ -71,8 +71,8 @@ def test_no_level_is_named_where_none_includes_the_surface(unread):
     """A hull of several columns has no share: its waterline is no single curve"""
     _, made = table(forces(), share=None)
     assert made.notes[-1] == (
-        "left out: the free-surface forcing around the body, of unknown size: no level includes it here, since it "
-        "needs one closed waterline"
+        "left out: the free-surface forcing around the body, of unknown size: it needs one closed waterline, so no "
+        "level includes it here"
     )
 
 
@@ -92,7 +92,7 @@ def test_the_surface_is_a_column_and_errors_are_shares(unread):
     assert all(row["surface"] == pytest.approx(1e3 * math.hypot(7, 3)) for row in rows.values())
     whole = 100 * 500 / (1e3 * math.hypot(7, 3))
     assert (
-        f"estimated error of the contour method, root mean square of the force's: surge {whole:.3g} %"
+        f"estimated error of the contour method, over the root mean square of the force: surge {whole:.3g} %"
         in (made.notes[-2])
     )
     assert made.notes[-1] == (
@@ -111,7 +111,7 @@ def test_mean_drift_by_pressure_is_within_a_twentieth_of_the_largest(unread, gap
         or ("mean drift by pressure differs from the far-field drift by 5.1 % of the largest, limit") in made.fails[0]
     )
     assert made["drift_apart"] == pytest.approx(gap)
-    assert f"the pressure gives a value that differs by {100 * gap:.3g} % of the largest" in made.notes[1]
+    assert f"the drift by pressure differs from it by {100 * gap:.3g} % of the largest" in made.notes[1]
 
 
 def test_sums_are_root_mean_squares_over_their_pairs(unread):
@@ -235,7 +235,9 @@ def test_stored_forces_answer_a_question_of_the_same_waves_body_and_method_alone
     assert running._of_same_waves(None, asked, body) is (there if changed is None else None)
 
 
-@pytest.mark.parametrize(("carried", "says"), [(0.6, None), (0.55, "0.6 rad/s, 171 m long, on panels of up to 4.5 m")])
+@pytest.mark.parametrize(
+    ("carried", "says"), [(0.6, None), (0.55, "171 m long (0.6 rad/s), and panels are up to 4.5 m")]
+)
 def test_panels_that_carry_the_waves_and_others_have_their_way_out(monkeypatch, carried, says):
     """λ = 2πg/ω² in deep water: 171 m at 0.6 rad/s"""
     monkeypatch.setattr(report, "_carried", lambda db: carried)

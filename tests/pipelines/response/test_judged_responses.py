@@ -86,12 +86,14 @@ def test_gaps_of_a_climate_are_told_with_how_often_they_are_used_up():
     said = notes(climate(9.0, 4.5), 100.0)
     assert said[0] == "3 sea states"
     # (1 − 1/100)^100 → e^-1
-    assert said[1] == "the value of once in 100 years stays unexceeded in 100 years with 37 %"
+    assert said[1] == "the value reached once in 100 years is not exceeded in 100 years with a probability of 37 %"
     assert said[2].startswith(
-        "air gap at deck: 1 of 9 m left by the rise once in 100 years, water reaches it once in 40 years"
+        "air gap at deck: 1 of 9 m are left by the rise reached once in 100 years; water reaches the point once in 40 "
+        "years"
     )
     assert said[3].startswith(
-        "under keel: least at bow, 0.5 of 4.5 m left by the drop once in 100 years, the bed is touched once in 40 years"
+        "under keel: least at bow, 0.5 of 4.5 m are left by the drop reached once in 100 years; "
+        "the hull touches the bed once in 40 years"
     )
     assert "less than once in a million years" in notes(climate(9.0, 4.5, 0.9e-6 / YEAR), 100.0)[2]
     assert "once in 9.09e+05 years" in notes(climate(9.0, 4.5, 1.1e-6 / YEAR), 100.0)[2]

@@ -34,5 +34,5 @@ def test_bound_waves_are_told_where_kh_at_the_peak_is_below_one(depth, told):
     h = depth * 9.81 * math.tanh(1.0) / spectrum.peak_omega**2
     said = list(moored._of_bound_waves(spectrum, SimpleNamespace(water_depth=h, gravity=9.81)))
     assert len(said) == told and all(
-        "bound long waves are not included; they may move the body more than drift" in s for s in said
+        "bound long waves, which are not included, may move the body more than slow drift" in s for s in said
     )

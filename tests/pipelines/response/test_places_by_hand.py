@@ -16,7 +16,7 @@ def test_under_each_point_of_a_keel_is_the_depth_with_the_tide_less_its_own_and_
     assert [(one.position, one.gap) for one in found] == [((40.0, 5.0, -10.0), 9.5), ((-40.0, 0.0, -11.0), 8.5)]
     assert found[0].name == "keel x 40 y 5"
     with pytest.raises(
-        StudyError, match=r"under \(0, 0, -19.5\) there is 0 m of water at rest, depth 20, tide 0.5, extra"
+        StudyError, match=r"under \(0, 0, -19.5\) there is 0 m of water at rest, with depth 20 m, tide 0.5 m and extra"
     ):
         places.keel_points(
             SimpleNamespace(tide=0.5, extra_draft=1.0, points=[(0.0, 0.0, -19.5)]),

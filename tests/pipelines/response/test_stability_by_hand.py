@@ -24,7 +24,9 @@ def test_a_body_that_does_not_float_is_refused_by_its_motion(row, word):
     stiffness = np.diag([0.0, 0.0, 5.0, 6.0, 7.0, 0.0])
     study._check_stable(stiffness, WORDS, 6)
     stiffness[row, row] = -3.0
-    with pytest.raises(StudyError, match=f"body.stiffness leaves -3 of restoring to {word}: the body does not float"):
+    with pytest.raises(
+        StudyError, match=f"with body.stiffness the restoring of {word} is -3, so the body does not float"
+    ):
         study._check_stable(stiffness, WORDS, 6)
 
 
@@ -33,7 +35,11 @@ def test_damping_that_gives_energy_is_refused_and_coupling_that_does_no_work_is_
     skew[0, 5], skew[5, 0] = 100.0, -100.0
     study._check_damping(skew, WORDS)
     skew[1, 1] = -2.0
-    with pytest.raises(StudyError, match=r"body\.damping adds energy to sway, -2 of it; allowed: at least 0"):
+    with pytest.raises(
+        StudyError,
+        match=r"body\.damping would add energy to sway: its damping there is -2; allowed: "
+        r"at least 0",
+    ):
         study._check_damping(skew, WORDS)
 
 

@@ -169,7 +169,9 @@ def test_values_without_as_many_labels_are_refused():
 def test_a_data_frame_has_the_labels_as_its_index():
     frame = example().to_dataframe("tension.largest", "tension.used")
     assert frame.loc["aft", "tension.used"] == 0.75 and frame.index.name == "line"
-    with pytest.raises(ValueError, match="do not share a single axis; allowed: quantities with the same one axis"):
+    with pytest.raises(
+        ValueError, match="do not share a single axis; allowed: quantities that all have the same single axis"
+    ):
         example().to_dataframe("tension.largest", "motion.sigma")
     assert "<td>fore, port</td>" in example()._repr_html_() and "FAILS: a parts" in example()._repr_html_()
 

@@ -13,7 +13,7 @@ SCENE = box_scene.SCENE.replace("[0.4, 0.8]", "[0.5, 1.0]").replace("[0, 45]", "
 LIMITS = [  # old, good, bad, what is said
     ("depth = 20.0", "depth = 1e6", "depth = 1.1e6", "water.depth is 1100000.0; allowed: 0.001 to 1e+06"),
     ("depth = 20.0", "depth = inf", "depth = 0.0", "water.depth is 0.0; allowed: above 0, or inf"),
-    ("depth = 20.0", "depth = 10.5", "depth = 10.0", "bodies[0].draft is 10.0 in water 10.0 m deep"),
+    ("depth = 20.0", "depth = 10.5", "depth = 10.0", "bodies[0].draft is 10.0 m in water 10.0 m deep"),
     ("depth = 20.0", "depth = 20.0\ndensity = 1e6", "depth = 20.0\ndensity = 1.1e6", "water.density is 1100000.0"),
     ("depth = 20.0", "depth = 20.0\ngravity = 1e-3", "depth = 20.0\ngravity = 9e-4", "water.gravity is 0.0009"),
     ("length = 100.0", "length = 1e6", "length = 1.1e6", "bodies[0].length is 1100000.0; allowed: 0.001 to 1e+06"),
@@ -29,8 +29,8 @@ LIMITS = [  # old, good, bad, what is said
     ("omegas = [0.5, 1.0]", "omegas = [0.5, 0.50000001]", "omegas = [0.5, 0.5]", "waves.omegas has 0.5 twice"),
     ("omegas = [0.5, 1.0]", "periods = [5.0, 8.0]", "periods = [5.0, 8.0, 8.0]", "waves.periods has 8 twice"),
     ("omegas = [0.5, 1.0]", "periods = [5.0, 6.0]", "omegas = [1.0]\nperiods = [5.0]",
-     "waves has omegas and periods; give one"),
-    ("omegas = [0.5, 1.0]", "xi_B = [0.5]", "", "waves has no frequencies; give one of"),
+     "[waves] has omegas and periods; give one"),
+    ("omegas = [0.5, 1.0]", "xi_B = [0.5]", "", "[waves] has no frequencies; give one of"),
     ("omegas = [0.5, 1.0]", "periods = [1e7]", "periods = [1.1e7]",
      "waves.periods is 11000000.0; allowed: 0.001 to 1e+07"),
     ("tolerance = 0.01", "tolerance = 0.2", "tolerance = 0.21", "tolerance is 0.21; allowed: 1e-5 to 0.2"),
@@ -38,7 +38,7 @@ LIMITS = [  # old, good, bad, what is said
     ("tolerance = 0.01", "panels = 20", "panels = 0", "panels is 0; allowed: 1 to 100000"),
     ("tolerance = 0.01", "panels = 100000", "panels = 100001", "panels is 100001; allowed: 1 to 100000"),
     ("tolerance = 0.01", "panels = 100", "panels = 100\ntolerance = 0.1",
-     "tolerance is 0.1 and panels is 100; allowed: one"),
+     "tolerance is 0.1 and panels is 100; give only one"),
     ("tolerance = 0.01", 'wall = 25.1\nmethod = "panel"', "wall = 24.9", "more than half its beam, 25"),
     ("tolerance = 0.01", 'wall = -25.1\nmethod = "panel"', 'wall = 1.1e6\nmethod = "panel"',
      "wall is 1.1e+06; allowed"),
@@ -50,7 +50,7 @@ LIMITS = [  # old, good, bad, what is said
     ('shape = "box"', 'shape = "box"', 'shape = "boxes"', "bodies[0].shape is 'boxes'; allowed"),
     ("beam = 50.0\n", "beam = 50.0\n", "", "bodies[0].beam is missing; a box has length, beam, draft"),
     ("beam = 50.0\n", "beam = 50.0\n", "beam = 50.0\nradius = 3.0\n", "bodies[0].radius is 3.0; a box has length"),
-    ("beam = 50.0\n", "beam = 50.0\n", "beam = 50.0\nbow = 0.8\n", "or a waterplane; a box has"),
+    ("beam = 50.0\n", "beam = 50.0\n", "beam = 50.0\nbow = 0.8\n", "or a waterplane coefficient; a box has"),
 ]  # fmt: skip
 
 

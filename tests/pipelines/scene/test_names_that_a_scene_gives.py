@@ -21,16 +21,16 @@ def a_scene(method, **more):
         (
             a_scene("pressure", wall="y"),
             "added_mass_infinity",
-            "pressure does not give; method panel or contour",
+            "pressure does not compute; use method panel or contour",
         ),
         (
             a_scene("strip", several=False),
             "drift_force",
-            "method strip does not give; method panel or contour or pressure does",
+            "method strip does not compute; use method panel or contour or pressure",
         ),
-        (a_scene("panel", damping_lids=()), POWER, "which a scene with damping_lids has"),
-        (a_scene("panel", several=False), EACH, "which a scene of several bodies has"),
-        (a_scene("contour"), EACH, "which method contour does not give; method panel or transfer does"),
+        (a_scene("panel", damping_lids=()), POWER, "which is computed only for a scene with damping_lids;"),
+        (a_scene("panel", several=False), EACH, "which is computed only for several bodies;"),
+        (a_scene("contour"), EACH, "which method contour does not compute; use method panel or transfer"),
         (a_scene("panel", wall=20.0), EACH, "which is not computed beside a wall"),
     ],
 )

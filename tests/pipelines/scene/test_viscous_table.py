@@ -42,11 +42,15 @@ def test_the_table_belongs_to_the_scene_and_survives_as_text():
     ("viscous", "body", "words"),
     [
         ({"wave_height": -1.0, "roll": "Yamashita"}, {}, "wave_height is -1"),
-        ({"wave_height": 1.0}, {}, "has no law"),
+        ({"wave_height": 1.0}, {}, "has no damping law"),
         ({"wave_height": 1.0, "roll": "Ikeda"}, {}, "'Ikeda'; allowed: Yamashita"),
         ({"wave_height": 1.0, "roll": "Yamashita"}, {"beam": 80.0, "draft": 4.0}, "B/d = 20"),
         ({"wave_height": 1.0, "roll": {"drag": 1.0, "b": [1.0]}}, {}, "one of drag, b"),
-        ({"wave_height": 1.0, "roll": {"b": [1.0], "amplitudes": [1.0]}}, {}, "needs amplitudes_deg"),
+        (
+            {"wave_height": 1.0, "roll": {"b": [1.0], "amplitudes": [1.0]}},
+            {},
+            "must have amplitudes_deg and nothing else",
+        ),
         (
             {"wave_height": 1.0, "heave": {"b": [1.0, 2.0], "amplitudes": [1.0]}},
             {},

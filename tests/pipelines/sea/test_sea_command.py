@@ -112,10 +112,14 @@ def test_a_table_without_its_density_is_told_which_columns_it_needs(tmp_path, ca
 @pytest.mark.parametrize(
     "words, status, said",
     [
-        ("--spectrum jonswap --wind-speed 5 --fetch 1e7", 2, "after 5.497e+04 m the sea of a wind of 5 m/s is fully"),
+        ("--spectrum jonswap --wind-speed 5 --fetch 1e7", 2, "beyond 5.497e+04 m the sea of a wind of 5 m/s is fully"),
         ("--height 25 --peak-period 20 --depth 20", 2, "single waves break at 16.66 m in 20 m of water"),
         ("--height 13 --peak-period 20 --depth 20", 0, "13 m is 0.65 of the water depth 20 m"),
-        ("--height 3 --mean-period 8 --record r.csv --components 3", 0, "3 components for a record that resolves"),
+        (
+            "--height 3 --mean-period 8 --record r.csv --components 3",
+            0,
+            "3 components are too few for a record that resolves",
+        ),
         ("--spectrum tma --height 3 --peak-period 8", 2, "tma needs a finite water depth; give it, or use jonswap"),
     ],
 )

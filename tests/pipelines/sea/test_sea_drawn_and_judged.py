@@ -115,7 +115,9 @@ def test_a_record_has_sixteen_steps(tmp_path, capsys, duration, says):
 @pytest.mark.parametrize("count, told", [(50, False), (49, True)])
 def test_fewer_than_fifty_components_are_warned_of(tmp_path, asked, count, told):
     _, said = asked(*SEA, "--record", tmp_path / "r.csv", "--duration", 100, "--components", count)
-    assert (f"{count} components for a record that resolves" in said and "give --components 50 or more" in said) is told
+    assert (
+        f"{count} components are too few for a record that resolves" in said and "give --components 50 or more" in said
+    ) is told
 
 
 @pytest.mark.parametrize("more, told", [(1, False), (-1, True)])

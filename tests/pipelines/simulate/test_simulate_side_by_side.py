@@ -177,15 +177,15 @@ FAULTS = {
         {"fender": [{**FENDER, "position": [1.0, -2.4, 0.5]}], "simulation": STUDY["simulation"] | {
             "offset": {"barge sway": -2.5}}}, "overlap by",
     ),
-    "of no body": ({"fender": [{**FENDER, "body": ""}]}, "fender[0] (F): body is ''; allowed: one that moves, ship"),
+    "of no body": ({"fender": [{**FENDER, "body": ""}]}, "fender[0] (F): body is ''; allowed: a body that moves, ship"),
     "to none": ({"rope": [{**ROPE, "to": "tug"}]}, "rope R: to is 'tug'; allowed: another body, ship"),
     "a motion of none": ({"simulation": STUDY["simulation"] | {"spring": {"sway": 1.0}}}, "allowed: ship surge"),
     "hinged to itself": ({"hinges": [{**HINGE, "bodies": ["ship", "ship"]}]}, "bodies has 'ship' and 'ship'; allowed"),
     "hinged to none": ({"hinges": [{**HINGE, "bodies": ["ship", "tug"]}]}, "'tug'; allowed: two different of ship"),
-    "hinged twice": ({"hinges": [HINGE, {**HINGE, "name": "G"}]}, "some repeat others"),
+    "hinged twice": ({"hinges": [HINGE, {**HINGE, "name": "G"}]}, "some constraints repeat others"),
     "motions held": (
         {"hinges": [HINGE], "simulation": STUDY["simulation"] | {"motions": ["ship heave"]}},
-        "simulation.motions holds motions fixed that hinges may need; with hinges name all motions or leave it out",
+        "simulation.motions fixes motions that hinges may need; with hinges, name all motions or leave it out",
     ),
     "two of a name": ({"hinges": [HINGE, {**HINGE, "kind": "ball"}]}, "two hinges are called 'H'"),
     "torn": (
@@ -193,7 +193,7 @@ FAULTS = {
          "hulls": {"ship": {"freeboard": 0.1}, "barge": {"freeboard": 1.5}}},
         "hinges move ship down by 0.474 m at rest, limit 0.1 m",
     ),
-    "a quay": ({"quay": {"y": 9.0}}, "[quay] is given, and the database contains several bodies"),
+    "a quay": ({"quay": {"y": 9.0}}, "[quay] is given, but the database contains several bodies"),
 }  # fmt: skip
 
 

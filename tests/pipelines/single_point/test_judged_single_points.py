@@ -55,7 +55,7 @@ def test_headings_that_are_stable_are_counted():
     (said,) = findings(found([one(1e-3), one(2e-3)]))
     assert said.startswith("no heading is stable: the body slews")
     (said,) = findings(found([one(), one(heading=math.pi / 2), one(1e-3)]))
-    assert said == "2 headings are stable (0°, 90°): the body settles at the first that it reaches"
+    assert said == "2 headings are stable (0°, 90°): the body comes to rest at the first of them that it reaches"
 
 
 @pytest.mark.parametrize("angle, told", [(59.9, False), (60.1, True), (119.0, True), (121.0, False)])
@@ -132,7 +132,7 @@ def ran(cycle=None, heading=0.0, wave=0.0, gusts=0.0, drifts=False, settled=np.n
 SLEWS = "the body slews: ±5.0° at a period of 250 s at the end of the run"
 SWINGS = (
     "the heading swings ±5.0° at about 250 s at the end: gusts and slow drift drive this motion; "
-    "the heading itself is stable"
+    "without them the heading is stable"
 )
 
 

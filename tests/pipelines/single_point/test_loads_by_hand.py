@@ -95,7 +95,7 @@ def test_turning_tests_are_of_the_hull_s_proportions_or_of_those_that_are_given(
     load, told = found(**turning(**tested))
     assert load.water.turning and load.water.height == pytest.approx(-0.5 * DRAFT)
     for name, value in tested.items():
-        said = f"the turning tests were made with {name} = {value:g}, and the hull has {own[name]:.3g}"
+        said = f"the turning tests were made with {name} = {value:g}, but the hull has {own[name]:.3g}"
         assert (said in told) is not math.isclose(value, own[name])
     assert water(**turning(**tested), current__center_z=-3.0).height == -3.0
 
@@ -103,12 +103,13 @@ def test_turning_tests_are_of_the_hull_s_proportions_or_of_those_that_are_given(
 def test_turning_tests_hold_other_numbers_already_and_are_about_midship():
     tested = {"length_over_beam": 2.0, "beam_over_draft": 10.0, "depth_over_draft": 8.0}
     for key in ("yaw_drag", "sway_damping", "yaw_damping"):
-        with pytest.raises(StudyError, match=f"current.{key} is given with turning tests, which contain it"):
+        with pytest.raises(StudyError, match=f"current.{key} is given with turning tests, which already contain it;"):
             found(**turning(**tested) | {f"current__{key}": 1.0})
     for center in ((1.0, 0.0), (0.0, 1.0)):
         with pytest.raises(
             StudyError,
-            match=r"turning tests refer to midship, and hull\.center lies elsewhere; give current coefficients or file",
+            match=r"turning tests refer to midship, but hull\.center is not at midship; give current coefficients or "
+            r"a file",
         ):
             found(center=center, **turning(**tested))
     with pytest.raises(StudyError, match="turning and coefficients are given, and each defines the force"):
@@ -139,8 +140,8 @@ def test_drift_on_a_current_is_told_beside_that_of_still_water():
     on, still = np.array([[3e3, 4e3, 9e9], [1e3, 0, 0]]), np.array([[2e3, 0, 9e9], [0, 1e3, 0]])
     said = loads._by_current(on, still, SimpleNamespace(waves="absolute"))
     assert said == (
-        "on the current the mean drift of the waves is up to 5 kN at any heading, 2 kN in still water, which "
-        'current.waves = "still" has; waves are given in absolute frequencies'
+        "on the current the mean drift of the waves is at most 5 kN, and 2 kN in still "
+        'water (current.waves = "still"); waves are given in absolute frequencies'
     )
 
 

@@ -74,8 +74,12 @@ def test_a_fault_is_one_line(old, new, said, tmp_path, monkeypatch, capsys):
 @pytest.mark.parametrize(
     "depth, sizes, said",
     [
-        (20.0, {}, "water.depth is 14 m, the database is for 20 m"),
-        (14.0, {"length": 90.0, "beam": 50.0, "draft": 10.0}, "hull.length is 100 m, the database is for 90 m"),
+        (20.0, {}, "water.depth is 14 m, but the database is for 20 m; allowed: the same depth"),
+        (
+            14.0,
+            {"length": 90.0, "beam": 50.0, "draft": 10.0},
+            "hull.length is 100 m, but the database is for 90 m; change it, or give another database",
+        ),
     ],
 )
 def test_a_database_of_another_hull_or_of_other_water_is_refused(depth, sizes, said):
@@ -91,7 +95,7 @@ def test_a_map_keeps_the_waterplane_and_knows_its_keys():
     assert changed["attachment"]["x"] == pytest.approx(0.5 * hull["length"]) and raw["hull"]["length"] == 100
     names = "hawser.length", "types.chain.weight_kg_per_m", "current.speed_knots", "hull.length_over_beam"
     assert [_named(name) for name in names] == [f"{names[0]}, m", names[1], f"{names[2]}, knots", names[3]]
-    with pytest.raises(ValueError, match="is not a number of this study"):
+    with pytest.raises(ValueError, match="is not the path of a number in this study"):
         with_value(raw, "hull.colour", 1.0)
 
 

@@ -184,7 +184,9 @@ def test_a_study_takes_water_and_weather_from_its_site_and_its_text_holds_them(b
     assert (read.waves.height, read.waves.period) == tuple(values["states"]["extreme"]["waves"].values())
     assert tomllib.loads(text)["wind"]["speed"] == read.wind.speed
     still = {"hull": None, "wind": None, "current": None, "waves": None, "sea": {"incidence_deg": 0.0}}
-    with pytest.raises(StudyError, match="level is 'high'; a response study takes no water level of a site"):
+    with pytest.raises(
+        StudyError, match="level is 'high', but a response study does not use the water level of a site; leave it out"
+    ):
         read_response_study(study(bay, **still))
     path = study(bay, site={"file": "bay.toml", "state": "extreme"}, **still)
     assert read_response_study(path)[0].sea.mean_period == 7.0

@@ -148,10 +148,11 @@ LIMITS = [
      "tsunami_period is 25.5 s; allowed: above 25.5"),
     ("tsunami = 1.5\n", "tsunami = 1.5\n", "", "levels.tsunami_period is given without levels.tsunami"),
     ("draft = 6.0", "draft = 16.0", "draft = 16.1", "16.1"),
-    ("wave_period = 4.5\n", "wave_period = 4.5\n", "", "operating: allowed: wave_height and wave_period together"),
-    ("period = 6.5\n[levels]", "period = 6.5\n[levels]", "[levels]", "waves.period is missing; allowed"),
+    ("wave_period = 4.5\n", "wave_period = 4.5\n", "", "operating has only one of wave_height and wave_period; give "
+        "both"),
+    ("period = 6.5\n[levels]", "period = 6.5\n[levels]", "[levels]", "waves.period is missing; give"),
     ("probability = 0.7", "return_period = 50.0", "probability = 0.7\nreturn_period = 50.0",
-     "allowed: one of probability"),
+     "give one of probability and"),
     ("speed = 30.0\n", f"maxima = {MAXIMA}\n", f"speed = 30.0\nmaxima = {MAXIMA}\n",
      "speed and maxima are given; allowed: one"),
     ("speed = 30.0\n", f"maxima = {MAXIMA}\n", "maxima = [20.0, 0.0, 21.0, 22.0, 23.0]\n",
@@ -203,6 +204,6 @@ def test_a_value_below_what_was_measured_in_fewer_years_is_told(tmp_path, last, 
     maxima = [24.0 + 0.2 * i for i in range(11)] + [last]
     change = ("speed = 30.0\n", f"maxima = {maxima}\n"), ("probability = 0.7", "return_period = 12.0")
     _, values = made(tmp_path, *change)
-    said = [line for line in values.findings if "largest of 12 years measured" in line]
+    said = [line for line in values.findings if "largest of the 12 measured years;" in line]
     assert bool(said) is told and (values.wind.value < last) is told
     assert not told or f"gumbel, {values.wind.value:.4g}, is below 60, the" in said[0]

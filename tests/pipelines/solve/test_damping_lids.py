@@ -39,13 +39,13 @@ def test_a_lid_off_the_middle_leaves_the_planes_that_it_has():
 
 
 @pytest.mark.parametrize(("change", "said"), [
-    ({"corners": [[-6, -0.5], [6, -0.5], [6, 1.5], [-6, 0.5]]}, r"damping_lids\[0\] lies on a hull at x = "),
+    ({"corners": [[-6, -0.5], [6, -0.5], [6, 1.5], [-6, 0.5]]}, r"damping_lids\[0\] covers a hull at x = "),
     ({"corners": [[-6, -0.5], [6, -0.5], [0, -0.2], [-6, 0.5]]}, r"damping_lids\[0\]\.corners is not a convex polygon"),
     ({"corners": [[0, 0], [1, 0]]}, r"damping_lids\[0\]\.corners is not a convex polygon"),
     ({"damping": 0.0}, r"damping_lids\[0\]\.damping is 0\.0"),
     ({"wall": 9.0, "bodies": [{**SIDE}]}, "damping_lids and a wall are given"),
     ({"method": "contour", "bodies": [{**SIDE}], "panels": None}, "does not support damping lids"),
-    ({"corners": None, "want": ["damping_lid_power"]}, "a scene with damping_lids has"),
+    ({"corners": None, "want": ["damping_lid_power"]}, "a scene with damping_lids;"),
 ])  # fmt: skip
 def test_what_a_scene_may_not_say(change, said):
     with pytest.raises(SceneError, match=said):

@@ -21,7 +21,7 @@ def test_more_waves_than_are_resolved_are_refused_with_the_shortest_that_is(body
             {"water": {"depth": 3.0}, "bodies": [body], "waves": {"omegas": [5.0, omega]}, "method": method}
         )
 
-    said = rf"the shortest wave is 0\.\d+ m against a body 100 m across; allowed: at least {100 / most:g} m"
+    said = rf"the shortest wave is 0\.\d+ m long and the body 100 m across; allowed: waves of at least {100 / most:g} m"
     with pytest.raises(SceneError, match=said):
         make_hull(scene(refused))
     make_hull(scene(answered))

@@ -226,15 +226,16 @@ def test_what_a_scene_of_several_may_not_say_is_one_line(name):
     [({"method": "strip", "panels": None}, "supports one body only"),
      ({"method": "contour", "panels": None, "damping_lids": [{"damping": 0.05}]}, "does not support damping lids"),
      ({"method": "contour"}, "has no panels"),
-     ({"method": "transfer", "panels": None}, "needs the circles around the bodies 0.18 m apart; those around barge "
+     ({"method": "transfer", "panels": None}, "needs circles around the bodies that are 0.18 m apart; the circles "
+      "around barge "
       "and pier overlap by 1.6 m; method panel or contour can"),
      ({"method": "transfer", "panels": None, "bodies": [{"shape": "buoy", "radius": 1.0, "draft": 2.0}]},
       "is for several"),
      ({"want": ["body_drift_force"], "wall": 20.0}, "which is not computed beside a wall"),
-     ({"want": ["body_drift_force"], "method": "contour", "panels": None}, "which method contour does not give"),
+     ({"want": ["body_drift_force"], "method": "contour", "panels": None}, "which method contour does not compute"),
      ({"rotation_center": [1.0, 0, 0]}, "give it under [[bodies]]"),
      ({"waves": {"xi_B": [0.5]}}, "needs one body with a beam"),
-     ({"viscous": {"wave_height": 1.0}}, "no body has a law"),
+     ({"viscous": {"wave_height": 1.0}}, "no body has a damping law"),
      ({"viscous": {"wave_height": 1.0, "roll": {"drag": 1.0}}}, "give it under [bodies.viscous] of each")],
 )  # fmt: skip
 def test_what_several_bodies_do_not_have_is_refused(more, said):
@@ -245,9 +246,9 @@ def test_what_several_bodies_do_not_have_is_refused(more, said):
 
 def test_bodies_on_both_sides_of_a_wall_are_named():
     """The barge is from y = 1.5 to 6.5, the pier from −7 to −1, its 6 m along y"""
-    with pytest.raises(SceneError, match=r"pier is from -7 to -1 m, the wall at y = 0; allowed: all"):
+    with pytest.raises(SceneError, match=r"pier extends from y = -7 to -1 m, and the wall is at y = 0 m; allowed: all"):
         make_hull(make_scene(tables(wall=0.0)))
-    with pytest.raises(SceneError, match=r"barge is from 1.5 to 6.5 m, the wall at y = 6"):
+    with pytest.raises(SceneError, match=r"barge extends from y = 1.5 to 6.5 m, and the wall is at y = 6"):
         make_hull(make_scene(tables(wall=6.0)))
 
 

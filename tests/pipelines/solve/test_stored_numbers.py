@@ -88,7 +88,7 @@ def test_a_scene_of_other_water_than_the_numbers_is_an_error(path, capsys):
     with h5py.File(path, "r+") as file:
         file.attrs["density"] = 1000.0
     assert main(["check", str(path)]) == 1
-    assert "its scene has water.density 1025, its numbers are for 1000" in capsys.readouterr().out
+    assert "water.density is 1025 in its scene, but its results are for 1000" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize("damage", ["omega", "mesh", "short"])

@@ -41,7 +41,7 @@ def test_a_metacentric_height_places_the_centre_of_gravity():
         pytest.approx(3.0)
     )
     assert found["inertia_matrix"][0, 4] == pytest.approx(1025 * 50_000 * above)
-    with pytest.raises(SceneError, match="GM is given, and z of center_of_gravity"):
+    with pytest.raises(SceneError, match="GM is given together with z of center_of_gravity"):
         told(GM=3.0, center_of_gravity=[0.0, 0.0, 1.0])
 
 

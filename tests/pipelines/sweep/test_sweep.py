@@ -72,7 +72,7 @@ def test_what_is_asked_for_is_kept_and_printed(folder, capsys):
     assert "keep: 'C_N' is not a quantity of this result; allowed: " in capsys.readouterr().err
     (folder / "sweep.toml").write_text('arguments = ["--plot", "one.png"]\n' + SWEEP)
     assert cli.main(["sweep", "sweep.toml", "--fresh"]) == 2
-    assert "arguments have --plot; allowed in a sweep: those of hakobune.berth" in capsys.readouterr().err
+    assert "arguments contain --plot; allowed in a sweep: the flags of hakobune.berth" in capsys.readouterr().err
 
 
 def test_a_sweep_that_stopped_is_taken_up(folder, monkeypatch, capsys):

@@ -72,12 +72,12 @@ def test_a_film_of_regular_waves_is_one_period(database, tmp_path, monkeypatch):
 @pytest.mark.parametrize(
     "words, told",
     [
-        (["waves", "--heading", "0"], "give period in s or omega"),
+        (["waves", "--heading", "0"], "give either period in s or omega"),
         (["waves", "--period", "-3"], "allowed: above 0"),
         (["waves", "--omega", "3"], "3"),
         (["waves", "--omega", "0.8", "--at", "1"], "allowed: x,y in m"),
         (["waves", "--omega", "0.8", "--width", "3"], "width is 3 m"),
-        (["waves", "--omega", "0.8", "--output", "map.txt"], "allowed: .csv"),
+        (["waves", "--omega", "0.8", "--output", "map.txt"], "allowed suffixes: .csv"),
         (["animate", "--omega", "0.8", "--output", "film.gif", "--seed", "1"], "--seed belongs to a simulation"),
         (["animate", "--omega", "0.8", "--output", "film.gif", "--height", "0"], "--height is 0 m"),
         (["animate", "--omega", "0.8", "--output", "film.gif", "--field", "area"], "allowed: pressure"),
@@ -85,7 +85,7 @@ def test_a_film_of_regular_waves_is_one_period(database, tmp_path, monkeypatch):
             ["animate", "--omega", "0.8", "--output", "film.gif", "--field", "pressure", "--heading", "35"],
             "the pressure is stored at",
         ),
-        (["animate", "--output", "film.gif"], "give period in s or omega"),
+        (["animate", "--output", "film.gif"], "give either period in s or omega"),
     ],
 )
 def test_a_wrong_question_gets_one_line(database, tmp_path, monkeypatch, capsys, words, told):

@@ -7,8 +7,9 @@ length of the elements does not limit the step.  The difference e of the embedde
 iteration matrix, S e* = m (e_q + h d e_v) (Hosea & Shampine 1996), because its raw axial part is not an error: the
 elements' stiffness removes it.  A step is accepted if e* changes the tensions at the ends, and the root mean square of
 all, by no more than `tolerance` of the largest tension so far, and moves no node by more than `tolerance` of the
-control's distance.  Where a line snaps, elements become slack and taut again one by one: the largest of all errors is
-then that of one element at its kink, which does not affect the others. Work and losses are integrated with the weights
+control's distance.  Where a line snaps, elements become slack and taut one by one. The largest error is then that of a
+single element at the corner of its stiffness, and does not affect the others. Work and losses are integrated with the
+weights
 of the scheme.
 """
 

@@ -149,7 +149,7 @@ def half_water(known, w, slot, t, x, a, du, cv):
 
 @kernel(counted=False)
 def load_nodes(work, a, cv):
-    """Residual and tangent of all nodes but for bed and bodies; returns the power lost to drag and to inertia."""
+    """Residual and tangent of all nodes, without bed and bodies; returns the power lost to drag and to inertia."""
     w, v, known, node = work.q.shape[1], address(work.v), address(work.element), address(work.node)
     T, tangent, B, D, r = address(work.T), address(work.tangent), address(work.B), address(work.D), address(work.r)
     u, du, acceleration, lost_drag, lost_inertia = (

@@ -21,7 +21,7 @@ CONVERGED, NOT_FINITE, STALLED = range(3)
 
 @kernel(inline=True, counted=False)
 def changes(work, elements, scale):
-    """Changes of tension (N) and place (m) by displacements ± scale · work.x, of which `change` and `spread` tell.
+    """Changes of tension (N) and place (m) by displacements ± scale · work.x; `change` and `spread` return them.
 
     A slack element has no tension to change until it is taut.
     returns : the largest of the tensions, their root mean square and the larger one at an end, N; the largest of

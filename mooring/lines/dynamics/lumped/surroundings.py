@@ -161,7 +161,8 @@ def add_waves(water, q, nodes, t, R, R1, u, du):
 
 @kernel(inline=True, counted=False)
 def moves(water):
-    """Whether anything moves the water; checked before `water_at` in steps, of which its call alone takes 2 %"""
+    """Whether anything moves the water; steps check this first, since a call of `water_at` alone takes 2 % of their
+    time"""
     return water.level.size + water.omega.size + water.table.size > 0
 
 
