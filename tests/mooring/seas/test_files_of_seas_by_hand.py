@@ -273,7 +273,7 @@ def test_times_of_a_transfer_file_are_told_apart(tmp_path):
     with pytest.raises(TableError, match=r"\d+ words follow the directions; expected: 42 for each time"):
         read_sea(cut, 90.0)
     word = written(tmp_path, wavewatch().replace("0.2 0.3", "0.2 abc"), "word.txt")
-    with pytest.raises(TableError, match="has 'abc'; expected: numbers, frequencies and directions"):
+    with pytest.raises(TableError, match="has 'abc'; expected: numbers, the frequencies and directions"):
         read_sea(word, 90.0)
     head = written(tmp_path, wavewatch().replace("     3     4", "     x     4", 1), "head.txt")
     with pytest.raises(TableError, match="its header has 'x'"):
