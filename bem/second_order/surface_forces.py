@@ -119,8 +119,9 @@ class SurfaceForces:
 
 
 def line_integral(surfaces, flow, radiated, waves, one, two, kind=DIFFERENCE):
-    """(q, 6) −∮ ψ (ωᵢ φᵢ ∂φ̄ⱼ/∂n − ωⱼ φ̄ⱼ ∂φᵢ/∂n) dl of the waves of a `HullFlow`, those of `waves`, less that of
-    the incident ones, n out of the body
+    """(q, 6) −∮ ψ (ωᵢ φᵢ ∂φ̄ⱼ/∂n − ωⱼ φ̄ⱼ ∂φᵢ/∂n) dl of all waves, less the same integral of incident waves
+
+    flow : `HullFlow` of all waves; waves : the incident waves; n points out of the body
 
     ∂φ/∂n along the surface: on an inclined side n·V = n·∇φ contains a part of ∂φ/∂z = Kφ
     """

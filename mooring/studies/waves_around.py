@@ -35,7 +35,7 @@ def frequency(period, omega):
 
 
 def around_body(db, omega, beta, fixed, amplitude=None):
-    """`WavesAround` of a database's body, or of all of several.  Raises ValueError for waves outside the database.
+    """`WavesAround` of the body of a database, or of all its bodies.  Raises ValueError for waves outside the database.
 
     amplitude : m, of the waves for its viscous damping, None for those of its scene
     """

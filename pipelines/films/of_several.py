@@ -34,7 +34,7 @@ class Moored(NamedTuple):
         return poses_of(motion, self.at_rest)
 
     def threads(self, motion):
-        """(lines × POINTS, 3) m, with the bodies in their motion (6N,)"""
+        """(lines × POINTS, 3) m, places along the lines while the bodies are displaced by their motions (6N,)"""
         from hakobune.mooring.lines.system.equilibrium import held_at, rest
         from hakobune.mooring.lines.system.shapes import line_shapes
 

@@ -315,7 +315,7 @@ def _of_gaps(sides, apart):
         elif max(gap.max() - at_rest, at_rest - least) > max(FARTHER * at_rest, size):
             yield (
                 f"the gap between {names} varies from {least:.3g} to {gap.max():.3g} m, {at_rest:.3g} m at "
-                "rest: but forces of the water between them are those of the gap at rest"
+                "rest, but forces of the water between them are those of the gap at rest"
             )
 
 

@@ -25,7 +25,7 @@ from hakobune.meshing.quality import findings
 VOLUMES, LID = 0.02, 0.05
 PANELS = {".obj": rb"(?m)^f\s", ".toml": rb"\[\[parts\]\]", ".vtk": b"CELL_TYPES|POLYGONS",
           ".vtp": rb"NumberOfPolys=\"\s*[1-9]"}  # fmt: skip
-HALF, FOOT = re.compile(r"--mirror ([xy])`"), re.compile(r"all of them at its foot, z = \(-\[\d.\]\+\) m")
+HALF, FOOT = re.compile(r"--mirror ([xy])`"), re.compile(r"all of them at its foot, z = (-[\d.]+) m")
 LARGEST = 6000  # panels that are looked at whole
 
 

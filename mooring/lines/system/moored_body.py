@@ -19,7 +19,7 @@ class Leg(NamedTuple):
     """A line (its ends are renamed a, anchor, and b, fairlead), and its attachments with the body at rest.
 
     anchor, fairlead : (3,) m in space
-    body : name of the body with the fairlead, among several; to : of another with the other end, "" for none
+    body : name of the body with the fairlead, among several; to : name of the body at the other end, "" for none
     """
 
     line: UniformLine | CompositeLine | Hawser

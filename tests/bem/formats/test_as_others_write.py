@@ -185,7 +185,7 @@ def test_headings_a_turn_apart_are_one(values):
     assert np.allclose(once.wave_direction, [-np.pi, 0.0])
     assert np.array_equal(once.get("excitation_force"), X)
     other = replace(twice, quantities={"excitation_force": both * np.array([1, 1, 1.01])[:, None]})
-    with pytest.raises(FormatError, match="between headings -180° and 180°, which are one"):
+    with pytest.raises(FormatError, match="between headings -180° and 180°, which are the same direction"):
         with_headings_once(other)
 
 

@@ -460,8 +460,8 @@ def test_damping_makes_the_fall_of_added_mass_within_four_tenths(share, told):
     assert bool(lines) is told and lines is not None
     if told:
         assert (
-            f"A_11 falls by {share * fall:.4g} from long to short waves, damping makes it {1 / share:.3g} times"
-            in lines[0]
+            f"A_11 falls by {share * fall:.4g} from long to short waves; the fall that follows from damping is "
+            f"{1 / share:.3g} times" in lines[0]
         )
 
 

@@ -158,7 +158,9 @@ def test_a_memory_that_no_system_meets_is_told_with_its_best(monkeypatch):
     monkeypatch.setattr(module, "POLES", (8,))
     omega = np.linspace(0.1, 2.0, 40)
     wanted = RNG.normal(size=(40, 1, 1)) + 1j * RNG.normal(size=(40, 1, 1))
-    with pytest.raises(ValueError, match=r"the memory of b has an error of .*; the tolerance is 1e-05: allow a larger"):
+    with pytest.raises(
+        ValueError, match=r"the memory of b has an error of .*, and the tolerance is 1e-05; give a larger"
+    ):
         module._fitted(omega, wanted, np.ones(1), (1,), 1e-5, np.zeros((40, 1)), ("a", "b"))
 
 
@@ -168,7 +170,7 @@ def test_the_best_of_what_was_tried_is_told(monkeypatch):
     monkeypatch.setattr(module, "fitted", lambda s, wanted, poles, weight: (None, next(offs)))
     wanted, none = np.ones((4, 1, 1), complex), np.zeros((4, 1))
     with pytest.raises(
-        ValueError, match=r"the memory of sway has an error of 0\.2 with the best system tried; the"
+        ValueError, match=r"the memory of sway has an error of 0\.2 with the best system that was tried, and the"
     ) as one:
         module._fitted(np.arange(1.0, 5), wanted, np.ones(1), (1,), 0.01, none, ("surge", "sway"))
     assert one.value.within == pytest.approx(0.2 / 8)  # beyond eight times a tolerance no modes are moved

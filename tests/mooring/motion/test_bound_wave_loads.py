@@ -70,7 +70,7 @@ def test_their_size_is_estimated_within_a_factor_of_two(database, period):
 
 
 def test_each_of_several_seas_has_its_own_bound_waves_and_short_crests_have_none(database, on_springs):
-    with pytest.raises(ValueError, match="allowed: one for each sea"):
+    with pytest.raises(ValueError, match="allowed: one force for each sea"):
         Weather(seas=(SWELL, SWELL), beside_newman=(object(),))
     settings, ripples = Settings(100.0, ramp=50.0, components=30), Sea(jonswap(0.2, peak_period=7.0), 0.4)
     bound = of_sea(database, SWELL)

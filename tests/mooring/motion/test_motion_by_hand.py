@@ -431,7 +431,7 @@ def test_columns_of_a_force_are_found_by_name_and_a_gap_of_ten_steps_is_told(tmp
         (lambda v: Settings(duration=9.0, memory=v, constant_period=5.0), "constant", "states", "memory = .states."),
         (lambda v: GivenForce([0.0, v], np.zeros((2, 6))), 0.1, 0.0, "times that do not increase"),
         (lambda v: GivenForce([0.0, 1.0], np.zeros((2, v))), 6, 5, "allowed: .n,. and .n, 6."),
-        (lambda v: Weather(gusts=davenport(9.0, 0.003), wind=v), Wind(9.0, 0.0), None, "gusts and no wind"),
+        (lambda v: Weather(gusts=davenport(9.0, 0.003), wind=v), Wind(9.0, 0.0), None, "gusts but no wind"),
         (lambda v: Weather(regular=Waves(1, 9, 0), seas=v), (), (Sea(issc(1.0, mean_period=8.0)),), "weather "
         "has more than one of seas, a regular wave and a record; give one of them"),
     ],

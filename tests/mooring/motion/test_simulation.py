@@ -265,7 +265,7 @@ def test_a_line_that_would_break_after_the_end_is_said_not_to(on_chains):
     name = on_chains.system.line_names[0]
     run = simulate(on_chains, Weather(), replace(CALM, duration=20.0, lines_lost=((name, 30.0),)))
     assert run.tension[-1, 0] > 0
-    assert f"line {name} does not break: 30 s after the ramp, a run lasts 20 s" in run.findings
+    assert f"line {name} does not break, since its time is 30 s after the ramp and a run lasts 20 s" in run.findings
 
 
 def test_constant_coefficients_without_waves_are_refused(on_springs):
@@ -400,11 +400,11 @@ def test_coefficients_of_a_wave_are_named_where_they_damp_slow_motion(on_springs
     named = [
         line
         for line in said[0].findings
-        if 'left out: the memory of the water: memory = "constant" damps slow motion like waves of' in line
+        if 'left out: the memory of the water: memory = "constant" damps slow motion as much as waves of' in line
     ]
     assert len(named) == 1 and "surge" in named[0] and "states" in named[0]
     assert not any(
-        'left out: the memory of the water: memory = "constant" damps slow motion like waves of' in line
+        'left out: the memory of the water: memory = "constant" damps slow motion as much as waves of' in line
         for line in said[1].findings
     )
     assert any("slow motion is lightly damped: surge" in line for line in said[1].findings)

@@ -161,12 +161,12 @@ def test_times_of_a_file_are_found_by_name(tmp_path):
 @pytest.mark.parametrize(
     "change, says",
     [
-        (("FACTOR", "FACTER"), "line 24 is 'FACTER'; wanted: FACTOR, ZERO, NODATA or LOCATION"),
-        (("1 0 0 0", "1 0 x 0"), "line 26 is '1 0 x 0'; wanted: numbers, densities"),
-        (("0 0 0 3", "0 0 3"), "wanted: more lines, the file ends"),
+        (("FACTOR", "FACTER"), "line 24 is 'FACTER'; expected: FACTOR, ZERO, NODATA or LOCATION"),
+        (("1 0 0 0", "1 0 x 0"), "line 26 is '1 0 x 0'; expected: numbers, densities"),
+        (("0 0 0 3", "0 0 3"), "expected: more lines, but the file ends"),
         (("VaDens", "HSIGN"), "begins with HSIGN; allowed: VaDens, EnDens"),
         (("AFREQ\n     3\n 0.1000\n 0.2000 behind it\n 0.3000\n", ""), "has no AFREQ or RFREQ"),
-        (("CDIR\n     4", "CDIR\n     0"), "line 13 is '0'; wanted: the number of directions"),
+        (("CDIR\n     4", "CDIR\n     0"), "line 13 is '0'; expected: the number of directions"),
         (("FACTOR\n 0.5\n1 0 0 0\n 0 2 6 0\n0 0 0 3", "NODATA"), "has no data there (NODATA)"),
         ((" 0.3000", " 0.2000"), "goes from 1.25664 to 1.25664"),
         ((" -90.0", " 180.0"), "4 directions; allowed: at least 3, each once"),
@@ -273,7 +273,7 @@ def test_times_of_a_transfer_file_are_told_apart(tmp_path):
     with pytest.raises(TableError, match=r"\d+ words follow the directions; expected: 42 for each time"):
         read_sea(cut, 90.0)
     word = written(tmp_path, wavewatch().replace("0.2 0.3", "0.2 abc"), "word.txt")
-    with pytest.raises(TableError, match="has 'abc'; expected: numbers, frequencies and directions"):
+    with pytest.raises(TableError, match="has 'abc'; expected: numbers, the frequencies and directions"):
         read_sea(word, 90.0)
     head = written(tmp_path, wavewatch().replace("     3     4", "     x     4", 1), "head.txt")
     with pytest.raises(TableError, match="its header has 'x'"):
@@ -388,7 +388,7 @@ def test_a_value_beyond_eight_deviations_is_no_wave(spike, told):
     deviation = 1.4826 * np.median(np.abs(y - np.median(y)))
     y[1000] = -spike * deviation
     said = list(faults(y, 0.5, 6.0))
-    assert len(said) == told and (not told or f"the largest {y[1000]:.4g} m at 500 s" in said[0])
+    assert len(said) == told and (not told or f"the largest is {y[1000]:.4g} m at 500 s" in said[0])
 
 
 @pytest.mark.parametrize("share, told", [(0.0195, False), (0.0205, True)])

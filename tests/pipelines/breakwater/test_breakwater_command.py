@@ -226,7 +226,7 @@ def test_a_row_of_units_of_a_database_shelters_what_lies_behind(tmp_path, capsys
     for change, said in {
         "period = 3\n": "map.period is 3 s; the database has",
         "period = 7\ngap = 3\n": "map.gap is 3 m; allowed: 0 with one unit",
-        "units = 2\ngap = 3\n": "map has no waves",
+        "units = 2\ngap = 3\n": "map needs waves",
     }.items():
         assert run(tmp_path, text + "[map]\n" + change, *words) == 2
         assert said in capsys.readouterr().err

@@ -210,7 +210,7 @@ def test_a_database_may_differ_by_two_per_cent_from_the_study(key, name, value):
         assert lee._check_same(asked, database(**{key: value * factor})) == pytest.approx(L)
     for factor in (0.975, 1.025):
         with pytest.raises(
-            BreakwaterError, match=f"the database has {name} {value * factor:.5g}, the study {value:.5g}"
+            BreakwaterError, match=f"{name} is {value * factor:.5g} in the database and {value:.5g} in the study"
         ):
             lee._check_same(asked, database(**{key: value * factor}))
 

@@ -124,8 +124,8 @@ class Water:
 
 
 @pytest.mark.parametrize("change, says", [
-    ({}, None), ({"depth": 21.0}, "another depth or rotation centre"),
-    ({"rotation_center": (0.0, 0.0, -1.1)}, "another depth or rotation centre"),
+    ({}, None), ({"depth": 21.0}, "whose depth or rotation centre differs"),
+    ({"rotation_center": (0.0, 0.0, -1.1)}, "whose depth or rotation centre differs"),
     ("panel", "solved by the panel method"),
 ])  # fmt: skip
 def test_water_of_another_database_moves_the_body_of_this_one(change, says, monkeypatch):

@@ -171,7 +171,7 @@ def test_the_worst_criterion_stands_in_the_summary():
     judged = [Judged(made(limit=limit), (Use("storm 0", "line 3", 0.3, 0.3 / limit),)) for limit in (0.6, 0.4, 0.5)]
     verdict = SimpleNamespace(broken=[], word="passes", judged=judged, ran=[])
     said = report_words.summary(verdict)
-    assert said.startswith(": 75 % of ") and said.endswith("at most 0.4, is reached by line 3 in “storm 0”")
+    assert said.startswith(": 75 % of ") and said.endswith("at most 0.4, is used by line 3 in “storm 0”")
     verdict = SimpleNamespace(broken=["FAILS: line 1 parts", "FAILS: line 2"], word="fails", judged=judged, ran=[])
     assert report_words.summary(verdict) == ": line 1 parts, and 1 more"
 

@@ -38,7 +38,7 @@ def test_a_database_goes_out_and_comes_back(kind, place, folder, capsys):
     if kind == "wamit":
         shallow = ["--depth", "5", "--output", str(folder / "shallow.h5")]
         assert cli.main(["import", str(folder / place), "--from", kind, *shallow]) == 2
-        assert "the water is 5 m deep and" in capsys.readouterr().err and not (folder / "shallow.h5").exists()
+        assert "the water is 5 m deep, but" in capsys.readouterr().err and not (folder / "shallow.h5").exists()
         np.testing.assert_allclose(read_forces(found).forces.total, read_forces(true).forces.total, rtol=1e-5)
 
 

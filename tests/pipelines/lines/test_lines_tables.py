@@ -184,4 +184,4 @@ def test_a_line_out_of_the_water_is_told_with_the_share_that_is(shown):
     said, _ = shown(line, system=held)
     share = float(said.split("chain over wire over ")[1].split(" ")[0])
     assert share == pytest.approx(30 / 130, rel=0.1) and "limit 0.01" in said
-    assert "with the weight in water" not in shown(line)[0]
+    assert "with their weight in water" not in shown(line)[0]

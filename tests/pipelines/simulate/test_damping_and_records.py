@@ -108,7 +108,7 @@ def test_records_are_to_last_as_long_as_ramp_and_duration_and_to_have_waves(tmp_
 
 
 @pytest.mark.parametrize("tables, says", [
-    ({"waves": {"height": 1.0, "period": 8.0, "direction_deg": 90}}, "given with [waves] or simulation.sea"),
+    ({"waves": {"height": 1.0, "period": 8.0, "direction_deg": 90}}, "given together with [waves] or simulation.sea"),
     ({"qtf": "full"}, "simulation.qtf is 'full'; allowed: newman, auto"),
 ])  # fmt: skip
 def test_a_record_takes_the_place_of_other_waves(tmp_path, tables, says):

@@ -62,7 +62,7 @@ def test_a_run_shorter_than_ten_of_the_slowest_periods_is_told_with_how_uncertai
     assert bool(said) is told
     if told:
         share = 100 / math.sqrt(2 * duration / 100)
-        assert f"(100 s), recommended 10: its σ is uncertain by about {share:.0f} %; " in said[0]
+        assert f"(100 s), recommended 10: σ of this motion is uncertain by about {share:.0f} %; " in said[0]
         assert said[0].endswith(f"uncertain by about {share:.0f} %; simulate 1e+03 s")
         assert "a run of 990 s covers 9.9 of the slowest natural periods (100 s), recommended 10" in said[0]
 
@@ -83,7 +83,7 @@ def test_the_method_follows_the_depth_as_in_section_5_5_3(quiet, depth, words):
 def test_limits_in_metres_are_of_large_floaters(quiet, length, told):
     (said,) = findings.findings(made_up(1e6, 20.0, length, periods=[80.0], mean_period=8.0))
     assert (
-        "the report's limits of water depth are for floaters of 100 to 200 m length, not for this one" in said
+        "report's limits of water depth are for floaters of 100 to 200 m length, not for this floater" in said
     ) is told
 
 

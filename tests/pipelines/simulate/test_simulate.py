@@ -337,7 +337,7 @@ def plan(text, omega=WIDE, **more):
         ),
         (
             "[simulation]\nduration = 10.0\ndynamic_lines = []\ndynamic_water = 'sea'",
-            "no line is in motion; it needs dynamic_lines",
+            "no line is in motion; give dynamic_lines",
         ),
         ("[simulation]\nduration = 10.0\nlines_lost = [{ line = 'a', time = -1.0 }]", "from 0 s on"),
     ],

@@ -28,7 +28,10 @@ def joints(flexure, length, w):
 
 @kernel(inline=True, counted=False)
 def bends(bending):
-    """Whether a line has bending stiffness.  One version of its kernels serves both: a second takes twenty seconds"""
+    """Whether a line has bending stiffness.
+
+    One compiled version of the kernels serves both cases; compiling a second would take twenty seconds.
+    """
     return bending.shape[1] > 0
 
 

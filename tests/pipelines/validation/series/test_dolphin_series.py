@@ -70,7 +70,10 @@ def test_a_quay_behind_is_wired_by_the_far_field_and_lowers_the_limits(database,
     monkeypatch.setattr(dolphin, "database", lambda scene, path, fresh: database)
     assert cli.main(["series", "dolphin", "--quay", "25", "--output", str(tmp_path)]) == 0
     told = capsys.readouterr().out
-    assert "quay at y = 50 m: by the far field; local waves near the hull, which keep 0.0388 %" in told
+    assert (
+        "quay at y = 50 m is computed by the far field; local waves near the hull are not included, although 0.0388 %"
+        in told
+    )
     assert {path.name for path in tmp_path.iterdir()} == {"dolphin.csv", "dolphin.png"}
     made = dolphin.make(tmp_path, quay=25.0).detail["case"]
     limits = {(r["period_s"], r["fenders"], r["wind_m_s"]): r["limit_m"] for r in made}
@@ -106,8 +109,10 @@ def test_statements_and_charts_have_limits_and_the_worst_number(monkeypatch):
     monkeypatch.setattr(dolphin, "HEIGHTS", (1.0,))
     made = [row(1, 0.1, 0.3), row(2, 0.2, 0.6), row(3, 0.1, 0.9)]
     said = list(dolphin.statements(made))
-    assert said[0].startswith("floater A, 1 on each dolphin, 10 s: printed 0.35 m, here 0.30 (20 m, 50 m/s); 0:")
-    assert said[1].startswith("floater A, 3 on each dolphin, 10 s: printed 0.9 m, here 0.90 (20 m, 50 m/s)")
+    assert said[0].startswith(
+        "floater A, 1 on each dolphin, 10 s: limit printed 0.35 m, here 0.30 (20 m, 50 m/s); 0 means"
+    )
+    assert said[1].startswith("floater A, 3 on each dolphin, 10 s: limit printed 0.9 m, here 0.90 (20 m, 50 m/s)")
     assert said[4].endswith("with 1 fenders in the report, here with 2 (20 m)")
     ((_, (top, below), _),) = dolphin.pictures(dolphin.result("series", "a report", {"case": made})).values()
     assert top.curves[2].x == [1, 2, 3] and top.curves[2].y == [0.2] * 3 and top.levels == (0.35,)
