@@ -121,7 +121,8 @@ class Study(Table):
                 raise StudyError(f"hull.{key} is missing, and the database does not contain it; give it in m, above 0")
             if own is not None and stored is not None and not math.isclose(own, stored, rel_tol=1e-6):
                 raise StudyError(
-                    f"hull.{key} is {own:g} m, but the database is for {stored:g} m; change it, or give another database"
+                    f"hull.{key} is {own:g} m, but the database is for {stored:g} m; change it, or give another "
+                    f"database"
                 )
             sizes[key] = positive(f"hull.{key}", stored if own is None else own)
         if given.freeboard is None and self.wind is not None:

@@ -409,7 +409,9 @@ def test_faulty_study_is_refused_by_key_in_one_line(old, new, message):
 
 def test_contradicting_hull_is_refused():
     study = make_study(tomllib.loads(STUDY.replace("freeboard", "beam = 40.0\nfreeboard")))
-    with pytest.raises(StudyError, match=r"hull\.beam is 40 m, but the database is for 50 m; change it, or give another database"):
+    with pytest.raises(
+        StudyError, match=r"hull\.beam is 40 m, but the database is for 50 m; change it, or give another database"
+    ):
         study.hull_of({"length": 100.0, "beam": 50.0, "draft": 10.0})
 
 
