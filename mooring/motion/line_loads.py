@@ -70,7 +70,7 @@ class LineWork(NamedTuple):
     """Values of the lines that are kept between evaluations.
 
     kept and rows of `moving_end`; tension : (n, 2) horizontal and vertical pull at the fairlead, N
-    uniform : (4, m) lines, on_bed : (m,) whether a line is followed on the bed with seven others, ends : (4, m) of those
+    uniform : (4, m) lines, on_bed : (m,) whether a line is followed on the bed with others, ends : (4, m) of those
     arm : (n, 2, 3) m in space, of the fairlead and the other end about their bodies, or the anchor; away : (n, 4) m,
     x and y from the other end, and heights of both
     whole : (n,) whether a line is still unbroken

@@ -17,7 +17,15 @@ import math
 import numpy as np
 
 from hakobune.bem.kernels.jit import kernel
-from hakobune.bem.kernels.simd import WIDTH, address, choose_less, exponents_and_fractions, load_vector, root, store_vector
+from hakobune.bem.kernels.simd import (
+    WIDTH,
+    address,
+    choose_less,
+    exponents_and_fractions,
+    load_vector,
+    root,
+    store_vector,
+)
 
 from .flat_bed import ROW, bed_stretch, free_length, grounded_tension, leaves_bed, solve_line
 from .state import BEYOND_REACH, GROUNDED, SLACK, SUSPENDED
