@@ -164,6 +164,21 @@ def root(typing, a):
     return a(a), build
 
 
+@intrinsic
+def exponents_and_fractions(typing, a):
+    """k and m of a = m 2ᵏ with 1 ≤ m < 2, of a vector of numbers above 2⁻¹⁰²², as two vectors"""
+
+    def build(context, builder, signature, arguments):
+        whole = ir.VectorType(ir.IntType(64), a.width)
+        bits = builder.bitcast(arguments[0], whole)
+        shift, bias, low, one = (ir.Constant(whole, [n] * a.width) for n in (52, 1023, 2**52 - 1, 1023 << 52))
+        exponent = builder.sitofp(builder.sub(builder.lshr(bits, shift), bias), arguments[0].type)
+        fraction = builder.bitcast(builder.or_(builder.and_(bits, low), one), arguments[0].type)
+        return context.make_tuple(builder, signature.return_type, (exponent, fraction))
+
+    return types.UniTuple(a, 2)(a), build
+
+
 def _as_vector(builder, kind, value):
     return value if isinstance(value.type, ir.VectorType) else _broadcast(builder, kind, value)
 
@@ -219,6 +234,7 @@ if config.DISABLE_JIT:
         address,
         bits_to_float,
         choose_less,
+        exponents_and_fractions,
         float_to_bits,
         load_vector,
         repeated,

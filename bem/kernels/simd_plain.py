@@ -59,6 +59,12 @@ def root(a):
     return np.sqrt(a)
 
 
+def exponents_and_fractions(a):
+    """k and m of a = m 2ᵏ with 1 ≤ m < 2"""
+    fraction, exponent = np.frexp(a)
+    return exponent - 1.0, 2.0 * fraction
+
+
 def float_to_bits(number):
     """The 64 bits of a number as an integer"""
     return np.float64(number).view(np.int64)

@@ -20,7 +20,7 @@ the tests C_y increases as for ships (UFC 4-159-03, Design: Moorings, 2005, eq. 
 from __future__ import annotations
 
 import warnings
-from functools import cache
+from functools import cache, lru_cache
 
 import numpy as np
 
@@ -39,6 +39,7 @@ SHALLOWEST = {1.2: 1.05, 2.0: 1.2}  # H/d of the tests, by L/B
 GROUNDED = 3.2  # C_y abeam of grounded ships
 
 
+@lru_cache(maxsize=64)  # every seed of a study asks for that of its hulls
 def box_table(length, beam, draft, depth):
     """DragTable of a box, sizes in m.
 

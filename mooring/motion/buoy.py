@@ -27,6 +27,7 @@ from hakobune.bem.kernels.jit import kernel
 
 from ..lines.ropes import RopePart
 from .line_loads import Lines, LineWork, body_lines, generalized, line_loads, line_work, tables_of
+from .tables.harmonics import at_step, sum_waves, zeros_in_lines
 from .tables.interpolation import EDGE, between_samples
 from .wave_loads import WaveTable
 
@@ -137,7 +138,8 @@ class Buoy(NamedTuple):
 class BuoyWork(NamedTuple):
     """Room for work, the window of water in use, and the largest pulls since the last sample.
 
-    window : (WATER, m); rows : (2, WATER, 2c), sums : (WATER, m) of a window; place : (2,) m, predicted for its end
+    window : (WATER, m); rows : (c, 2, WATER), sums : (2, WATER, 2, k) of `sum_waves` at its begin and its end
+    place : (2,) m, predicted for its end
     reach : (k, 5) unit vector, m, m/s: of each hawser, its elongation and its rate
     rope : (k,) N now; pull : (k + lines,) N now, most : the largest since the last sample, kept : (samples, …) of those
     """
@@ -192,11 +194,11 @@ def buoy_arrays(buoy):
 def buoy_of(hung, table, samples):
     """(Buoy, BuoyWork) of a BuoyOnLines in the waves of a `WaveTable`, with room for so many samples"""
     buoy = buoy_arrays(hung)
-    c, m = table.factor.shape[1:] if len(table.omega) else (0, 1)
+    c, _, steps = table.factor.shape
     count = len(buoy.ropes) + len(buoy.lines.lost)
     return buoy, BuoyWork(
-        line_work(buoy.lines), np.zeros((WATER, m)),
-        np.zeros((2, WATER, c)), np.zeros((WATER, m)), np.zeros(2),
+        line_work(buoy.lines), np.zeros((WATER, table.steps)),
+        np.zeros((c, 2, WATER)), zeros_in_lines((2, WATER, 2, steps)), np.zeros(2),
         np.zeros(WATER), np.zeros(6), np.zeros(6), np.zeros((3, 3)), np.zeros(6), np.zeros(6),
         np.zeros((len(buoy.ropes), 5)), np.zeros(len(buoy.ropes)), np.zeros(count), np.zeros((samples, count)),
     )  # fmt: skip
@@ -338,7 +340,7 @@ def buoy_rates(buoy, work, y, place, R, at, share, waves, rate):
 
 @kernel()
 def water_rows(table: WaveTable, buoy, place, start, rows):
-    """rows (WATER, 2c): coefficients of `factor` for the water at the middle of the draft of a buoy at (2,) m
+    """rows (c, 2, WATER): coefficients of `factor` for the water at the middle of the draft of a buoy at (2,) m
 
     start : s of the window
     """
@@ -350,12 +352,13 @@ def water_rows(table: WaveTable, buoy, place, start, rows):
         a, b = table.amplitude[i] * np.cos(turn), table.amplitude[i] * np.sin(turn)
         over = np.exp(k * z) / (1.0 - np.exp(-2.0 * k * h))
         ch, sh = over * (1.0 + np.exp(-2.0 * k * (z + h))), over * (1.0 - np.exp(-2.0 * k * (z + h)))
-        rows[0, i], rows[0, c + i] = a, b
+        p, q = rows[i, 0], rows[i, 1]
+        p[0], q[0] = a, b
         for j, unit in ((0, kx / k), (1, ky / k)):
-            rows[1 + j, i], rows[1 + j, c + i] = w * ch * unit * a, w * ch * unit * b
-            rows[4 + j, i], rows[4 + j, c + i] = w * w * ch * unit * b, -w * w * ch * unit * a  # −iω (a + ib)
-        rows[3, i], rows[3, c + i] = w * sh * b, -w * sh * a
-        rows[6, i], rows[6, c + i] = -w * w * sh * a, -w * w * sh * b
+            p[1 + j], q[1 + j] = w * ch * unit * a, w * ch * unit * b
+            p[4 + j], q[4 + j] = w * w * ch * unit * b, -w * w * ch * unit * a  # −iω (a + ib)
+        p[3], q[3] = w * sh * b, -w * sh * a
+        p[6], q[6] = -w * w * sh * a, -w * w * sh * b
 
 
 @kernel()
@@ -365,18 +368,17 @@ def open_water(table, buoy, work, place, number, start):
         return
     for j in range(2):  # in the axes of the waves, in which the body at rest lies at the centre of their table
         work.place[j] = buoy.lines.place[0, j] + place[j] - buoy.origin[j] + table.center[0, j]
-    if number == 0:
-        water_rows(table, buoy, work.place, start, work.rows[0])
-    water_rows(table, buoy, work.place, start + table.window, work.rows[(number + 1) % 2])
+    for side in range(0 if number == 0 else 1, 2):
+        water_rows(table, buoy, work.place, start + side * table.window, work.rows)
+        sum_waves(work.rows, table.factor, work.sums[(number + side) % 2])
     work.window[:] = 0.0
     steps = work.window.shape[1] - 1 - 2 * EDGE
     for side in range(2):
-        np.dot(work.rows[(number + side) % 2], table.factor[side], work.sums)
         for n in range(work.window.shape[1]):
             later = (n - EDGE) / steps
             share = 1.0 - later if side == 0 else later
             for j in range(WATER):
-                work.window[j, n] += share * work.sums[j, n]
+                work.window[j, n] += share * at_step(work.sums[(number + side) % 2], j, n - EDGE - side * steps)
 
 
 @kernel()

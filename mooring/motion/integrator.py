@@ -27,7 +27,7 @@ from .line_loads import fairlead_of, hold
 from .links import put_forces
 from .moving_lines.sea import sea_ahead
 from .moving_lines.steps import advance_lines, foresee, keep_lines, project, put_tensions, sea_for_step
-from .wave_loads import fill_rows, fill_window
+from .wave_loads import fill_window, meet
 
 SAFETY, LARGEST, SMALLEST = 0.85, 4.0, 0.2  # safety factor, largest and smallest change of step
 WITH_LINES = 0.7  # SAFETY with moving lines: their response is predicted less well, and a rejected step is expensive
@@ -295,7 +295,7 @@ def open_window(waves, clock, work, owner):
         whose = b if b < clock.scale.shape[0] else owner[b - clock.scale.shape[0]]
         y = clock.y[BLOCK * whose : BLOCK * whose + BLOCK]
         if counts[WINDOWS] == 0:
-            fill_rows(waves.table, waves.rows[b, 0], y[SLOW : SLOW + 3], now[TIME], b)
+            meet(waves, 0, y[SLOW : SLOW + 3], now[TIME], b)
         for j in range(3):
             clock.pose[j] = y[SLOW + j] + length * y[SLOW_RATE + j]
         fill_window(waves, work.window[b], counts[WINDOWS], clock.pose, now[TIME], b)

@@ -1,6 +1,7 @@
 """Pull of the lines of a system on bodies in time, each in its exact static shape for the positions of its ends.
 
-A uniform line follows the closed forms, started from its last solution (`mooring.lines.catenary.moving_end`).  A line
+A uniform line follows the closed forms, started from its last solution (`mooring.lines.catenary.moving_end`), eight
+lines on the bed at once.  A line
 of segments, with sinkers and buoys or its own bed, is read from a table of its own solver over the span and height of
 its fairlead (`force_tables`).  A hawser pulls straight, with T(e) of its elongation, and may run from one body to
 another, which receives the opposite force.
@@ -18,9 +19,11 @@ import numpy as np
 
 from hakobune.bem.kernels.in_memory import in_memory
 from hakobune.bem.kernels.jit import kernel
+from hakobune.bem.kernels.simd import WIDTH
 
 from ..fenders.hysteresis import ContactTable, contact_table, reaction_of
-from ..lines.catenary.moving_end import pull_of_any, workspace
+from ..lines.catenary.moving_end import pull_of_any, tensions_near, workspace
+from ..lines.catenary.state import GROUNDED
 from ..lines.system.bodies import rotation
 from ..lines.system.hawser import Hawser
 from ..lines.system.parts import Anchor, Fairlead, UniformLine
@@ -66,7 +69,10 @@ class Lines(NamedTuple):
 class LineWork(NamedTuple):
     """Values of the lines that are kept between evaluations.
 
-    kept (n, 2) and rows (n, ROW) of `moving_end`; tension : (n, 2) horizontal and vertical pull at the fairlead, N
+    kept and rows of `moving_end`; tension : (n, 2) horizontal and vertical pull at the fairlead, N
+    uniform : (4, m) lines, on_bed : (m,) whether a line is followed on the bed with others, ends : (4, m) of those
+    arm : (n, 2, 3) m in space, of the fairlead and the other end about their bodies, or the anchor; away : (n, 4) m,
+    x and y from the other end, and heights of both
     whole : (n,) whether a line is still unbroken
     given : (n, TERMS, 3) N in space, of lines that move, coefficients of Legendre's polynomials over a step of the body
     span : (3,) s, now, begin and length of that; terms : (TERMS,) room for work
@@ -76,6 +82,11 @@ class LineWork(NamedTuple):
 
     kept: np.ndarray
     rows: np.ndarray
+    uniform: np.ndarray
+    on_bed: np.ndarray
+    ends: np.ndarray
+    arm: np.ndarray
+    away: np.ndarray
     tension: np.ndarray
     whole: np.ndarray
     given: np.ndarray
@@ -90,8 +101,14 @@ def line_work(lines):
     """`LineWork` of lines at 0 s"""
     count, shapes = len(lines.lost), lines.bent.shape[2]
     given, span = np.zeros((count, TERMS, 3)), np.array([0.0, 0.0, 1.0])
+    kept, rows = workspace(count)
+    uniform, on_bed = np.zeros((4, kept.shape[1])), np.zeros(kept.shape[1], bool)
+    uniform[:, :count] = lines.lines.T
+    sinks = (lines.lines[:, 1] > 0.0) & (lines.anchor[:, 2] == lines.bed) & (lines.other < 0)
+    on_bed[:count] = sinks & (lines.table < 0) & (lines.hawser < 0) & ~lines.moves
     return LineWork(
-        *workspace(count), np.zeros((count, 2)), lines.lost > 0.0, given, span, np.zeros(TERMS),
+        kept, rows, uniform, on_bed, np.zeros((4, kept.shape[1])), np.zeros((count, 2, 3)), np.zeros((count, 4)),
+        np.zeros((count, 2)), lines.lost > 0.0, given, span, np.zeros(TERMS),
         np.zeros((len(lines.place), 6)), np.zeros(shapes), np.zeros(shapes),
     )  # fmt: skip
 
@@ -324,6 +341,56 @@ def push_shapes(shapes, R, x, y, z, push):
         push[k] += along + z * (R[2, 0] * ux + R[2, 1] * uy + R[2, 2] * uz)
 
 
+@kernel(inline=True, counted=False)
+def place_end(lines, work, i, positions, R):
+    """Arms of both ends of line i, and how far they are apart, into work.arm and work.away"""
+    b, other = lines.body[i], lines.other[i]
+    px, py, pz = lines.fairlead[i, 0], lines.fairlead[i, 1], lines.fairlead[i, 2]
+    for k in range(work.bent.size):
+        u = lines.bent[1, i, k]
+        px, py, pz = px + work.bent[k] * u[0], py + work.bent[k] * u[1], pz + work.bent[k] * u[2]
+    ax = R[b, 0, 0] * px + R[b, 0, 1] * py + R[b, 0, 2] * pz
+    ay = R[b, 1, 0] * px + R[b, 1, 1] * py + R[b, 1, 2] * pz
+    az = R[b, 2, 0] * px + R[b, 2, 1] * py + R[b, 2, 2] * pz
+    ox, oy, oz = lines.anchor[i, 0], lines.anchor[i, 1], lines.anchor[i, 2]
+    if other >= 0:
+        px, py, pz = ox, oy, oz
+        for k in range(work.bent.size):
+            u = lines.bent[0, i, k]
+            px, py, pz = px + work.bent[k] * u[0], py + work.bent[k] * u[1], pz + work.bent[k] * u[2]
+        ox = R[other, 0, 0] * px + R[other, 0, 1] * py + R[other, 0, 2] * pz
+        oy = R[other, 1, 0] * px + R[other, 1, 1] * py + R[other, 1, 2] * pz
+        oz = R[other, 2, 0] * px + R[other, 2, 1] * py + R[other, 2, 2] * pz
+    bx, by, bz = ox, oy, oz
+    if other >= 0:
+        bx += lines.place[other, 0] + positions[other, 0]
+        by += lines.place[other, 1] + positions[other, 1]
+        bz += lines.place[other, 2] + positions[other, 2]
+    arm, away = work.arm[i], work.away[i]
+    arm[0, 0], arm[0, 1], arm[0, 2], arm[1, 0], arm[1, 1], arm[1, 2] = ax, ay, az, ox, oy, oz
+    away[0] = lines.place[b, 0] + positions[b, 0] + ax - bx
+    away[1] = lines.place[b, 1] + positions[b, 1] + ay - by
+    away[2], away[3] = bz, lines.place[b, 2] + positions[b, 2] + az
+
+
+@kernel(inline=True, counted=False)
+def follow_on_bed(lines, work):
+    """H and V into work.ends of the lines that lay on the bed a moment before, nan of others"""
+    for n in range(0, work.on_bed.size, WIDTH):
+        some = False
+        for i in range(n, n + WIDTH):
+            work.ends[2, i] = np.nan
+            if work.on_bed[i] and work.kept[0, i] == GROUNDED:
+                some = True
+                away = work.away[i]
+                work.ends[0, i] = np.sqrt(away[0] * away[0] + away[1] * away[1])
+                work.ends[1, i] = away[3] - lines.bed
+            else:
+                work.ends[0, i] = work.ends[1, i] = np.nan
+        if some:
+            tensions_near(work.kept, work.uniform, work.ends, n)
+
+
 @kernel(counted=False)
 def line_loads(lines, work, positions, R, out):
     """out (N, 6) generalized forces, in heading axes, of the lines on bodies at `positions` (N, 6)
@@ -338,28 +405,10 @@ def line_loads(lines, work, positions, R, out):
     good = True
     legendre(2 * (work.span[0] - work.span[1]) / work.span[2] - 1, work.terms)
     for i in range(lines.lost.size):
+        place_end(lines, work, i, positions, R)
+    follow_on_bed(lines, work)
+    for i in range(lines.lost.size):
         b, other = lines.body[i], lines.other[i]
-        px, py, pz = lines.fairlead[i, 0], lines.fairlead[i, 1], lines.fairlead[i, 2]
-        for k in range(work.bent.size):
-            u = lines.bent[1, i, k]
-            px, py, pz = px + work.bent[k] * u[0], py + work.bent[k] * u[1], pz + work.bent[k] * u[2]
-        ax = R[b, 0, 0] * px + R[b, 0, 1] * py + R[b, 0, 2] * pz
-        ay = R[b, 1, 0] * px + R[b, 1, 1] * py + R[b, 1, 2] * pz
-        az = R[b, 2, 0] * px + R[b, 2, 1] * py + R[b, 2, 2] * pz
-        ox, oy, oz = lines.anchor[i, 0], lines.anchor[i, 1], lines.anchor[i, 2]
-        if other >= 0:
-            px, py, pz = ox, oy, oz
-            for k in range(work.bent.size):
-                u = lines.bent[0, i, k]
-                px, py, pz = px + work.bent[k] * u[0], py + work.bent[k] * u[1], pz + work.bent[k] * u[2]
-            ox = R[other, 0, 0] * px + R[other, 0, 1] * py + R[other, 0, 2] * pz
-            oy = R[other, 1, 0] * px + R[other, 1, 1] * py + R[other, 1, 2] * pz
-            oz = R[other, 2, 0] * px + R[other, 2, 1] * py + R[other, 2, 2] * pz
-        bx, by, bz = ox, oy, oz
-        if other >= 0:
-            bx += lines.place[other, 0] + positions[other, 0]
-            by += lines.place[other, 1] + positions[other, 1]
-            bz += lines.place[other, 2] + positions[other, 2]
         x = y = z = H = V = 0.0
         if work.whole[i] and lines.moves[i]:
             for k in range(TERMS):
@@ -367,27 +416,27 @@ def line_loads(lines, work, positions, R, out):
                 x, y, z = x + c * work.given[i, k, 0], y + c * work.given[i, k, 1], z + c * work.given[i, k, 2]
             H, V = np.sqrt(x * x + y * y), -z
         elif work.whole[i]:
-            x = lines.place[b, 0] + positions[b, 0] + ax - bx
-            y = lines.place[b, 1] + positions[b, 1] + ay - by
+            x, y, low, high = work.away[i, 0], work.away[i, 1], work.away[i, 2], work.away[i, 3]
             span = np.sqrt(x * x + y * y)
-            low, high = bz, lines.place[b, 2] + positions[b, 2] + az
             length, weight = lines.lines[i, 0], lines.lines[i, 1]
             flexibility, friction = lines.lines[i, 2], lines.lines[i, 3]
+            H, V = work.ends[2, i], work.ends[3, i]
             # one after the other: of branches of one condition the compiler joins the ends, and counts references there
             if lines.table[i] >= 0:
                 H, V = packed_pull(lines.tables, lines.table[i], span, high - low)
             if lines.hawser[i] >= 0:
                 H, V = straight_pull(lines.curves, lines.hawser[i], length, span, high - low)
-            if lines.table[i] < 0 and lines.hawser[i] < 0:
-                kept, row = work.kept[i], work.rows[i]
+            if lines.table[i] < 0 and lines.hawser[i] < 0 and np.isnan(H):
+                kept, row = work.kept[:, i], work.rows[i]
                 H, V = pull_of_any(kept, row, span, low, high, lines.bed, length, weight, flexibility, friction)
             x, y, z = (-H * x / span, -H * y / span, -V) if span > 0.0 else (0.0, 0.0, -V)
         if np.isfinite(H):
             work.tension[i, 0], work.tension[i, 1] = H, V
-            add_moment(work.sums, b, ax, ay, az, x, y, z)
+            arm = work.arm[i]
+            add_moment(work.sums, b, arm[0, 0], arm[0, 1], arm[0, 2], x, y, z)
             push_shapes(lines.bent[1, i], R[b], x, y, z, work.push)
             if other >= 0:
-                add_moment(work.sums, other, ox, oy, oz, -x, -y, -z)
+                add_moment(work.sums, other, arm[1, 0], arm[1, 1], arm[1, 2], -x, -y, -z)
                 push_shapes(lines.bent[0, i], R[other], -x, -y, -z, work.push)
         else:
             good = False

@@ -87,31 +87,47 @@ def record_statistics(record, step, split, duration=None):
     record : (n,); step : s; split : rad/s between slow and wave part; duration : s of the extreme, by default all
     A constant record has nan for all values that need maxima.  Raises ValueError for one that is not finite.
     """
-    x = np.asarray(record, float)
-    if x.ndim != 1 or len(x) < 8 or not np.all(np.isfinite(x)):
+    return statistics_of_records([record], step, split, duration)[0]
+
+
+def statistics_of_records(records, step, split, duration=None):
+    """(q,) `record_statistics` of records (q, n), whose spectra are computed together: in half the time of one by one
+
+    raises : ValueError as there
+    """
+    x = np.ascontiguousarray(records, float)
+    if x.ndim != 2 or x.shape[1] < 8 or not np.all(np.isfinite(x)):
         raise ValueError("a record has to be a one-dimensional array of at least 8 finite numbers")
-    mean, y = float(x.mean()), x - x.mean()
+    mean = x.mean(axis=1)
+    y = x - mean[:, None]
+    both = parts(y, step, split)
+    duration = x.shape[1] * step if duration is None else duration
+    return [_statistics(*one, step, duration) for one in zip(x, y, mean.tolist(), *both.tolist(), strict=True)]
+
+
+def _statistics(x, y, mean, slow, wave, step, duration):
+    """RecordStatistics of a record x (n,), y without its mean"""
     sigma = float(np.sqrt(np.mean(y**2)))
     ends = float(x.max()), float(x.min())
     if sigma <= STEADY * max(abs(mean), np.abs(ends).max(), 1e-300):
         return RecordStatistics(mean, sigma, *[0.0] * 2, *[np.nan] * 5, *ends, np.nan)
-    slow, wave = parts(y, step, split)
     zero, peak, epsilon = periods(y, step)
     tops, places = local_maxima(y)
     tops = np.sort(tops[places])[::-1]
-    duration = len(x) * step if duration is None else duration
     extreme = float(expected_maximum(sigma, duration, zero)) if duration > FEWEST_WAVES * zero else np.nan
     highest = (highest_mean(tops, 1 / 3), highest_mean(tops, 1 / 10))
     return RecordStatistics(mean, sigma, slow, wave, zero, peak, epsilon, *highest, *ends, extreme)
 
 
-def parts(record, step, split):
-    """Standard deviations of the parts of a record (n,) without mean below and above `split` rad/s: σ² is their sum."""
-    power = np.abs(np.fft.rfft(record)) ** 2
-    power[1 : (len(record) + 1) // 2] *= 2
-    power[0] = 0.0
-    slow = 2 * np.pi * np.fft.rfftfreq(len(record), step) < split
-    return tuple(float(np.sqrt(power[part].sum())) / len(record) for part in (slow, ~slow))
+def parts(records, step, split):
+    """(2, …) standard deviations of the parts of records (…, n) without mean below and above `split` rad/s: σ² is
+    their sum."""
+    n = records.shape[-1]
+    power = np.abs(np.fft.rfft(records)) ** 2
+    power[..., 1 : (n + 1) // 2] *= 2
+    power[..., 0] = 0.0
+    slow = 2 * np.pi * np.fft.rfftfreq(n, step) < split
+    return np.array([np.sqrt(power[..., part].sum(axis=-1)) / n for part in (slow, ~slow)])
 
 
 def slow_part(record, step, split):

@@ -6,9 +6,10 @@ in axes that turn with the slow heading ψ; r is the origin of the database's ax
 Newman's approximation with the root of both diagonals (`mooring.response.slow_drift`). On a current V waves at a place
 have ωᵢ + kᵢ·V in the exponent, and Dᵢ is D + B V of each (`mooring.response.wave_drift_damping`). Time is divided into
 windows. A slow pose is predicted for the end of each window, and forces change linearly from those of the pose at its
-begin to those of the pose at its end, so that they are continuous for any motion. Within a window exp(−iωt) at equal
-steps is always the same matrix: a window costs two products of small real matrices. Between two steps a force
-is the polynomial of fifth degree through its values at the six nearest steps.
+begin to those of the pose at its end, so that they are continuous for any motion. Around the instant between two
+windows exp(−iωt) at equal steps is always the same matrix: the waves of a pose are summed once, for the window before
+it and the one after it (`tables.harmonics`). Between two steps a force is the polynomial of fifth degree through its
+values at the six nearest steps.
 
 Each of several bodies has its own slow pose, and the origin moves with it: the waves scattered by the other bodies are
 those of the positions at rest, which is valid while the distances change little.
@@ -24,12 +25,14 @@ import numpy as np
 
 from hakobune.bem.kernels.in_memory import in_memory
 from hakobune.bem.kernels.jit import kernel
+from hakobune.bem.kernels.simd import WIDTH, added, address, load_vector, repeated, scaled, store_vector
 from hakobune.bem.kernels.threads import blas_threads
 from hakobune.bem.waves import wavenumber
 
 from ..response.linear import frequencies
 from ..response.wave_drift_damping import from_slopes
 from .tables.groups import groups_of
+from .tables.harmonics import at_step, harmonics, sine_and_cosine, sum_waves, zeros_in_lines
 from .tables.interpolation import EDGE, lagrange_weights
 
 HEADINGS = 120  # headings of the force table, 3° apart, with polynomials of fifth degree in between
@@ -38,6 +41,7 @@ FEW = 40
 WINDOW = 6.0  # s; poses are predicted this far ahead
 OF_PERIOD = 1.2  # and at most so many mean periods: of a model of 1:70 in waves of 0.6 s hinges were 2.7 % off by 6 s
 ROWS = 10  # six forces, three of drift, the elevation
+OF_WAVE = 19  # six forces, the elevation, and four roots of each of three drifts
 
 
 @in_memory
@@ -46,11 +50,10 @@ class WaveTable(NamedTuple):
 
     omega : (c,) rad/s at which a place at rest meets them; own : (c,) rad/s, in the water, which a current moves along
     amplitude, phase, direction : (c,); number : (2, c) wavenumber along x and y
-    force : (N + G, c, HEADINGS, 15) real and imaginary parts of six forces per metre and three of drift a square metre,
-    of each of N bodies and of G groups of shapes (`equation`), of which a window reads two megabytes.  Single precision
-    takes 7 % less time of a run, but rounds the forces of every pose anew: a lightly damped buoy at a tolerance of 1e-4
-    was four times that off, and no nearer at 1e-7
-    factor : (2, 2c, m) cos ωt and sin ωt of the steps of a window, t counted from its begin and from its end
+    force : (N + G, c, HEADINGS, 16) real and imaginary parts of six forces per metre, three of drift a square metre and
+    a zero, of each of N bodies and of G groups of shapes (`equation`).  Single precision rounds the forces of every
+    pose anew: a lightly damped buoy at a tolerance of 1e-4 was four times that off, and no nearer at 1e-7
+    factor : (c or more, 2, m) `harmonics` of the steps of a window and EDGE beyond it
     center : (N + G, 2) m, rotation centres; arm : (N + G, 2) m, from the origin of the database to these, along axes of
     the bodies
     step, window : s, between forces and of a window
@@ -72,27 +75,35 @@ class WaveTable(NamedTuple):
     @property
     def steps(self):
         """Columns of a window, 1 without components"""
-        return self.factor.shape[2] if len(self.omega) else 1
+        return round(self.window / self.step) + 1 + 2 * EDGE if len(self.omega) else 1
 
 
 @in_memory
 class Waves(NamedTuple):
     """table : `WaveTable`; mean_drift : whether each component drifts alone, without the beat of pairs
 
-    rows : (N, 2, 2c, 19) `fill_rows` of the begin of window n in place n % 2, that of its end in the other
-    sums : (19, m), room for work
+    rows : (c, 2, 19), turns : (2, c), parts : (16,), weights : (6,) room for work
+    sums : (N, 2, 19, 2, m) `sum_waves` of the begin of window n in place n % 2, those of its end in the other
+    mean : (N, 2, 3) mean drift there
     """
 
     table: WaveTable
     mean_drift: bool
     rows: np.ndarray
+    turns: np.ndarray
+    parts: np.ndarray
+    weights: np.ndarray
     sums: np.ndarray
+    mean: np.ndarray
 
 
 def waves_of(table, mean_drift=False):
     """`Waves` of a `WaveTable`"""
-    c, m = table.factor.shape[1:]
-    return Waves(table, bool(mean_drift), np.zeros((len(table.force), 2, c, 19)), np.zeros((19, m)))
+    c, _, m = table.factor.shape
+    return Waves(
+        table, bool(mean_drift), np.zeros((c, 2, OF_WAVE)), np.zeros((2, len(table.omega))), np.zeros(16), np.zeros(6),
+        zeros_in_lines((len(table.force), 2, OF_WAVE, 2, m)), np.zeros((len(table.force), 2, 3)),
+    )  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)
@@ -234,23 +245,20 @@ def wave_table(forces, components, depth, center, gravity, drift=True, carrier=N
     """
     omega, amplitude, phase, direction = (np.asarray(part, float) for part in components)
     held = np.clip(omega, forces.omega[0], forces.omega[-1])
-    force = np.zeros((len(forces.each), len(omega), HEADINGS, 15))
+    force = zeros_in_lines((len(forces.each), len(omega), HEADINGS, 16))
     for one, own in zip(forces.each, force, strict=True):
         of_force, of_drift = one.curves
         own[:, :, :12] = of_force(held)
         own[held != omega] = 0.0
         if drift and of_drift is not None and carrier is None:
-            own[:, :, 12:] = of_drift(held)
+            own[:, :, 12:15] = of_drift(held)
         elif drift and of_drift is not None:
-            own[:, :, 12:] = drift_on_current(one, held, direction, carrier.velocity, depth, gravity)
+            own[:, :, 12:15] = drift_on_current(one, held, direction, carrier.velocity, depth, gravity)
     number = wavenumber(omega, depth, gravity) * np.stack([np.cos(direction), np.sin(direction)])
     own, omega = omega, omega if carrier is None else omega + np.asarray(carrier.velocity) @ number
     step = PHASE[len(omega) > FEW] / np.abs(omega).max()
     count = max(2, int(np.ceil(_window(omega, amplitude) / step)))
-    times = step * (np.arange(count + 1 + 2 * EDGE) - EDGE)
-    turn = np.multiply.outer(omega, np.stack([times, times - step * count]))
-    factor = np.concatenate([np.cos(turn), np.sin(turn)])  # Re G e^{−iωt} = Re G cos ωt + Im G sin ωt
-    factor = np.ascontiguousarray(factor.swapaxes(0, 1))
+    factor = harmonics(omega, step, count + 1 + EDGE)  # Re G e^{−iωt} = Re G cos ωt + Im G sin ωt
     middle, turn = np.asarray(center, float).reshape(-1, 3)[:, :2].copy(), np.asarray(heading, float)
     arm = middle * np.cos(turn)[:, None] + middle[:, ::-1] * np.multiply.outer(np.sin(turn), [1.0, -1.0])
     return WaveTable(
@@ -269,85 +277,106 @@ def no_waves(window=WINDOW, bodies=1):
     """A `WaveTable` without components"""
     none = np.zeros(0)
     count = max(2, int(window))
-    shape = np.zeros((bodies, 0, HEADINGS, 15)), np.zeros((2, 0, count + 1 + 2 * EDGE))
+    shape = np.zeros((bodies, 0, HEADINGS, 16)), np.zeros((0, 2, WIDTH))
     place = np.zeros((bodies, 2))
     return WaveTable(
         none, none, np.zeros((2, 0)), none, none, none, *shape, place, place, window / count, float(window)
     )
 
 
-@kernel()
-def fill_rows(table, rows, pose, start, body=0):
-    """rows (2c, 19): coefficients of `factor` for 6 forces, the elevation and real and imaginary roots of the drift.
+@kernel(inline=True, counted=False)
+def turn_waves(table, x, y, start, turns):
+    """turns (2, c): amplitude times cosine and sine of the phase of each wave at (x, y) m and `start` s"""
+    for i in range(table.omega.size):
+        turn = table.number[0, i] * x + table.number[1, i] * y + table.phase[i] - table.omega[i] * start
+        sine, cosine = sine_and_cosine(turn)
+        turns[0, i] = table.amplitude[i] * cosine
+        turns[1, i] = table.amplitude[i] * sine
 
-    pose : (3,) slow x, y (m from the place at rest) and heading of the body; start : s of the window
+
+@kernel(counted=False)
+def fill_rows(waves, pose, start, body=0):
+    """waves.rows (c, 2, OF_WAVE): six forces, the elevation and real and imaginary roots of the drift, of each wave
+
+    pose : (3,) slow x, y (m from the place at rest) and heading of the body; start : s
     """
-    c = table.omega.size
+    table, turns, parts = waves.table, waves.turns, waves.parts
     cos, sin = np.cos(pose[2]), np.sin(pose[2])
     cx, cy, ax, ay = table.center[body, 0], table.center[body, 1], table.arm[body, 0], table.arm[body, 1]
-    x, y = cx + pose[0] - cos * ax + sin * ay, cy + pose[1] - sin * ax - cos * ay
-    weights, parts, first, towards = np.empty(6), np.empty(15), 0, np.nan
-    for i in range(c):
-        turn = table.number[0, i] * x + table.number[1, i] * y + table.phase[i] - table.omega[i] * start
-        a, b = table.amplitude[i] * np.cos(turn), table.amplitude[i] * np.sin(turn)
+    turn_waves(table, cx + pose[0] - cos * ax + sin * ay, cy + pose[1] - sin * ax - cos * ay, start, turns)
+    weights, first, towards = waves.weights, 0, np.nan
+    force, into = address(table.force), address(parts)
+    for i in range(table.omega.size):
         if table.direction[i] != towards:
             towards = table.direction[i]
             place = (towards - pose[2]) * (HEADINGS / (2 * np.pi))
             whole = np.floor(place)
             lagrange_weights(place - whole + 2.0, 6, weights)
             first = int(whole) - 2
-        parts[:] = 0.0
+        low = high = repeated(0.0)
         for n in range(6):
-            w, near = weights[n], table.force[body, i, (first + n) % HEADINGS]
-            for j in range(15):
-                parts[j] += w * near[j]
-        by_cos, by_sin = rows[i], rows[c + i]
-        for j in range(6):
-            by_cos[j], by_sin[j] = a * parts[j] - b * parts[6 + j], b * parts[j] + a * parts[6 + j]
-        by_cos[6], by_sin[6] = a, b
-        for j in range(3):
-            d = parts[12 + j]
-            root = np.sqrt(abs(d))
-            up, down = (root, 0.0) if d > 0.0 else (0.0, root)
-            p = 7 + 4 * j
-            by_cos[p], by_sin[p] = up * a, up * b
-            by_cos[p + 1], by_sin[p + 1] = up * b, -up * a
-            by_cos[p + 2], by_sin[p + 2] = down * a, down * b
-            by_cos[p + 3], by_sin[p + 3] = down * b, -down * a
+            at = ((body * table.omega.size + i) * HEADINGS + (first + n) % HEADINGS) * 16
+            low = added(low, scaled(load_vector(force, at), weights[n]))
+            high = added(high, scaled(load_vector(force, at + 8), weights[n]))
+        store_vector(into, 0, low)
+        store_vector(into, 8, high)
+        put_rows(waves.rows[i, 0], waves.rows[i, 1], turns[0, i], turns[1, i], parts)
 
 
-@kernel()
+@kernel(inline=True, counted=False)
+def put_rows(by_cos, by_sin, a, b, parts):
+    """Rows of a wave of amplitude a + ib m there: parts (16,) are its forces and drift as in a `WaveTable`"""
+    for j in range(6):
+        by_cos[j], by_sin[j] = a * parts[j] - b * parts[6 + j], b * parts[j] + a * parts[6 + j]
+    by_cos[6], by_sin[6] = a, b
+    for j in range(3):
+        d = parts[12 + j]
+        root = np.sqrt(abs(d))
+        up, down = (root, 0.0) if d > 0.0 else (0.0, root)
+        p = 7 + 4 * j
+        by_cos[p], by_sin[p] = up * a, up * b
+        by_cos[p + 1], by_sin[p + 1] = up * b, -up * a
+        by_cos[p + 2], by_sin[p + 2] = down * a, down * b
+        by_cos[p + 3], by_sin[p + 3] = down * b, -down * a
+
+
+@kernel(counted=False)
+def meet(waves, place, pose, start, body=0):
+    """Sums of `Waves` around `start` s into a place of them, 0 or 1, of a body then at the slow pose (3,)"""
+    fill_rows(waves, pose, start, body)
+    sum_waves(waves.rows, waves.table.factor, waves.sums[body, place])
+    for j in range(3):
+        p, total = 7 + 4 * j, 0.0
+        for i in range(waves.table.omega.size):
+            a, b = waves.rows[i, 0], waves.rows[i, 1]
+            total += a[p] ** 2 + b[p] ** 2 - a[p + 2] ** 2 - b[p + 2] ** 2
+        waves.mean[body, place, j] = total
+
+
+@kernel(counted=False)
 def fill_window(waves, window, number, pose, start, body=0):
-    """window (ROWS, m): forces of `Waves` at the steps of a window that begins at `start` s, and new rows of its end.
+    """window (ROWS, m): forces of `Waves` at the steps of a window that begins at `start` s.
 
-    number : of the window; the rows of its begin are there.  pose : (3,) slow pose of the body at its end
+    number : of the window; its begin has been met.  pose : (3,) slow pose of the body at its end, which is met here
     """
-    table, mean_drift, sums = waves.table, waves.mean_drift, waves.sums
     window[:] = 0.0
-    c, m = table.omega.size, window.shape[1]
-    if c == 0:
+    if waves.table.omega.size == 0:
         return
-    fill_rows(table, waves.rows[body, (number + 1) % 2], pose, start + table.window, body)
-    steps = m - 1 - 2 * EDGE
+    meet(waves, (number + 1) % 2, pose, start + waves.table.window, body)
+    steps = window.shape[1] - 1 - 2 * EDGE
     for side in range(2):
-        rows = waves.rows[body, (number + side) % 2]
-        np.dot(rows.T, table.factor[side], sums)
-        for n in range(m):
+        sums, mean = waves.sums[body, (number + side) % 2], waves.mean[body, (number + side) % 2]
+        for n in range(window.shape[1]):
+            at = n - EDGE - side * steps
             later = (n - EDGE) / steps
             share = 1.0 - later if side == 0 else later
             for j in range(6):
-                window[j, n] += share * sums[j, n]
-            window[9, n] += share * sums[6, n]
-            if not mean_drift:
-                for j in range(3):
-                    p = 7 + 4 * j
-                    slow = sums[p, n] ** 2 + sums[p + 1, n] ** 2 - sums[p + 2, n] ** 2 - sums[p + 3, n] ** 2
-                    window[6 + j, n] += share * slow
-        if mean_drift:
+                window[j, n] += share * at_step(sums, j, at)
+            window[9, n] += share * at_step(sums, 6, at)
             for j in range(3):
-                p, mean = 7 + 4 * j, 0.0
-                for i in range(c):
-                    mean += rows[i, p] ** 2 + rows[c + i, p] ** 2 - rows[i, p + 2] ** 2 - rows[c + i, p + 2] ** 2
-                for n in range(m):
-                    later = (n - EDGE) / steps
-                    window[6 + j, n] += (1.0 - later if side == 0 else later) * mean
+                slow = mean[j]
+                if not waves.mean_drift:
+                    p = 7 + 4 * j
+                    slow = at_step(sums, p, at) ** 2 + at_step(sums, p + 1, at) ** 2
+                    slow -= at_step(sums, p + 2, at) ** 2 + at_step(sums, p + 3, at) ** 2
+                window[6 + j, n] += share * slow

@@ -2,7 +2,6 @@
 
 import math
 from dataclasses import dataclass, replace
-from functools import partial
 
 import msgspec
 import numpy as np
@@ -10,7 +9,7 @@ import numpy as np
 from hakobune.bem.hinges import ALONE, told_of
 from hakobune.mooring.criteria.failing import fails
 from hakobune.mooring.fenders.gaps import gaps, pairs_of
-from hakobune.mooring.motion.statistics import record_statistics, stillness, without_rounding
+from hakobune.mooring.motion.statistics import statistics_of_records, stillness, without_rounding
 
 from ..common.quantities import StudyError
 from ..common.quay_tables import linked
@@ -219,7 +218,6 @@ def simulate_seed(task, seed, kept, progress=None):
         run = simulate(body, plan.weather, plan.settings, seed, progress)
     late = run.time >= -1e-9
     extreme = 0.0 if plan.weather.regular is not None else 1000 * plan.mean_period if plan.mean_period else None
-    statistics = partial(record_statistics, step=plan.settings.step, split=plan.split, duration=extreme)
     run = run._replace(tension=np.column_stack([run.tension, run.pull]))
     met = [column for pair in zip(run.deflection.T, run.reaction.T, strict=True) for column in pair]
     apart = gaps(plan.sides, run.poses)
@@ -232,7 +230,7 @@ def simulate_seed(task, seed, kept, progress=None):
     columns = np.column_stack(columns)[late]
     if not np.all(np.isfinite(columns)):
         raise ValueError("the run has values that are not finite")
-    found = [statistics(column) for column in columns.T]
+    found = statistics_of_records(columns.T, plan.settings.step, plan.split, extreme)
     names = run.tension.shape[1], run.deflection.shape[1]
     reader = body.reader
     beams = plan.shapes, told_of_stations(reader, plan.stations)

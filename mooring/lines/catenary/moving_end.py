@@ -5,6 +5,9 @@ free one, is kept between calls, with the tangent of H.  Newton's method then st
 step's change and squares it again: a step of 3e-6 of H leaves 1e-11.  With T = H + rise at the fairlead and asinh(wS/H)
 = ln[(wS + T)/H] an iteration on the bed takes one logarithm and two roots; where it does not converge, the safe search
 of `flat_bed` is used.
+
+Lines that lay on the bed a moment before are solved eight at once, in vectors, by two iterations; a line of which the
+last changes more than CLOSE is then solved alone, like those in other states.
 """
 
 from __future__ import annotations
@@ -14,6 +17,15 @@ import math
 import numpy as np
 
 from hakobune.bem.kernels.jit import kernel
+from hakobune.bem.kernels.simd import (
+    WIDTH,
+    address,
+    choose_less,
+    exponents_and_fractions,
+    load_vector,
+    root,
+    store_vector,
+)
 
 from .flat_bed import ROW, bed_stretch, free_length, grounded_tension, leaves_bed, solve_line
 from .state import BEYOND_REACH, GROUNDED, SLACK, SUSPENDED
@@ -23,6 +35,7 @@ CLOSE, CLOSE_FREE = (
     3e-6,
     1e-7,
 )  # relative change of H and of ln t in the last step of Newton's method, whose error is the square of it
+ROOT_2, LN_2, LN_2_REST = math.sqrt(2.0), 6.93147180369123816490e-01, 1.90821492927058770002e-10
 WIDEST = 2.0  # factor by which H is allowed to change in the prediction
 KEPT = 6  # numbers kept of each line: its State, H or t, and for a line on the bed span, height, ∂H/∂x, ∂H/∂h there
 
@@ -63,6 +76,62 @@ def tension_near(kept, x, height, length, weight, flexibility, friction):
             kept[5] = -turn * T / (held * (1.0 + flexibility * T) * rate) if held > 0.0 else 0.0
             return H, held
     return math.nan, math.nan
+
+
+@kernel(inline=True, counted=False)
+def logarithm(x):
+    """ln of a vector of normal positive numbers, to rounding; after fdlibm (Sun Microsystems 1993)"""
+    k, m = exponents_and_fractions(x)
+    k, f = choose_less(m, ROOT_2, k, k + 1.0), choose_less(m, ROOT_2, m, 0.5 * m) - 1.0
+    s, half = f / (2.0 + f), 0.5 * f * f
+    z = s * s
+    R = 1.818357216161805012e-01 + z * (1.531383769920937332e-01 + z * 1.479819860511658591e-01)
+    R = 2.857142874366239149e-01 + z * (2.222219843214978396e-01 + z * R)
+    R = z * (6.666666666666735130e-01 + z * (3.999999999940941908e-01 + z * R))
+    return k * LN_2 - ((half - (s * (half + R) + k * LN_2_REST)) - f)
+
+
+@kernel(inline=True, counted=False)
+def tensions_near(kept, lines, ends, n):
+    """`pull` of lines n … n + 7 that lie partly on the bed, from the tangents kept of nearby positions
+
+    kept : (KEPT, m) of `workspace`, updated of the lines that are solved here; lines : (4, m) length, weight, 1/EA,
+    friction; ends : (4, m) x and height, given, and H and V, found, nan of a line to be solved alone
+    """
+    k, of, at, m = address(kept), address(lines), address(ends), ends.shape[1]
+    length, weight, flexibility = load_vector(of, n), load_vector(of, m + n), load_vector(of, 2 * m + n)
+    rough = weight * load_vector(of, 3 * m + n)
+    x, height, last = load_vector(at, n), load_vector(at, m + n), load_vector(k, m + n)
+    load = weight * height
+    H = last + load_vector(k, 4 * m + n) * (x - load_vector(k, 2 * m + n))
+    H = H + load_vector(k, 5 * m + n) * (height - load_vector(k, 3 * m + n))
+    H = choose_less(H, last / WIDEST, last / WIDEST, choose_less(last * WIDEST, H, last * WIDEST, H))
+    held = step = rate = turn = T = by_H = lying = H
+    for _ in range(2):
+        s = 1.0 + flexibility * H
+        rise = 2.0 * load / (s + root(s * s + 2.0 * flexibility * load))
+        held, T = root(rise * (rise + 2.0 * H)), H + rise
+        S, bend = held / weight, logarithm((held + T) / H)
+        lying = length - S
+        most = rough * lying
+        pulled = choose_less(H, most, H / rough, lying)
+        stretch = flexibility * pulled * (H - 0.5 * rough * pulled)
+        missed = x - (H * (bend / weight + flexibility * S) + lying + stretch)
+        turn = flexibility * (H - choose_less(H, most, 0.0, H - most)) - rise / T
+        by_H = S / ((T + H) * (1.0 + flexibility * T))
+        rate = flexibility * (pulled + S) + (bend - held / T) / weight + turn * by_H
+        step = missed / rate
+        H = H + step
+    held = held + weight * by_H * step
+    hanging = 2.0 * height / (1.0 + root(1.0 + 2.0 * flexibility * load))
+    good = choose_less(choose_less(step, 0.0, -step, step), CLOSE * H, 1.0, 0.0 * H)
+    good = choose_less(0.0, lying, choose_less(held, weight * length, good, 0.0), 0.0)
+    good = choose_less(length - hanging, x, choose_less(height, 0.0, 0.0, good), 0.0)
+    by_height = choose_less(0.0, held, -turn * T / (held * (1.0 + flexibility * T) * rate), 0.0)
+    for row, value in ((1, H), (2, x), (3, height), (4, 1.0 / rate), (5, by_height)):
+        store_vector(k, row * m + n, choose_less(0.0, good, value, load_vector(k, row * m + n)))
+    store_vector(at, 2 * m + n, choose_less(0.0, good, H, math.nan))
+    store_vector(at, 3 * m + n, choose_less(0.0, good, held, math.nan))
 
 
 @kernel(inline=True)
@@ -132,10 +201,10 @@ def pulls(kept, rows, x, low, high, bed, lines, out):
     for i in range(x.size):
         length, weight, flexibility, friction = lines[i]
         out[i, 0], out[i, 1] = pull_of_any(
-            kept[i], rows[i], x[i], low[i], high[i], bed, length, weight, flexibility, friction
+            kept[:, i], rows[i], x[i], low[i], high[i], bed, length, weight, flexibility, friction
         )
 
 
 def workspace(count):
-    """kept (n, KEPT) and rows (n, ROW) for lines without earlier results"""
-    return np.zeros((count, KEPT)), np.zeros((count, ROW))
+    """kept (KEPT, m ≥ n), whole vectors of lines, and rows (n, ROW) for lines without earlier results"""
+    return np.zeros((KEPT, -(-count // WIDTH) * WIDTH)), np.zeros((count, ROW))

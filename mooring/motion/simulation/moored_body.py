@@ -115,6 +115,9 @@ def moored(
         check_bending(body, free)
     if memory is None:
         memory, findings = fitted_memory(body, motions)
+    # numbers computed together differ in their last bits from those computed alone; a process that is given the memory
+    # has to find those of the one that made it
+    body.between.forget()
     spring, damping = np.zeros_like(body.damping) if spring is None else np.asarray(spring, float), viscous.damping
     findings = (*findings, *_of_viscous(reader, linearised_in))
     start, stiffness, tables, links = np.zeros(len(spring)), body.stiffness + spring, ((), ()), links_of(body)

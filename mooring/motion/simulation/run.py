@@ -28,7 +28,7 @@ from .loads import frequency_of_coefficients, streams, wave_components
 from .realisation import Course, doubt_of, motion_of, poses_of, realisation_of, with_error
 from .trial import Choice, chosen
 
-STEPS_AT_ONCE = 2000, 200  # steps between progress reports, without and with moving lines: 0.1 to 0.5 s
+STEPS_AT_ONCE = 5000, 200  # steps between progress reports, without and with moving lines: 0.05 to 0.5 s
 FORGOTTEN = 20.0  # s, over which an error of a step is counted: a few cycles of a damped motion
 SHARE = 0.3  # fraction of the tolerance for the errors within one such interval
 FINER = 0.1  # tolerance of the run that estimates the error, over that of the study

@@ -14,6 +14,7 @@ from hakobune.bem.kernels.simd import (
     address,
     bits_to_float,
     choose_less,
+    exponents_and_fractions,
     float_to_bits,
     load_vector,
     repeated,
@@ -67,15 +68,19 @@ def every_operation(a, b, out):
     out[106], out[107] = to_scalars(second)
     out[108], out[109], out[110], out[111] = to_scalars(low + high)
     out[112] = bits_to_float(float_to_bits(b[2]) + (1 << 52))  # twice it: one more in the exponent
+    exponents, fractions = exponents_and_fractions(x * x)
+    store_vector(to, 113, exponents)
+    store_vector(to, 121, fractions)
 
 
 def test_vectors_are_eight_numbers_whichever_operation():
     from numba import njit
 
     rng = np.random.default_rng(1)
-    a, b, found = rng.normal(size=9), rng.uniform(1, 2, size=8), np.zeros(113)
+    a, b, found = rng.normal(size=9), rng.uniform(1, 2, size=8), np.zeros(129)
     njit(every_operation)(a, b, found)
     x = a[1:]
     true = [x + b, 3 * x, x + b, x - b, x * b, x / b, -x, x - 2, 2 / b, np.where(x < b, x, 7), np.where(b > 1.5, b, x),
-            np.abs(x), np.full(8, b[3]), x[4:], x[:4] + x[4:], [2 * b[2]]]  # fmt: skip
+            np.abs(x), np.full(8, b[3]), x[4:], x[:4] + x[4:], [2 * b[2]],
+            np.frexp(x * x)[1] - 1, 2 * np.frexp(x * x)[0]]  # fmt: skip
     assert found == pytest.approx(np.concatenate(true), rel=1e-15)

@@ -4,8 +4,10 @@ import numpy as np
 import pytest
 from plain import plain
 
+from hakobune.bem.kernels.jit import kernel
 from hakobune.mooring.lines.catenary.flat_bed import ROW, solve_line
-from hakobune.mooring.lines.catenary.moving_end import pull_of_any, workspace
+from hakobune.mooring.lines.catenary.moving_end import pull_of_any, tensions_near, workspace
+from hakobune.mooring.lines.catenary.state import GROUNDED
 
 
 def path(rng, length):
@@ -24,7 +26,7 @@ def test_a_warm_start_changes_nothing_but_rounding():
         low, bed = (0.0, 0.0) if rng.random() < 0.7 else (0.05 * length, 0.0)
         kept, rows = workspace(1)
         for x, z in zip(*path(rng, length), strict=True):
-            found = pull_of_any(kept[0], rows[0], x, low, z, bed, length, weight, flexibility, friction)
+            found = pull_of_any(kept[:, 0], rows[0], x, low, z, bed, length, weight, flexibility, friction)
             row = np.zeros(ROW)
             if weight > 0:
                 solve_line(row, x, low, z, length, weight, flexibility, friction if low == bed else 0.0, True)
@@ -52,3 +54,46 @@ def test_lines_side_by_side_pull_as_each_alone():
         found = ends.pull_of_any(alone[0], room[0], x[i], low[i], high[i], -50.0, *lines[i])
         assert out[i] == pytest.approx(found, rel=1e-12) and np.array_equal(kept[i], alone[0])
     assert len(np.unique(np.round(out, 3), axis=0)) == 4 and np.all(np.isfinite(out))
+
+
+@kernel(counted=False)
+def follow(kept, lines, ends):
+    tensions_near(kept, lines, ends, 0)
+
+
+def eight_lines(rng):
+    """kept, lines and ends of eight lines that were followed to one place of their end and are now at another"""
+    kept, rows = workspace(8)
+    lines, ends = np.zeros((4, 8)), np.zeros((4, 8))
+    for i in range(8):
+        length, weight = 10 ** rng.uniform(1.5, 3), 10 ** rng.uniform(2, 4)
+        lines[:, i] = length, weight, 10 ** rng.uniform(-10, -8), rng.choice([0.0, 0.7])
+        x, z = length * rng.uniform(0.85, 0.99), length * rng.uniform(0.02, 0.15)
+        for place in (x, x * (1 - 1e-6)):
+            pull_of_any(kept[:, i], rows[i], place, 0.0, z, 0.0, *lines[:, i])
+        ends[:2, i] = x * (1 + 1e-4 * rng.normal()), z * (1 + 1e-3 * rng.normal())
+    return kept, lines, ends
+
+
+def test_eight_lines_at_once_are_those_solved_alone_and_not_changed_by_their_neighbours():
+    rng, solved = np.random.default_rng(8), 0
+    for _ in range(40):
+        kept, lines, ends = eight_lines(rng)
+        before, other_kept, beside = kept.copy(), kept.copy(), ends.copy()
+        beside[:2, 1::2], other_kept[1:, 1::2] = np.nan, 7.0
+        follow(kept, lines, ends)
+        follow(other_kept, lines, beside)
+        assert np.array_equal(ends[:, ::2], beside[:, ::2], equal_nan=True) and np.isnan(beside[2:, 1::2]).all()
+        assert np.array_equal(kept[:, ::2], other_kept[:, ::2])
+        for i in range(8):
+            row, (x, z) = np.zeros(ROW), ends[:2, i]
+            length, weight, flexibility, friction = lines[:, i]
+            solve_line(row, x, 0.0, z, length, weight, flexibility, friction, True)
+            if before[0, i] != GROUNDED or np.isnan(ends[2, i]):
+                continue
+            assert row[0] == GROUNDED and kept[1, i] == ends[2, i]
+            assert np.abs(ends[2:, i] - row[[2, 4]]).max() <= 1e-10 * np.hypot(row[2], row[4])
+            solved += 1
+        still = np.isnan(ends[2])
+        assert np.array_equal(kept[:, still], before[:, still])
+    assert solved >= 150  # others hang free, or need a third iteration

@@ -8,6 +8,7 @@ from plain import plain
 
 from hakobune.mooring.lines.catenary.state import State
 from hakobune.mooring.lines.system.bodies import rotation
+from hakobune.mooring.motion.tables.harmonics import harmonics
 
 waves, tables = plain("mooring.motion.wave_loads"), plain("mooring.motion.force_tables")
 ends, uniform = plain("mooring.lines.catenary.moving_end"), plain("mooring.lines.catenary.uniform")
@@ -30,10 +31,10 @@ def a_table():
     around = np.stack([np.ones_like(RING), np.cos(RING), np.sin(RING)])
     force = np.einsum("bcij,in->bcnj", PARTS, around)
     times = STEP * (np.arange(STEPS + 1 + 2 * waves.EDGE) - waves.EDGE)
-    turn = np.multiply.outer(OMEGA, np.stack([times, times - STEP * STEPS]))
-    factor = np.ascontiguousarray(np.concatenate([np.cos(turn), np.sin(turn)]).swapaxes(0, 1))
+    factor = harmonics(OMEGA, STEP, STEPS + 1 + waves.EDGE)
     return waves.WaveTable(
-        OMEGA, OWN, NUMBER, AMPLITUDE, PHASE, DIRECTION, force, factor, CENTER, ARM, STEP, STEP * STEPS
+        OMEGA, OWN, NUMBER, AMPLITUDE, PHASE, DIRECTION, np.pad(force, [(0, 0)] * 3 + [(0, 1)]), factor, CENTER, ARM,
+        STEP, STEP * STEPS,
     ), times  # fmt: skip
 
 
@@ -52,10 +53,10 @@ def in_waves(body, pose, t):
 def test_forces_over_a_window_go_from_those_of_one_pose_to_those_of_the_next(mean):
     table, times = a_table()
     poses, start = np.array([[0.5, -0.2, 0.3], [1.5, 0.4, 0.5]]), 7.0
-    given = waves.Waves(table, mean, np.zeros((2, 2, 4, 19)), np.zeros((19, len(times))))
+    given = waves.waves_of(table, mean)
     for body in range(2):
         window = np.ones((waves.ROWS, len(times)))
-        waves.fill_rows(table, given.rows[body, 1], poses[0], start, body)  # of window number 3, an odd one
+        waves.meet(given, 1, poses[0], start, body)  # the begin of window number 3, an odd one
         waves.fill_window(given, window, 3, poses[1], start, body)
         for n, t in enumerate(times):
             later = t / (STEP * STEPS)
@@ -69,9 +70,7 @@ def test_forces_over_a_window_go_from_those_of_one_pose_to_those_of_the_next(mea
 def test_without_waves_a_window_is_still():
     table = waves.no_waves(3.0, 2)
     window = np.ones((waves.ROWS, 4))
-    waves.fill_window(
-        waves.Waves(table, False, np.zeros((2, 2, 0, 19)), np.zeros((19, 4))), window, 0, np.zeros(3), 0.0
-    )
+    waves.fill_window(waves.waves_of(table), window, 0, np.zeros(3), 0.0)
     assert np.all(window == 0)
     assert (table.step, table.window, table.steps) == (1.0, 3.0, 1)
 
@@ -369,13 +368,14 @@ buoys = plain("mooring.motion.buoy")
 
 
 def test_water_at_a_buoy_goes_from_that_of_the_begin_of_a_window_to_that_of_its_end():
-    """The buoy at (1, −2) m off its place; rows of the end become those of the next begin"""
+    """The buoy at (1, −2) m off its place; sums of the end become those of the next begin"""
     table, times = a_table()
     m, start = len(times), 7.0
     buoy = SimpleNamespace(depth=30.0, draft=2.0, origin=np.array([4.0, 5.0, 0.0]),
                            lines=SimpleNamespace(place=np.array([[50.0, 10.0, 0.0]])))  # fmt: skip
-    work = SimpleNamespace(window=np.ones((buoys.WATER, m)), rows=np.zeros((2, buoys.WATER, 4)), place=np.zeros(2),
-                           sums=np.zeros((buoys.WATER, m)))  # fmt: skip
+    waves, _, steps = table.factor.shape
+    work = SimpleNamespace(window=np.ones((buoys.WATER, m)), rows=np.zeros((waves, 2, buoys.WATER)), place=np.zeros(2),
+                           sums=np.zeros((2, buoys.WATER, 2, steps)))  # fmt: skip
     at = np.array([50.0 + 1.0 - 4.0, 10.0 - 2.0 - 5.0]) + table.center[0]
     for number in (0, 1):
         begin = start + number * table.window

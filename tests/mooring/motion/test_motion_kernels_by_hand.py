@@ -228,8 +228,8 @@ def room(buoy, water=None):
     return BuoyWork(
         line_work(buoy.lines),
         np.zeros((7, 1)),
-        np.zeros((2, 7, 0)),
-        np.zeros((7, 1)),
+        np.zeros((0, 2, 7)),
+        np.zeros((2, 7, 2, 8)),
         np.zeros(2),
         np.zeros(7) if water is None else np.array(water, float),
         np.zeros(6),
@@ -312,7 +312,7 @@ def test_water_at_a_buoy_is_that_of_linear_waves_at_half_its_draft():
     forces = WaveForces(np.linspace(0.4, 1.6, 9), np.zeros((9, HEADINGS, 12)), None)
     waves = Components(np.array([0.7, 1.1]), np.array([1.5, 0.8]), np.array([0.3, 1.0]), np.array([0.4, 2.0]))
     table = wave_table(forces, waves, 30.0, PLACE, G)
-    buoy, rows = buoy_arrays(a_buoy()), np.zeros((7, 4))
+    buoy, rows = buoy_arrays(a_buoy()), np.zeros((2, 2, 7))
     place, start, z, h = np.array([7.0, -4.0]), 3.0, -0.5 * buoy_arrays(a_buoy()).draft, 30.0
     water_rows(table, buoy, place, start, rows)
     for i in range(2):
@@ -332,7 +332,7 @@ def test_water_at_a_buoy_is_that_of_linear_waves_at_half_its_draft():
                 du * math.sin(beta),
                 dup,
             ]
-            found = rows[:, i] * math.cos(w * t) + rows[:, 2 + i] * math.sin(w * t)
+            found = rows[i, 0] * math.cos(w * t) + rows[i, 1] * math.sin(w * t)
             assert found == pytest.approx(wanted, rel=1e-6, abs=1e-9)
 
 

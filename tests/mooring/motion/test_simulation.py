@@ -8,7 +8,7 @@ import pytest
 
 from hakobune.bem.modes import DOFS
 from hakobune.bem.time_domain.fast_states import slow_memory
-from hakobune.bem.time_domain.memory import MemoryArrays
+from hakobune.bem.time_domain.memory import MemoryArrays, no_memory
 from hakobune.bem.viscous import Quadratic, Viscous
 from hakobune.mooring.environment.sea import Components, Sea
 from hakobune.mooring.environment.spectra import issc, jonswap
@@ -152,6 +152,17 @@ def test_the_same_seed_gives_the_same_bits_and_another_another_sea(on_chains):
     first, again, other = (simulate(on_chains, weather, settings, seed) for seed in (4, 4, 5))
     assert np.array_equal(first.motion, again.motion) and np.array_equal(first.tension, again.tension)
     assert not np.allclose(first.wave, other.wave)
+
+
+def test_forces_on_a_body_have_the_same_bits_whatever_was_read_from_its_database_before(database):
+    """As in a process that is given the memory, beside the one that fitted it and has read coefficients since"""
+    reader = database.bodies_reader
+    memory, spring = no_memory(reader), np.diag([5e6, 8e6, 0.0, 0.0, 0.0, 2e10])
+    one = moored(database, spring=spring, memory=memory).waves
+    reader.between.forget()
+    reader.forces(one.omega[::7], [0.1])
+    other = moored(database, spring=spring, memory=memory).waves
+    assert np.array_equal(one.omega, other.omega) and np.array_equal(one.force, other.force)
 
 
 def test_waves_from_the_other_side_give_the_mirror_image(on_chains):

@@ -35,13 +35,13 @@ class Run:
             body=SimpleNamespace(shapes=SimpleNamespace(owner=np.zeros(0, np.int64))),
         )  # fmt: skip
         table = SimpleNamespace(window=WINDOW, step=0.5)
-        self.waves = SimpleNamespace(table=table, rows=np.array([[f"row {b}", ""] for b in range(bodies)]))
+        self.waves = SimpleNamespace(table=table)
         self.samples = np.full((int(END / sample) + 1, 18 * bodies + (6 if buoy else 0)), np.nan)
         note = self.note
         monkeypatch.setattr(integrator, "rates", self.rates)
         monkeypatch.setattr(integrator, "settle", note("settle"))
         monkeypatch.setattr(integrator, "hold", note("hold"))
-        monkeypatch.setattr(integrator, "fill_rows", note("rows"))
+        monkeypatch.setattr(integrator, "meet", note("rows"))
         monkeypatch.setattr(integrator, "fill_window", note("window"))
         monkeypatch.setattr(integrator, "keep_links", note("links"))
         monkeypatch.setattr(integrator, "open_water", note("water"))
@@ -110,7 +110,7 @@ def test_every_step_begins_where_the_last_ended_and_ends_with_the_window(monkeyp
     assert [given[1] for given in windows[:2]] == ["window 0", "window 1"]
     assert windows[2][3] == pytest.approx([0.4, 0.8, 1.2]) and windows[4][3] == pytest.approx([0.6, 1.2, 1.8])
     rows = run.of("rows")
-    assert [(given[1], given[3], given[4]) for given in rows] == [("row 0", 0.0, 0), ("row 1", 0.0, 1)]
+    assert [(given[1], given[3], given[4]) for given in rows] == [(0, 0.0, 0), (0, 0.0, 1)]
     assert run.clock.counts[integrator.WINDOWS] == 3 and run.scene.work.span.tolist() == [4.0, 0.5]
 
 

@@ -7,7 +7,7 @@ from hakobune.mooring.environment.sea import Sea
 from hakobune.mooring.environment.spectra import jonswap
 from hakobune.mooring.environment.spreading import CosinePower
 from hakobune.mooring.motion.tables.interpolation import EDGE
-from hakobune.mooring.motion.wave_loads import ROWS, fill_rows, fill_window, wave_table, waves_of
+from hakobune.mooring.motion.wave_loads import ROWS, fill_window, meet, wave_table, waves_of
 from hakobune.mooring.response.slow_drift import component_drift, newman
 
 ROUNDING = 1e-12  # of phases of a few hundred rad and of sums
@@ -18,7 +18,7 @@ def window_of(moored, components, pose, start, mean=False):
     reader = moored.reader
     table = wave_table(moored.waves, components, reader.depth, reader.rotation_center, reader.gravity)
     window, waves = np.zeros((ROWS, table.steps)), waves_of(table, mean)
-    fill_rows(table, waves.rows[0, 0], pose, start)
+    meet(waves, 0, pose, start)
     fill_window(waves, window, 0, pose, start)
     return window, start + table.step * (np.arange(window.shape[1]) - EDGE)
 
@@ -54,7 +54,7 @@ def test_forces_pass_from_one_pose_to_the_next_without_a_jump(on_springs):
     table = wave_table(on_springs.waves, parts, reader.depth, reader.rotation_center, reader.gravity)
     poses = np.array([[0.0, 0, 0], [1.0, 0.5, 0.02], [3.0, 0.0, 0.05]])
     windows, waves = np.zeros((2, ROWS, table.steps)), waves_of(table)
-    fill_rows(table, waves.rows[0, 0], poses[0], 0.0)
+    meet(waves, 0, poses[0], 0.0)
     for i in range(2):
         fill_window(waves, windows[i], i, poses[i + 1], i * table.window)
     end, begin = windows[0, :, -1 - EDGE], windows[1, :, EDGE]

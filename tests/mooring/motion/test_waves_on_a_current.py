@@ -11,7 +11,7 @@ from hakobune.mooring.environment.spectra import jonswap
 from hakobune.mooring.motion.simulation import simulate
 from hakobune.mooring.motion.slow_damping import drift_damping_ring
 from hakobune.mooring.motion.tables.interpolation import EDGE
-from hakobune.mooring.motion.wave_loads import HEADINGS, ROWS, fill_rows, fill_window, wave_table, waves_of
+from hakobune.mooring.motion.wave_loads import HEADINGS, ROWS, fill_window, meet, wave_table, waves_of
 from hakobune.mooring.motion.weather import Settings, Weather
 from hakobune.mooring.on_current.body import on_current
 from hakobune.mooring.on_current.waves import Carrier
@@ -27,7 +27,7 @@ def window(moored, components, carrier, pose, start, mean=False):
     reader = moored.reader
     table = wave_table(moored.waves, components, reader.depth, reader.rotation_center, reader.gravity, carrier=carrier)
     out, waves = np.zeros((ROWS, table.steps)), waves_of(table, mean)
-    fill_rows(table, waves.rows[0, 0], pose, start)
+    meet(waves, 0, pose, start)
     fill_window(waves, out, 0, pose, start)
     return table, out
 
