@@ -83,7 +83,7 @@ def main():
     row, line = np.zeros(11), (*LINE[:4], 1 / LINE[4], 0.0, 0.0)
     alone(row, line, 1)
     rows.append(("one line, in a kernel", 5, least(lambda: alone(row, line, 1000), 3) / 1000))
-    kept, xs = workspace(1)[0][0], np.linspace(559.0, 561.0, 1000)
+    kept, xs = workspace(1)[0][:, 0], np.linspace(559.0, 561.0, 1000)
     rows.append(("the same line moved on", 5, least(lambda: moving(kept, xs, 95.0, *LINE[2:4], 1 / LINE[4]), 3) / 1000))
     parts = (Segment(150.0, 1000.0, 5e8), Segment(120.0, 200.0, 8e7))
     one = StaticLine(parts, (PointLoad(170.0, 2e4),), Bed.sloping(0.0, 0.5))

@@ -232,16 +232,16 @@ def test_a_row_has_statistics_after_the_ramp_in_the_order_of_its_quantities(monk
                ramped(12, 14), ramped(13, 15), None)  # fmt: skip
     seen, task = [], SimpleNamespace(study=SimpleNamespace(anchors=None))
 
-    def statistics(column, step, split, duration):
-        seen.append((column.tolist(), step, split, duration))
-        return SimpleNamespace(sigma=column[0])
+    def statistics(columns, step, split, duration):
+        seen.extend((column.tolist(), step, split, duration) for column in columns)
+        return [SimpleNamespace(sigma=column[0]) for column in columns]
 
     reader = SimpleNamespace(words=("surge",) * 6, links=(), radius=50.0, inertia=np.diag([2.0]), gravity=10.0)
     plan = SimpleNamespace(weather=SimpleNamespace(regular=None), settings=SimpleNamespace(step=0.5), split=0.3,
                            mean_period=8.0, sides=(), shapes=(), stations=())  # fmt: skip
     monkeypatch.setattr("hakobune.mooring.motion.simulation.simulate", lambda *_: made)
     monkeypatch.setattr(work, "prepared", lambda task: (SimpleNamespace(reader=reader), plan, None))
-    monkeypatch.setattr(work, "record_statistics", statistics)
+    monkeypatch.setattr(work, "statistics_of_records", statistics)
     monkeypatch.setattr(work, "gaps", lambda sides, poses: ramped(9))
     monkeypatch.setattr(work, "_of_gaps", lambda sides, apart: (f"{len(apart)} samples",))
     monkeypatch.setattr(work, "stillness", lambda sigma, units, length, weight: [length, weight] + [0.0] * 13)
