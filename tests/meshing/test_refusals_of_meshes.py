@@ -86,7 +86,7 @@ def test_meshes_are_taken_up_to_their_limits_and_refused_beyond(name):
 @pytest.mark.parametrize("line, new, says", [
     (1, "1.0", "line 2: '1.0'; 2 numbers are needed"),
     (2, "1 2", "line 3: symmetry 1 2; allowed: 0 or 1 each"),
-    (3, "10 1", "a patch of [0, 0] spans and order [-2, 0]; allowed: 1 or more"),
+    (3, "10 1", "a patch has [0, 0] spans and order [-2, 0]; allowed: 1 or more"),
 ])  # fmt: skip
 def test_lines_of_a_wamit_mesh_say_what_they_may(line, new, says, tmp_path):
     path = tmp_path / "hull.gdf"

@@ -173,12 +173,12 @@ def test_energy_left_out_is_warned_of_with_its_share():
         (lambda: Sea(SPECTRUM).components(10, -1), "seed is -1"),
         (lambda: Sea(SPECTRUM).components(10, 1, frequencies="even"), "frequencies is 'even'; allowed: equal_step"),
         (lambda: Sea(SPECTRUM).components(10, 1, amplitudes="exact"), "amplitudes is 'exact'; allowed: determ"),
-        (lambda: Sea(SPECTRUM).components(10, 1, low=2.0, high=1.0), "components from 2 to 1 rad/s"),
+        (lambda: Sea(SPECTRUM).components(10, 1, low=2.0, high=1.0), "components are requested from 2 to 1 rad/s"),
         (lambda: Sea(SPECTRUM, np.inf), "direction of the sea is inf"),
         (lambda: CosinePower(-1), "exponent of the spreading is -1"),
-        (lambda: CosinePower(2, -2.0, 1.0), "spreading from -2 to 1 rad"),
+        (lambda: CosinePower(2, -2.0, 1.0), "spreading extends from -2 to 1 rad"),
         (lambda: WrappedNormal(0.0), "sigma of the spreading is 0 rad"),
-        (lambda: Mitsuyasu(10, 1.0).density(0.0), "give omega"),
+        (lambda: Mitsuyasu(10, 1.0).density(0.0), "give the frequency omega"),
     ],
 )
 def test_what_cannot_be_is_refused(make, words):

@@ -55,7 +55,7 @@ def test_wind_over_shallow_water_raises_less_of_a_sea():
 def test_a_wind_raises_no_more_than_a_fully_developed_sea():
     x = 5.497e4  # m, f_p U/g = 0.13 at 5 m/s
     assert np.isclose(5.0 / jonswap_fetch(5.0, x).Tp / G, 0.13, rtol=1e-3)
-    with pytest.raises(ValueError, match=r"after 5\.497e\+04 m the sea of a wind of 5 m/s is fully developed"):
+    with pytest.raises(ValueError, match=r"beyond 5\.497e\+04 m the sea of a wind of 5 m/s is fully developed"):
         jonswap_fetch(5.0, 1e7)
 
 

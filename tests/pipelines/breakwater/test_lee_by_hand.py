@@ -166,9 +166,11 @@ def test_nine_tenths_of_a_sea_are_to_be_in_the_database(short, cells):
     if cells == 15:
         omega, _, share, words = lee.waves_of(*asked)
         assert len(omega) == 15 and share.sum() == pytest.approx(1)
-        assert words == "the sea, long crests, at 10° with the normal, 94% of it, in the database"
+        assert words == "the sea, long crests, at 10° to the normal, of which the database covers 94%"
         return
-    with pytest.raises(BreakwaterError, match=f"has {short} to 60 s, 88% of the sea's energy; allowed: 90%"):
+    with pytest.raises(
+        BreakwaterError, match=f"covers {short} to 60 s, which is 88% of the sea's energy; allowed: 90%"
+    ):
         lee.waves_of(*asked)
 
 

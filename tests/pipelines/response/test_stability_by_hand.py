@@ -74,7 +74,7 @@ def test_what_decays_before_a_quay_is_told_and_refused_beyond_its_limits(monkeyp
     monkeypatch.setattr(f"{where}given_back", lambda made: energy)
     db = SimpleNamespace(path="box.h5", header=(left_out, energy), reader=None)
     if says is None:
-        with pytest.raises(StudyError, match=r"keep 31 % of their height .*; allowed: up to 30 %; .* --wall -30"):
+        with pytest.raises(StudyError, match=r"although 31 % of their height .*; allowed: up to 30 %; .* --wall -30"):
             quay.by_far_field(db, -30.0)
         return
     made, (line,) = quay.by_far_field(db, -30.0)
@@ -105,7 +105,7 @@ def test_the_method_before_a_quay_is_that_of_the_database(wall, given, method):
     ("wall", "given", "says"),
     [
         (None, "panels", "box.h5 is of open water; solve it again with --wall -30"),
-        (-30.0 + 2e-6, "panels", "box.h5 is of a wall at y = -30 m"),
+        (-30.0 + 2e-6, "panels", "box.h5 is for a wall at y = -30 m"),
         (-30.0, "far-field", "box.h5 is for a wall at y = -30 m; allowed: a database of open water"),
         (None, "images", "quay.method is 'images'; allowed: far-field, panels"),
     ],
