@@ -591,7 +591,7 @@ def test_a_map_of_waves_damps_its_body_in_waves_of_the_height_asked_for(monkeypa
             return "body"
 
     reader = SimpleNamespace(viscous=Viscous())
-    db = SimpleNamespace(require=lambda *names: asked.append(names), bodies_reader=reader, bodies=[])
+    db = SimpleNamespace(require=lambda *names: asked.append(names), bodies_reader=reader, bodies=[], attributes={})
     found, given = waves_around.around_body(db, 0.8, 0.1, False, 1.5)
     assert found.endswith("(0.8, 1.5, 0.1)") and given == (0.8, 0.1, False)
     assert waves_around.around_body(db, 0.8, 0.1, True)[0] is reader

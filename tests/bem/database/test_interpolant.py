@@ -197,7 +197,7 @@ def test_outside_the_stored_band_and_without_what_it_follows_from_nothing_is_gue
 def drifting(tmp_path_factory):
     path = tmp_path_factory.mktemp("drift") / "box.h5"
     outcome = solve(band_scene(tolerance=0.01, want=["radiation", "diffraction", "kochin", "drift"]), path)
-    assert "of drift more" in outcome.remarks[-1]
+    assert "(tolerance 1 %), and more for drift" in outcome.remarks[-1]
     return open_database(path)
 
 

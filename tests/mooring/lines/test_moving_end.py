@@ -51,8 +51,8 @@ def test_lines_side_by_side_pull_as_each_alone():
     ends.pulls(kept, rows, x, low, high, -50.0, lines, out)
     for i in range(4):
         alone, room = ends.workspace(1)
-        found = ends.pull_of_any(alone[0], room[0], x[i], low[i], high[i], -50.0, *lines[i])
-        assert out[i] == pytest.approx(found, rel=1e-12) and np.array_equal(kept[i], alone[0])
+        found = ends.pull_of_any(alone[:, 0], room[0], x[i], low[i], high[i], -50.0, *lines[i])
+        assert out[i] == pytest.approx(found, rel=1e-12) and np.array_equal(kept[:, i], alone[:, 0])
     assert len(np.unique(np.round(out, 3), axis=0)) == 4 and np.all(np.isfinite(out))
 
 

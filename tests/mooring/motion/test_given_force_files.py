@@ -30,7 +30,7 @@ def test_a_long_gap_is_warned_of_with_its_line(tmp_path):
 @pytest.mark.parametrize(
     "rows, names, says",
     [
-        (ROWS[:5] + ROWS[4:], NAMES, "line 7: time stays at 4 s"),
+        (ROWS[:5] + ROWS[4:], NAMES, "line 7: the time stays at 4 s"),
         (
             ROWS[:5] + ["5,1,nan,3,4,5,6"] + ROWS[6:],
             NAMES,

@@ -8,7 +8,7 @@ from hakobune.bem.time_domain.memory import MemoryArrays
 
 equation, streams = plain("mooring.motion.equation"), plain("mooring.motion.streams")
 line_loads, contact_loads = plain("mooring.motion.line_loads"), plain("mooring.motion.contact_loads")
-links, water = plain("mooring.motion.links"), plain("mooring.motion.tables.hull_water")
+water = plain("mooring.motion.tables.hull_water")
 OWNER, SHAPES = np.array([0, 1, 1]), np.array([0, 1, 7, 12, 15])
 BODIES, GROUPS, BLOCK, T = 2, 3, equation.BLOCK, 7.0
 BEFORE, N = 6 * BODIES, 6 * (BODIES + GROUPS)
@@ -48,10 +48,9 @@ def scene_of(body, waves):
     contacts = contact_loads.Contacts(None, none, np.zeros(0, int), np.zeros(0, int), PLACE, bent)
     work = equation.room(40, BODIES, GROUPS)
     work.window[:], work.span[:] = waves[:, :, None], (0.0, 0.5)
-    held = links.no_links(PLACE)
     return equation.Scene(
         body, lines, line_loads.line_work(lines), streams.calm(BODIES), streams.calm(BODIES), contacts,
-        contact_loads.contact_work(contacts), water.NO_HULL_WATER, work, (held, links.link_work(held, groups=GROUPS)),
+        contact_loads.contact_work(contacts), water.NO_HULL_WATER, work,
     )  # fmt: skip
 
 
@@ -62,7 +61,7 @@ def found(random):
     waves = draw.normal(size=(BODIES + GROUPS, equation.ROWS))
     y = draw.normal(size=equation.memory_at(BODIES, GROUPS) + len(DECAY))
     rate = np.full(len(y), np.nan)
-    assert equation.rates(scene_of(random, waves), None, T, y, rate)
+    assert equation.rates(scene_of(random, waves), None, None, T, y, rate)
     return random, waves, y, rate
 
 

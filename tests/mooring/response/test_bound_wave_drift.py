@@ -50,7 +50,7 @@ def test_a_record_is_the_sum_over_pairs(forces):
     omega = np.sort(rng.uniform(*BAND, 12))
     parts = Components(omega, rng.uniform(0.1, 0.5, 12), rng.uniform(0, 2 * np.pi, 12), np.full(12, HEADING))
     t, found = record(forces, parts, 300.0)
-    assert (t[0], t[-1]) == (0.0, 300.0) and np.diff(t).max() <= 2 * np.pi / forces.highest / 64
+    assert (t[0], t[-1]) == (0.0, 300.0) and np.diff(t).max() <= 2 * np.pi / forces.highest / 12
     wave = parts.amplitude * np.exp(1j * (parts.phase - np.multiply.outer(t, omega)))
     T = forces(omega[:, None], omega)
     T[np.arange(12), np.arange(12)] = 0.0
