@@ -266,7 +266,7 @@ def test_polygons_of_vtk_are_read_and_lines_are_told(tmp_path, capfd):
     with pytest.raises(ValueError, match=r"strip\.vtp: it has lines, points or strips, but no polygons"):
         read_mesh(tmp_path / "strip.vtp")
     pyvista.PolyData().save(tmp_path / "none.vtp")
-    with pytest.raises(ValueError, match=r"none\.vtp: it cannot be read, or holds nothing; allowed: polygons"):
+    with pytest.raises(ValueError, match=r"none\.vtp: it cannot be read, or it is empty; allowed: polygons"):
         read_mesh(tmp_path / "none.vtp")
     (tmp_path / "cut.vtp").write_bytes((tmp_path / "a.vtp").read_bytes()[:700])
     pytest.importorskip("vtkmodules.vtkCommonCore").vtkObject.GlobalWarningDisplayOn()

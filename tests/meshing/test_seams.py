@@ -148,7 +148,8 @@ def test_dipole_panels_are_refused_by_name(tmp_path):
     hull = buoy(5, 3, panels=40)
     (tmp_path / "a.gdf").write_text(gdf(hull, tail="3 NPAND\n0 0 0 1 0 0 1 1 0 0 1 0"))
     line, count = 5 + 4 * len(hull), len(hull)  # after the header and a line for each corner
-    with pytest.raises(ValueError, match=rf"a.gdf, line {line}: '3 NPAND' after {count} panels: dipole panels \(NPAND"):
+    told = rf"a.gdf, line {line}: '3 NPAND' follows the {count} panels: either dipole panels \(NPAND"
+    with pytest.raises(ValueError, match=told):
         read_mesh(tmp_path / "a.gdf")
 
 

@@ -72,7 +72,7 @@ def test_counts_are_found_again_in_the_mesh(counts):
         ({"bow": 0.8}, "fullness of bow and stern: one is given; allowed: both or neither"),
         ({"block": 0.5, "bow": 0.9, "stern": 0.9}, "of the length; allowed: up to 50 %"),
         ({"block": None}, "block is missing; a ship has length, beam, draft, block"),
-        ({"shape": "box", "block": None, "bow": 0.8}, "a box has length, beam, draft"),
+        ({"shape": "box", "block": None, "bow": 0.8}, "a box has only length, beam, draft"),
     ],
 )
 def test_what_cannot_be_a_ship_is_one_line(change, says):

@@ -65,8 +65,8 @@ def test_two_spans_have_a_knot_between_and_the_longest_line_counts():
 @pytest.mark.parametrize("numbers, patches, says", [
     (plane(1, 1), 0, "0 patches; allowed: 1 or more"), (plane(1, 1)[:-1], 1, "it ends within a patch"),
     (plane(1, 1), 2, "it ends within a patch"), (plane(0, 0), 1, "its patches have no size"),
-    ([0, *plane(1, 1)[1:]], 1, "a patch of [0, 1] spans and order [2, 2]; allowed: 1 or more"),
-    ([1, 1, 2, 0, *plane(1, 1)[4:]], 1, "a patch of [1, 1] spans and order [2, 0]; allowed: 1 or more"),
+    ([0, *plane(1, 1)[1:]], 1, "a patch has [0, 1] spans and order [2, 2]; allowed: 1 or more of each"),
+    ([1, 1, 2, 0, *plane(1, 1)[4:]], 1, "a patch has [1, 1] spans and order [2, 0]; allowed: 1 or more of each"),
 ])  # fmt: skip
 def test_what_is_no_patch_is_refused(numbers, patches, says):
     panelled(np.array(plane(1, 1)), 1)

@@ -94,7 +94,7 @@ class UniformLine:
                 f"line {self.name}: weight_in_air",
                 air,
                 air >= least > 0,
-                "finite, at least the weight in water if that is above 0",
+                "finite, at least the weight in water, which must be above 0",
             )
 
     @property

@@ -61,7 +61,7 @@ def test_pairs_of_the_other_order_say_the_same_and_missing_ones_are_named(forces
     np.savetxt(path, swapped, fmt="%.9e")
     np.testing.assert_allclose(read_pairs(path, WEIGHT).total, forces.total, rtol=1e-5, atol=1)
     np.savetxt(path, rows[:-6], fmt="%.9e")
-    with pytest.raises(FormatError, match=r"lacks pairs 0.2 rad/s apart"):
+    with pytest.raises(FormatError, match=r"lacks pairs of frequencies 0.2 rad/s apart"):
         read_pairs(path, WEIGHT)
     assert read_pairs(tmp_path / "other.1", WEIGHT) is None
 
@@ -101,5 +101,5 @@ def test_sums_of_the_other_order_say_the_same_and_missing_ones_are_named(sums, t
     assert len(once) < len(rows)
     np.testing.assert_allclose(read_pairs(path, WEIGHT, SUM).total, sums.total, rtol=1e-5, atol=1)
     np.savetxt(path, rows[:-6], fmt="%.9e")
-    with pytest.raises(FormatError, match=r"lacks pairs whose sum is 1.5 rad/s"):
+    with pytest.raises(FormatError, match=r"lacks pairs of frequencies whose sum is 1.5 rad/s"):
         read_pairs(path, WEIGHT, SUM)

@@ -55,7 +55,7 @@ def test_the_command_writes_the_same_numbers_as_text_and_as_hdf5(tmp_path):
         (["--depth-draft", "0.9"], "depth-draft is 0.9; allowed: above 1, or inf"),
         (["--beam-draft", "0", "--depth-draft", "2", "--xi", "1"], "beam-draft is 0; allowed: above 0, finite"),
         (["--xi", "-1"], "xi is -1; allowed: above 0, finite"),
-        (["--output", "a.txt"], "allowed: .csv, .h5"),
+        (["--output", "a.txt"], "allowed suffixes: .csv, .h5"),
         (["--output", "nowhere/a.csv"], "the folder nowhere does not exist"),
         (["--beam-draft", "wide"], "--beam-draft is 'wide'; allowed: a,b,c or start:stop:count"),
         (["--tolerance", "0"], "tolerance is 0; allowed: 1e-08 to below 1"),

@@ -61,7 +61,7 @@ def test_lines_that_hold_a_body_carry_its_forces():
     assert (front + back) * 0.5 == pytest.approx(4.0)
     line_tensions(6.0, 4.0, math.radians(89.9))
     for degrees in (0.0, 90.0):
-        with pytest.raises(ValueError, match=f"fixed body at {degrees:g}°"):
+        with pytest.raises(ValueError, match=f"fixed body are at {degrees:g}°"):
             line_tensions(6.0, 4.0, math.radians(degrees))
 
 
@@ -96,7 +96,7 @@ def test_power_that_is_lost_is_that_of_the_head_through_the_gap():
 def test_coefficients_of_loss_at_either_side_of_what_is_allowed(fine, wrong):
     still, keel = long_wave_response("fixed", L, D, H, OMEGA, WATER), Keel(L, D, H, G)
     assert isinstance(with_loss(still, *fine, OMEGA, keel), Response)
-    with pytest.raises(ValueError, match=f"loss coefficient {wrong[0]:g}, amplitude {wrong[1]:g} m"):
+    with pytest.raises(ValueError, match=f"loss coefficient is {wrong[0]:g} and amplitude {wrong[1]:g} m"):
         with_loss(still, *wrong, OMEGA, keel)
 
 

@@ -192,7 +192,7 @@ def test_tables_in_hertz_and_in_radians_are_the_same_spectrum(tmp_path):
         moments.append([read_spectrum(tmp_path / f"{i}.csv").moment(k) for k in (-1, 0, 2)])
     np.testing.assert_allclose(*moments, rtol=1e-12)
     (tmp_path / "no.csv").write_text("0.1,1\n0.2,2\n", encoding="utf-8")
-    with pytest.raises(TableError, match="allowed: omega_rad_s,density_m2_s_rad or"):
+    with pytest.raises(TableError, match="allowed columns: omega_rad_s,density_m2_s_rad or"):
         read_spectrum(tmp_path / "no.csv")
 
 

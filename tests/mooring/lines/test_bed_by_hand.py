@@ -91,7 +91,7 @@ def test_a_line_that_may_slide_is_told_the_friction_of_its_steepest_facet():
     points = np.array([[0.0, 0.0], [10.0, 1.0], [20.0, -3.0], [30.0, -1.0]])
     rope = [Segment(100.0, 10.0, 1e7)]
     said = StaticLine(rope, [], Bed(points, 0.3))._way_out
-    assert said.startswith(": on its bed, with slopes up to 0.4 and friction 0.3, it may slide; ")
+    assert said.startswith(": the line may slide on its bed, which has slopes up to 0.4 and friction 0.3; ")
     assert "give a friction of at least 0.4, a shorter line" in said
     assert StaticLine(rope, [], Bed(points, 0.41))._way_out.startswith("; give another length, or move the fairlead")
 

@@ -57,7 +57,7 @@ def test_it_joins_its_ends_below_the_surface_and_its_stiffness_is_the_derivative
 @pytest.mark.parametrize(
     ("given", "message"),
     [
-        ((10, 5, 30, 2.0, 1e6, 5), "weight is 2; allowed: finite, below 0"),
+        ((10, 5, 30, 2.0, 1e6, 5), "weight is 2; allowed: finite and below 0"),
         ((10, 6, 30, -2.0, 1e6, 5), "z is 6; allowed: at most the height of the surface"),
         ((40, 5, 30, -2.0, np.inf, 5), "cannot be reached by an inextensible line of 30 m"),
     ],

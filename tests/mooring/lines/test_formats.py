@@ -519,7 +519,7 @@ def test_a_faulty_moorpy_file_names_what_is_wrong(old, new, message):
 
 
 def test_a_key_of_a_moorpy_file_that_is_not_read_is_said():
-    with pytest.warns(UserWarning, match="not read: water_densty; known: water_depth, depth, water_density"):
+    with pytest.warns(UserWarning, match="not read: water_densty; known tables: water_depth, depth, water_density"):
         system_of_moorpy(parse_yaml(YAML.replace("water_depth: 200", "water_depth: 200\nwater_densty: 1000", 1)))
 
 

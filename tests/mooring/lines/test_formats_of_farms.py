@@ -123,7 +123,7 @@ def test_what_a_model_of_orcaflex_lacks_is_named(tmp_path):
         (tmp_path / "a.yml").write_text(good.replace(old, new))
         with pytest.raises(ValueError, match=says):
             read_system(tmp_path / "a.yml")
-    with pytest.raises(FormatError, match=r"no Lines in it: it holds what differs from base\.dat"):
+    with pytest.raises(FormatError, match=r"has no Lines: it contains only the differences from base\.dat"):
         system_of_moorpy(parse_yaml("BaseFile: base.dat\nVariableData: {}\n"))
 
 

@@ -365,7 +365,7 @@ def test_a_section_of_a_plane_grid_is_a_plane():
     [
         (lambda: Segment(-1.0, 2.0), "length is -1 m"),
         (lambda: Segment(1.0, 0.0), "weight is 0 N/m"),
-        (lambda: Segment(1.0, 2.0, ((0, 0), (0.1, -5))), "no table of"),
+        (lambda: Segment(1.0, 2.0, ((0, 0), (0.1, -5))), "is not a table of"),
         (lambda: StaticLine([]), "at least one segment"),
         (lambda: StaticLine([Segment(10.0, 1.0)], [PointLoad(12.0, 5.0)]), "position is 12 m"),
         (lambda: Bed(((0, 0), (0, 1))), "without vertical walls"),

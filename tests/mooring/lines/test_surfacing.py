@@ -75,7 +75,8 @@ def test_its_forces_have_a_potential_and_a_buoy_comes_to_rest_between_two():
 
 
 def test_a_weight_in_air_below_that_in_water_is_refused():
-    with pytest.raises(LineSystemError, match="weight_in_air is 900; allowed: finite, at least a weight in water"):
+    told = "weight_in_air is 900; allowed: finite, at least the weight in water, which must be above 0"
+    with pytest.raises(LineSystemError, match=told):
         UniformLine("L", CHAIN, 10.0, "a", "b", weight_in_air=900.0)
 
 

@@ -78,6 +78,6 @@ def test_quartering_wind_on_a_ship_follows_the_formula():
 
 
 def test_a_ship_there_is_no_curve_of_is_refused_with_those_there_are():
-    with pytest.raises(ValueError, match="no wind coefficients of a 'VLCC'; allowed: car carrier; "):
+    with pytest.raises(ValueError, match="no wind coefficients for a ship of type 'VLCC'; allowed: car carrier; "):
         blendermann("VLCC", 200.0, 600.0, 2500.0, 6.0)
     assert len(ships()) == 17

@@ -241,7 +241,7 @@ def test_a_path_beyond_its_tolerance_is_told_and_one_that_is_chance_too(off, err
     made = with_error(Found(findings=("before",)), doubt, 0.1, WORDS, "two runs")
     assert made.findings[0] == "before" and len(made.findings) == 1 + told and made.estimated_error is doubt.error
     if told:
-        assert "the error of sway may be 0.1 of its standard deviation, from two runs" in made.findings[1]
+        assert "the error of sway may be 0.1 of its standard deviation, as two runs show" in made.findings[1]
         assert (
             "this motion is chaotic; use statistics over seeds, not a single time series" in made.findings[1]
         ) is chance
@@ -411,7 +411,7 @@ def test_columns_of_a_force_are_found_by_name_and_a_gap_of_ten_steps_is_told(tmp
         2.0 + gap,
     ]
     path.write_text("t,Fx,Fy,Fz,Mx,My,Mz\n0,1,2,3,4,5,6\n0,1,2,3,4,5,6\n")
-    with pytest.raises(TableError, match="line 3: time stays at 0 s"):
+    with pytest.raises(TableError, match="line 3: the time stays at 0 s"):
         read_force(path)
 
 
@@ -452,7 +452,9 @@ def test_what_lines_feel_and_what_breaks_is_told():
     assert "and the current, uniform over the depth, without disturbance" in _around(current, sea)
     assert _current_at_lines(current) == pytest.approx([math.sqrt(3), 1.0]) and _current_at_lines(Weather()) is None
     broken, whole = _of_lost(still)
-    assert broken.startswith("line a breaks 99 s after the ramp") and whole.startswith("line b does not break: 100 s")
+    assert broken.startswith("line a breaks 99 s after the ramp") and whole.startswith(
+        "line b does not break, since its time is 100 s"
+    )
 
 
 # ------------------------------------------------------------------ slow damping
@@ -517,7 +519,7 @@ def test_coefficients_of_waves_that_damp_slow_motion_twice_too_much_are_told(con
     said = list(slow_damping.findings(moored, body, 4.1, True, True))
     assert len(said) == told
     if told:
-        assert "waves of 4.1 rad/s: surge 24.2 for 12 % of critical at 3.14 s, in addition to the drag" in said[0]
+        assert "waves of 4.1 rad/s do: surge 24.2 for 12 % of critical at 3.14 s, in addition to the drag" in said[0]
 
 
 def test_a_body_that_turns_is_pressed_by_the_momentum_of_its_mass_wherever_its_centre_is(monkeypatch):
@@ -601,7 +603,7 @@ def test_tolerances_that_the_best_system_is_far_from_are_not_tried(monkeypatch):
         ("TOO_SHORT", {}, "line bow pulls 5e+05 N; raise the tolerance or use a softer line"),
         ("TOO_SHORT", {"count": 0}, "check inertia, damping and stiffness"),
         ("NOT_FINITE", {}, "the motion is not finite; check inertia, damping and stiffness"),
-        ("STUCK", {}, "line stern: its own motion cannot be integrated"),
+        ("STUCK", {}, "line stern: the motion of this line cannot be integrated"),
         ("BEYOND", {}, "fender F2 is compressed by 0.31 m, beyond its table, which ends at 0.3 m"),
     ],
 )

@@ -208,7 +208,7 @@ def test_numbers_of_a_buoy_by_hand():
                     ("system", "rope", "lengths", "ends", "origin", "start", "level", "current")]))  # fmt: skip
     tall = BuoyOnLines(BuoyBody(20e3, 2.0, 12.0, lever=1.0), *[getattr(a_buoy(), n) for n in
                        ("system", "rope", "lengths", "ends", "origin", "start", "level", "current")])  # fmt: skip
-    with pytest.raises(ValueError, match="does not stand up"):
+    with pytest.raises(ValueError, match="does not float upright"):
         buoy_arrays(tall)
 
 

@@ -160,7 +160,7 @@ def test_a_trial_sees_what_waves_from_abeam_keep_up_along_a_symmetric_body_on_st
 
 
 def test_names_and_types_that_cannot_move_are_refused(on_lines):
-    for names, told in ((("nix",), "no line 'nix'"), ("every", 'allowed: "all"')):
+    for names, told in ((("nix",), "no line named 'nix'"), ("every", 'allowed: "all"')):
         with pytest.raises(ValueError, match=told):
             simulate(on_lines, ROUGH, replace(WANTED, dynamic_lines=names))
     plain = tuple(replace(line, type=replace(line.type, mass=None)) for line in on_lines.system.lines)

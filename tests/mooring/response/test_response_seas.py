@@ -166,7 +166,7 @@ def test_climate_of_one_state_has_the_extremes_of_that_state(box_body):
     state = sea_state(box_body, Sea(issc(2.0, mean_period=10.0), np.pi / 2), YEAR)
     roll = found.long_term("roll")
     assert np.isclose(roll.level(YEAR), state.not_exceeded(np.exp(-1))[3], rtol=1e-9)
-    with pytest.raises(ValueError, match="there is no response 'rol'"):
+    with pytest.raises(ValueError, match="there is no response named 'rol'"):
         found.long_term("rol")
     with pytest.raises(ValueError, match=r"shares of the directions sum to 0.9"):
         climate(box_body, scatter, issc, [(0.0, 0.9)])

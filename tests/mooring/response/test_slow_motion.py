@@ -155,4 +155,4 @@ def test_what_no_line_holds_or_nothing_damps_is_named(box_body):
     with pytest.raises(ValueError, match=r"slow yaw has damping .*; allowed: above 0; give body.damping_ratio"):
         slow_motion(box_body, held(box_body, 0.0), SEA, HOUR)
     near = slow_motion(box_body, held(box_body, 0.1, (12.0, 80.0, 80.0)), SEA, HOUR)
-    assert any("natural period of surge" in said and "peak period 10 s" in said for said in near.warnings)
+    assert any("natural period of surge" in said and "peak period of the waves, 10 s" in said for said in near.warnings)

@@ -28,7 +28,7 @@ def test_a_line_parts_at_its_breaking_load_and_not_before(used, told):
     wanted = f"A {100 * used:.4g} %; limit 100 %"
     for where, said in (
         ("at rest", list(overloads(one))),
-        ("held at offsets up to 5 m along 90°", list(overloads(sound, [curve]))),
+        ("with the body held at offsets up to 5 m along 90°", list(overloads(sound, [curve]))),
         ("after the loss of B", list(overloads(sound, losses={"B": one}))),
     ):
         assert len(said) == told, (where, said)
