@@ -123,8 +123,8 @@ def read(place, known):
     if any(given.drawn_at):
         where = ", ".join(f"{x:g}" for x in given.drawn_at)
         told = (
-            f"HullMesh{given.number}.pnl has its origin at ({where}) m: the hull of --mesh must lie at that place in "
-            "the water",
+            f"HullMesh{given.number}.pnl has its origin at ({where}) m and is moved there; a hull of --mesh must lie at "
+            "that place in the water",
         )
     return replace(found, body=dict(found.body) | masses, name=place.name, left_out=(*found.left_out, *told))
 
@@ -140,6 +140,11 @@ def hull_of(place, known=None):
     place = Path(place)
     several = place / "Input" / f"HullMesh_{(known or {}).get('body') or 1}.pnl"
     return several if several.is_file() else place / "Input" / "HullMesh.pnl"
+
+
+def drawn_at(place, known):
+    """(3,) m, origin of the hull in Input, in the water"""
+    return _given(Path(place), known).drawn_at
 
 
 class Given(NamedTuple):

@@ -119,6 +119,8 @@ def hull_of(place, kind, module, mesh, known):
     if path is None or not path.resolve().is_file():
         raise ValueError(f"the hull is missing; give its mesh by --mesh{f' ({path} does not exist)' if path else ''}")
     panels = read_mesh(path.resolve())
+    if mesh is None and hasattr(module, "drawn_at"):
+        panels = panels.moved(*module.drawn_at(place, known))
     if mesh is None and origin is not None and np.any(origin):
         panels = wetted(panels.moved(*origin))  # a lid at the height of the axes
     for finding in findings(panels):

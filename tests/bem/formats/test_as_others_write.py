@@ -11,8 +11,9 @@ from hakobune.bem.database import open_database
 from hakobune.bem.formats import hams, orcaflex, wamit
 from hakobune.bem.formats.afloat import Weight, on_hull
 from hakobune.bem.formats.values import FormatError, about, omega_of, values_of, with_headings_once
-from hakobune.meshing.files import write_mesh
+from hakobune.meshing.files import read_mesh, write_mesh
 from hakobune.pipelines import cli
+from hakobune.pipelines.exchange.importing import hull_of
 from hakobune.pipelines.scene.scene import make_scene
 from hakobune.pipelines.solve.run import solve
 
@@ -241,7 +242,13 @@ def test_a_body_of_hams_mrel_is_read_by_its_number(values, tmp_path):
             place.unlink()
     found = hams.read(tmp_path, WATER | {"body": 2})
     assert found.rotation_center == pytest.approx([9, 0, -1]) and found.others == 1
-    assert "HullMesh_2.pnl has its origin at (9, 0, 0) m" in found.left_out[-1]
+    assert "HullMesh_2.pnl has its origin at (9, 0, 0) m and is moved there" in found.left_out[-1]
+    known, inputs = WATER | {"body": 2}, tmp_path / "Input"
+    (inputs / "HullMesh.pnl").rename(inputs / "HullMesh_2.pnl")
+    drawn = read_mesh(inputs / "HullMesh_2.pnl").whole().points[:, 0]
+    moved = hull_of(tmp_path, None, hams, None, known).points[:, 0]
+    assert (moved.min(), moved.max()) == pytest.approx((drawn.min() + 9, drawn.max() + 9))
+    assert hull_of(tmp_path, None, hams, inputs / "HullMesh_2.pnl", known).points[:, 0].max() == drawn.max()
     for name in ("added_mass", "excitation_force", "hydrostatic_stiffness"):
         assert np.allclose(found.get(name), values.get(name), rtol=1e-5, atol=1e-5 * np.abs(values.get(name)).max())
     control.write_text(control.read_text().replace("LCS_2 9 0 0 0", "LCS_2 9 0 0 30"))
