@@ -125,7 +125,7 @@ def _check_standing(key, body, depth):
     way = ""
     if body.shape in STANDING:
         way = f", or {depth:g} of a body that stands on the bed, which needs fixed = true"
-    raise SceneError(f"{key}.draft is {body.draft} in water {depth} m deep; allowed: below the depth{way}")
+    raise SceneError(f"{key}.draft is {body.draft} m in water {depth} m deep; allowed: below the depth{way}")
 
 
 def _check_one(body):

@@ -65,7 +65,7 @@ def _check_places(file, table, record, output, plot):
     paths = [Path(os.path.realpath(path)) for path in (file, table, record, output, plot) if path is not None]
     for i, path in enumerate(paths):
         if path in paths[:i]:
-            raise ValueError(f"{path.name} is the name of two output files; give each file its own name")
+            raise ValueError(f"{path.name} is given as the name of two files; give each file its own name")
     check_output(record, "a record made here", is_record, (".csv",))
     check_output(output, "a spectrum written here", is_spectrum, (".csv",))
     check_picture(plot, PLOTS)

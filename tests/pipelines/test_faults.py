@@ -60,7 +60,7 @@ WAVES = {
     f"{BODY} --omega 1 --heading 0,360": ("headings_deg", "twice"),
     f"{BOX} --depth 20 --omega 1e4": (
         "6.16e-07 m",
-        "allowed: at least 0.5 m",
+        "allowed: waves of at least 0.5 m",
         "highest",
     ),
     f"{BOX} --depth 20 --omega 1e4 --method panel": (
@@ -70,9 +70,12 @@ WAVES = {
     f"{BOX} --depth inf --omega 0.3 --method contour": ("finite water depth", "panel"),
     "box --length 100 --beam 50 --draft 1 --depth 200 --omega 0.3 --method contour": ("up to 100 times", "panel"),
     "buoy --radius 10 --draft 10 --depth 20 --omega 1 --method strip": ("'buoy'", "panel or contour"),
-    f"{BOX} --depth 20 --omega 1 --method strip --only drift_force_fixed": ("strip does not give", "panel or contour"),
+    f"{BOX} --depth 20 --omega 1 --method strip --only drift_force_fixed": (
+        "strip does not compute",
+        "panel or contour",
+    ),
     f"{BOX} --depth 20 --omega 1 --method strip --only drift": ("none of which method strip computes",),
-    f"{BOX} --depth 20 --omega 1 --method pressure --only added_mass_infinity": ("pressure does not give", "panel"),
+    f"{BOX} --depth 20 --omega 1 --method pressure --only added_mass_infinity": ("pressure does not compute", "panel"),
     f"{BOX} --depth 20 --omega 1 --method contour --wall -40": ("does not support a wall", "panel or pressure"),
     f"{BOX} --depth 20 --omega 1 --wall -20": ("wall is -20", "half its beam, 25"),
     f"{BOX} --depth 20 --omega 1 --wall -40 --only kochin_diffraction": ("beside a wall", "leave it out"),

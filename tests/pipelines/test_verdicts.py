@@ -296,7 +296,7 @@ CASES = {
     "response": (
         lambda: f"response {written('s.toml', SEA.format(more=0.0))} --database box.h5",
         lambda: f"response {written('s.toml', SEA.format(more=9.9))} --database box.h5",
-        r"under keel, at .*: -\S+ of 0.1 m are left, limit 0; give more water or less draft",
+        r"under keel, at .*: -\S+ m of 0.1 m are left, limit 0; give more water or less draft",
     ),
     "single-point": (
         lambda: f"single-point {study('single_point_A.toml', lambda raw: raw.update(allowable=1.0))}",

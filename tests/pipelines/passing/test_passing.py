@@ -87,7 +87,7 @@ def test_a_hull_of_a_file_beside_the_study_is_that_of_its_shape_wherever_it_is_d
         ({"quay": True}, "quay is given with method = 'panels'"),
         ({"method": "slender"}, "allowed: panels, wang, kriebel"),
         ({"method": "kriebel", "water": {"depth": float("inf")}}, "in shallow water"),
-        ({"moored": BOX | {"draft": 10.0}}, "moored.draft is 10.0 in water 10.0 m deep"),
+        ({"moored": BOX | {"draft": 10.0}}, "moored.draft is 10.0 m in water 10.0 m deep"),
         ({"passing": {"shape": "box", "length": 60.0, "beam": 12.0}}, "passing.draft is missing"),
         ({"panels": 4}, "panels is 4; allowed: 12 to 2000"),
         ({"moored": BOX | {"mass": 1e6}}, "moored.mass is given; a passage needs the hull only"),

@@ -151,7 +151,7 @@ def test_a_quantity_is_found_by_its_name_and_the_label_of_its_axis():
     assert made["tension[aft].largest"] == 7e-3 and np.array_equal(made["tension[*].largest"], made["tension.largest"])
     assert made.quantity("motion[yaw].sigma").unit == "rad" and len(made) == 10
     assert made["yaw.sigma"] == ODD[2] and made["aft.largest"] == 7e-3
-    with pytest.raises(KeyError, match="'bow' is not a line"):
+    with pytest.raises(KeyError, match="'bow' is not among the line labels"):
         made["tension[bow].largest"]
     with pytest.raises(KeyError, match="is not a quantity of this result; allowed"):
         made["tensions"]

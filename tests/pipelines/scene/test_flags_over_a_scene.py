@@ -76,5 +76,5 @@ def test_sizes_are_of_the_one_body_and_refused_for_several():
                              ({}, {"draft": 6.0}, "draft")):  # fmt: skip
         with pytest.raises(SceneError, match=rf"^--{key} is for one body, but the scene has 2; give it under \[\[bod"):
             overlaid(two, SceneFlags(**flags), body)
-    with pytest.raises(SceneError, match=r"^--omega and --period are given; allowed: one of the two$"):
+    with pytest.raises(SceneError, match=r"^--omega and --period are given; give only one of them$"):
         overlaid(RAW, SceneFlags(omega="1", period="2"), {})

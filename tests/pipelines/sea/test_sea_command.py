@@ -51,7 +51,7 @@ def test_the_same_seed_writes_the_same_file(tmp_path):
 
 def test_steps_too_long_for_the_waves_fail(tmp_path, capsys):
     assert main([*SEA, "--record", str(tmp_path / "a.csv"), "--step", "3"]) == 1
-    assert "FAILS: step 3 s is longer than half the period of" in capsys.readouterr().out
+    assert "FAILS: the step of 3 s is longer than half the period of" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(
@@ -71,14 +71,14 @@ def test_steps_too_long_for_the_waves_fail(tmp_path, capsys):
         ([*SEA, "--record", "r.csv", "--point", "3"], "--point is '3'; allowed: two numbers x,y"),
         ([*SEA, "--record", "r.csv", "--spreading", "cos"], "--spreading is 'cos'; allowed: cosine:N"),
         ([*SEA, "--record", "r.csv", "--duration", "-1"], "--duration is -1"),
-        ([*SEA, "--record", "r.csv", "--output", "r.csv"], "r.csv is named twice"),
+        ([*SEA, "--record", "r.csv", "--output", "r.csv"], "r.csv is given as the name of two files"),
         ([*SEA, "--record", "r.csv", "--components", "0"], "--components is '0'; allowed: a whole number from 1"),
         ([*SEA, "--record", "r.csv", "--components", "2.5"], "--components is '2.5'; allowed: a whole number from 1"),
         (
             [*SEA, "--record", "r.csv", "--components", "100000000"],
             "100000000 components at 7200 times need about 613 GB",
         ),
-        (["sea", "--table", "s.csv", "--output", "s.csv"], "s.csv is named twice"),
+        (["sea", "--table", "s.csv", "--output", "s.csv"], "s.csv is given as the name of two files"),
         ([*SEA, "--plot", "a.txt"], "suffix '.txt'"),
         (["sea", "none.csv"], "none.csv does not exist"),
         (["sea", "none.csv", "--height", "3"], "--height has no effect, a record file is given"),
@@ -106,7 +106,7 @@ def test_a_table_without_its_density_is_told_which_columns_it_needs(tmp_path, ca
     table = tmp_path / "table.csv"
     table.write_text("omega_rad_s,S\n0.5,1\n1,2\n", encoding="utf-8")
     assert main(["sea", "--table", str(table)]) == 2
-    assert "has the columns omega_rad_s,S; allowed: omega_rad_s,density_m2_s_rad or" in capsys.readouterr().err
+    assert "has the columns omega_rad_s,S; allowed columns: omega_rad_s,density_m2_s_rad or" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

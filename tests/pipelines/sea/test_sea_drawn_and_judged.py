@@ -101,7 +101,7 @@ def test_steps_leave_out_one_per_cent_of_the_energy_at_most(tmp_path, asked, ste
     beyond = 100 * (1 - math.exp(-0.44 * (8.0 / (2 * step)) ** -4))
     assert ("is longer than half the period of" in said) is bool(status)
     if status:
-        assert float(re.search(r"half the period of ([\d.]+) %", said)[1]) == pytest.approx(beyond, abs=0.2)
+        assert float(re.search(r"half the period of waves with ([\d.]+) %", said)[1]) == pytest.approx(beyond, abs=0.2)
 
 
 @pytest.mark.parametrize("duration, says", [(16.0, None), (15.0, "15 steps of 1 s; allowed: 16 to 10000000")])

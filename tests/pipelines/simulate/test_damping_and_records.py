@@ -36,7 +36,7 @@ def test_motions_of_a_study_are_named_and_one_that_is_held_does_not_start_elsewh
     assert motions_of(study()) == (0, 1, 2, 3, 4, 5) and motions_of(study(motions=["yaw", "Surge"])) == (0, 5)
     with pytest.raises(StudyError, match="motions: there is no motion 'sorge'; allowed: surge, sway"):
         plan_of(study(motions=["sorge"]), OMEGA)
-    with pytest.raises(StudyError, match=r"heave is given, and simulation\.motions holds this motion fixed"):
+    with pytest.raises(StudyError, match=r"heave is given, but simulation\.motions holds this motion fixed"):
         plan_of(study(motions=["surge"], offset={"heave": 1.0}), OMEGA)
 
 

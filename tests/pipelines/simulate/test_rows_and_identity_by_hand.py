@@ -154,7 +154,8 @@ def test_lines_that_part_and_lines_beyond_what_is_allowable_are_told_with_the_ru
     ("more", "says"),
     [
         ({"at_berth": True}, "does not cover fenders and ropes and was not run"), ({"quay": 1}, "does not cover quay"),
-        ({"lines": ()}, "does not cover body without lines"), ({"fault": "it\n drifts"}, "fails here: it drifts"),
+        ({"lines": ()}, "does not cover body without lines"),
+        ({"fault": "it\n drifts"}, "method does not work here: it drifts"),
     ],
 )  # fmt: skip
 def test_where_the_simplified_method_has_no_answer_it_says_so(monkeypatch, more, says):

@@ -127,14 +127,20 @@ def test_a_breakwater_a_berthing_and_an_earthquake_take_what_they_know_of_a_site
 @pytest.mark.parametrize(
     ("name", "reader", "site", "leave_out", "words"),
     [
-        ("berth_tanker.toml", "berth", {"state": "extreme"}, ["depth"], "site.state is 'extreme'; a berthing takes no"),
+        (
+            "berth_tanker.toml",
+            "berth",
+            {"state": "extreme"},
+            ["depth"],
+            "site.state is 'extreme', but a berthing does not use the weather of a site",
+        ),
         ("berth_tanker.toml", "berth", {}, [], "depth is given by the study and by its site"),
         (
             "earthquake_box.toml",
             "earthquake",
             {"level": "high"},
             [],
-            "site.level is 'high'; an earthquake study takes no",
+            "site.level is 'high', but an earthquake study does not use the water level of a site",
         ),
         ("earthquake_box.toml", "earthquake", {}, [], "rule and coefficient are both given; give one of them"),
     ],

@@ -98,5 +98,5 @@ def test_what_stands_in_a_caisson_is_refused():
 
 
 def test_a_ship_does_not_stand_on_the_bed():
-    with pytest.raises(SceneError, match=r"draft is 9.0 in water 9.0 m deep; allowed: below the depth$"):
+    with pytest.raises(SceneError, match=r"draft is 9.0 m in water 9.0 m deep; allowed: below the depth$"):
         scene({"shape": "ship", "length": 60.0, "beam": 12.0, "draft": DEPTH, "block": 0.8, "fixed": True})

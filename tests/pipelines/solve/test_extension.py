@@ -172,7 +172,8 @@ def test_a_database_goes_on_by_its_method_where_that_can_and_the_choice_is_left_
         assert plan._by_the_same_method(meshed, header, "a.h5").method == "panel"
         return
     said = (
-        "was solved by method contour so far, and method contour has no panels: leave panels out, or give a tolerance"
+        "has been solved by method contour so far, but method contour has no panels: leave panels out, or give a "
+        "tolerance"
     )
     with pytest.raises(SceneError, match=f"^a.h5 {said}; give --fresh to replace it or another --output$"):
         plan._by_the_same_method(meshed, header, "a.h5")

@@ -186,7 +186,7 @@ def test_a_shape_that_strains_nothing_is_named(tmp_path):
     rows = np.hstack([points, np.cross([0.0, 1.0, 0.0], points)])
     np.savetxt(tmp_path / "pitch.txt", rows)
     file = {"kind": "file", "name": "turn", "file": str(tmp_path / "pitch.txt"), "stiffness": 0.0, "mass": 1.0}
-    with pytest.raises(SceneError, match="turn has no strain"):
+    with pytest.raises(SceneError, match="turn does not deform the body"):
         solve(make_scene(tables(file)), tmp_path / "x.h5")
 
 
@@ -266,10 +266,10 @@ def test_a_shape_that_strains_one_of_its_bodies_is_a_shape(monkeypatch):
     check(bent, turned)
     check(turned, bent)
     both(("first", bent), ("second", bent))
-    with pytest.raises(SceneError, match=r"^second has no strain"):
+    with pytest.raises(SceneError, match=r"^second does not deform the body"):
         both(("first", bent), ("second", turned))
     check(turned, turned, known=False)
-    rigid, out = "m has no strain: it is a rigid motion, which", "already; leave it out"
+    rigid, out = "m does not deform the body: it is a rigid motion, which", "already; leave it out"
     with pytest.raises(
         SceneError, match=rf"^{rigid} each body has {out}, or join bodies by \[\[hinges\]\] of a study$"
     ):

@@ -204,7 +204,7 @@ FAULTS = {
     "a name of two words": (({**BARGE, "name": "my barge"}, PIER), "a word of letters"),
     "no place": (({**BARGE, "place": None}, PIER), "bodies[0].place is missing"),
     "a far heading": (({**BARGE, "place": [0, 4, 400]}, PIER), "heading 400"),
-    "deeper than the water": ((BARGE, {**PIER, "draft": 9.1}), "bodies[1].draft is 9.1 in water 9.0 m deep"),
+    "deeper than the water": ((BARGE, {**PIER, "draft": 9.1}), "bodies[1].draft is 9.1 m in water 9.0 m deep"),
     "afloat on the bed": (({**BARGE, "draft": 9.0}, PIER), "or 9 of a body that stands on the bed, which needs fixed"),
     "place of one body": (
         ({**BARGE, "rotation_center": None},),
@@ -304,7 +304,7 @@ def test_weight_is_judged_body_by_body():
     with pytest.raises(SceneError, match=r"^barge: center_of_gravity is 1 m off the centre of buoyancy in x"):
         planned(make_scene(tables({**BARGE, "center_of_gravity": [1.0, 0, 0.2]}, PIER)))
     remarks = planned(make_scene(tables({**BARGE, "mass": 80e3}, PIER))).remarks
-    assert any(line.startswith("barge: mass 80000 kg is not the displaced") for line in remarks)
+    assert any(line.startswith("barge: the mass is 80000 kg, but the body displaces") for line in remarks)
     assert not any(line.startswith("pier: ") for line in remarks)
 
 

@@ -122,7 +122,7 @@ def remarks(**given):
 @pytest.mark.parametrize(("factor", "told"), [(0.989, True), (0.991, False), (1.009, False), (1.011, True)])
 def test_mass_that_is_off_by_a_hundredth_is_told(factor, told):
     said = remarks(mass=factor * 1025 * 50_000)
-    mass = f"mass {factor * 1025 * 50_000:.6g} kg is not the displaced 5.125e+07 kg; allowed if lines"
+    mass = f"the mass is {factor * 1025 * 50_000:.6g} kg, but the body displaces 5.125e+07 kg; allowed if lines"
     assert [line.startswith(mass) for line in said] == [True] * told
 
 

@@ -28,7 +28,8 @@ def test_every_axis_of_a_quantity_has_its_scale_and_cases_of_another_shape_are_l
         assert np.array_equal(data[()], [first, first + 1])
         said = store(1, first[:2])
         assert (
-            said.startswith("force has the shape (2, 6, 3), and (4, 6, 3) in the first case") and data[1, 0, 0, 0] == 1
+            said.startswith("force has the shape (2, 6, 3) here and (4, 6, 3) in the first case")
+            and data[1, 0, 0, 0] == 1
         )
 
 

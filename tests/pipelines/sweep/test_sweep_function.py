@@ -82,7 +82,7 @@ def test_what_a_failing_case_lacks_is_nan_and_named_and_the_others_keep_it(monke
     monkeypatch.setattr("hakobune.pipelines.sweep.one_case._called", lambda *_: next(found))
     cases = hakobune.sweep({**SWEEP, "vary": [{"key": "approach.speed", "values": [0.1, 0.2]}]})
     assert cases["approach.energy"][0] == whole["approach.energy"] and np.isnan(cases["approach.energy"][1])
-    assert cases.fails == ("case 1: it capsizes; no result named approach.energy, course.largest was found",)
+    assert cases.fails == ("case 1: it capsizes; the result has no quantity approach.energy, course.largest",)
     found = iter([dataclasses.replace(whole, quantities={}, labels={})])
     with pytest.raises(ValueError, match=r"keep: .*approach\.energy"):
         hakobune.sweep({**SWEEP, "vary": [{"key": "approach.speed", "values": [0.1]}]})
