@@ -144,7 +144,7 @@ def _forced(time, motion, force):
         "left": (made.off, "%", "force not explained"),
         "cubic.B1": (float(made.with_cubic[0]), "N s/m", "B1 beside a cube"),
         "cubic.B3": (float(made.with_cubic[1]), "N s3/m3", "B3"),
-        "cubic.left": (made.with_cubic[2], "%", "part of the force not explained even with a cubic term"),
+        "cubic.left": (made.with_cubic[2], "%", "force not explained even with a cubic term"),
     })  # fmt: skip
     findings = [*_rest(made.off, "force", "a sine that moves a body with added mass and damping")]
     if made.same_energy < 0:
@@ -182,7 +182,7 @@ def _decay(time, motion, mass, unit):
         "left": (made.off, "%", "motion not explained"),
         "cubic.B1_over_M": (made.with_cubic[0], "1/s", "B1/M with a cubic term"),
         "cubic.B3_over_M": (made.with_cubic[1], "s/m2", "B3/M"),
-        "cubic.left": (made.with_cubic[2], "%", "part of the motion not explained even with a cubic term"),
+        "cubic.left": (made.with_cubic[2], "%", "motion not explained even with a cubic term"),
     }
     records = {"record.motion": (motion, "m", "motion"), "fitted.motion": (made.fitted, "m", "motion")}
     found = quantities("free decay", rows) | quantities("", records, "time", record=True)

@@ -228,8 +228,8 @@ def _warn_of_no_water(bodies):
             loose.remove("Heave")
         if loose:
             warnings.warn(
-                f"{body.name} is free in {', '.join(loose)}, but this command knows no weight and no buoyancy; "
-                'allowed: freedom = ["Surge", "Sway", "Yaw"], or Heave with buoyancy minus weight as '
-                "the third number of force_kN; `hakobune moor` includes buoyancy",
+                f"{body.name} is free in {', '.join(loose)}, but this command knows no weight and no buoyancy, so "
+                'that only the lines hold it; allowed: freedom = ["Surge", "Sway", "Yaw"], or Heave with buoyancy '
+                "minus weight as the third number of force_kN; `hakobune moor` includes buoyancy",
                 stacklevel=3,
             )

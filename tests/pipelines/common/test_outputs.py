@@ -96,7 +96,8 @@ def test_where_a_result_goes_is_looked_at_before_the_study(command, tmp_path, mo
         Path(name).write_bytes(content)
     words = command.split()
     for name, said in (
-        ("found.txt", "found.txt has the suffix '.txt'; allowed: "), ("study.toml", "study.toml is an input of the st"),
+        ("found.txt", "found.txt has the suffix '.txt'; allowed suffixes: "),
+        ("study.toml", "study.toml is an input of the st"),
         ("made.csv", "made.csv "), ("none/found.h5", "cannot be written: the folder none does not exist"),
     ):  # fmt: skip
         assert main([words[0], "study.toml", *words[1:], "--output", name]) == 2

@@ -422,7 +422,7 @@ def test_stations_lie_on_a_beam_with_both_its_ends(monkeypatch):
     assert made[1][0] == "q x 3.5"
     for table, says in (
         (StationTable([20.1], "q"), "s.x has 20.1; allowed: -10 to 20, the beam"),
-        (StationTable([-10.1], "q"), "s.x has -10.1"), (StationTable([0.0], "p"), "s is given, and p is not a beam"),
+        (StationTable([-10.1], "q"), "s.x has -10.1"), (StationTable([0.0], "p"), "s is given, but p is not a beam"),
         (StationTable([0.0], "r"), "s.body is 'r'; allowed: p, q"), (StationTable([0.0]), "allowed: p, q"),
     ):  # fmt: skip
         with pytest.raises(StudyError) as refused:
@@ -531,7 +531,7 @@ def test_segments_of_a_line_run_from_its_anchor_and_odd_lines_are_refused():
 
 
 @pytest.mark.parametrize("ends, says", [
-    ("anchors", "line one ends at an anchor, far; allowed: from an anchor"),
+    ("anchors", "line one ends at an anchor, far; allowed: a line from an anchor to the body"),
     ("joint", "line one ends at a joint of 3 lines, mid"),
 ])  # fmt: skip
 def test_lines_of_a_file_lead_to_the_body(ends, says):
@@ -574,7 +574,8 @@ def test_lines_of_a_file_are_of_the_body_that_the_study_names(monkeypatch, tmp_p
 def test_bodies_without_water_may_not_heave_roll_or_pitch_unheld(freedom, lift, names, recwarn):
     system_file._warn_of_no_water([SimpleNamespace(name="b", freedom=freedom, force_kN=(0.0, 0.0, lift))])
     said = [str(one.message) for one in recwarn]
-    assert [line.split(",  ")[0].split(", where")[0] for line in said] == ([f"b is free in {names}"] if names else [])
+    assert [line.split(", but this command knows no weight and no buoyancy, so that only the lines hold it; ")[0]
+            for line in said] == ([f"b is free in {names}"] if names else [])  # fmt: skip
 
 
 def test_periods_of_a_body_on_lines_have_the_names_of_its_modes(monkeypatch):

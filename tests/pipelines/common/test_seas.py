@@ -141,7 +141,7 @@ def test_deep_water_is_any_of_half_a_length():
         r"12.5 m; solve the body in 12.4 m",
     ):
         check_solved_depth(12.4, np.inf, "box.h5", 4.0)
-    with pytest.raises(StudyError, match=r"water.depth is 12.5 m, box.h5 is for 20 m"):
+    with pytest.raises(StudyError, match=r"water.depth is 12.5 m, but box.h5 is for 20 m; allowed: the same depth"):
         check_solved_depth(12.5, 20.0, "box.h5")
 
 

@@ -332,7 +332,7 @@ def test_behind_a_breakwater_twice_the_crest_height_passes_between_its_periods(m
     with pytest.raises(StudyError, match=r"lee.holding is 'loose'; allowed: fixed, taut, exact"):
         lee.lee(read, Path())
     read.keel = 1
-    with pytest.raises(StudyError, match=r"keel is given with \[lee\], but keel needs a body"):
+    with pytest.raises(StudyError, match=r"keel is given together with \[lee\]; keel needs a floating body"):
         lee.lee(read, Path())
 
 

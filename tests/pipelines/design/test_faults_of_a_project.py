@@ -247,7 +247,7 @@ FAULTS = {
     ),
     "level": ("lines", [(storm("levels"), ["hihg"])], ("states[0].levels is 'hihg'", "allowed: mean, high")),
     "level in the ground": ("lines", [(project("levels", "high"), -21.0)], ("levels.high is -21 m", "above the bed")),
-    "level of the keel": ("lines", [(project("levels", "high"), -12.0)], ("draft is 10.0", "less than the depth")),
+    "level of the keel": ("lines", [(project("levels", "high"), -12.0)], ("draft is 10.0 m", "below the depth")),
     "kind of a state": ("lines", [(storm("state"), "calm")], ("states[0].state is 'calm'", "normal, abnormal")),
     "which line is lost": ("lines", [(storm("lost"), "best")], ("states[0].lost is 'best'", "worst, each")),
     "states of one file": (

@@ -122,7 +122,7 @@ def test_values_of_the_project_go_to_the_cases_they_are_for():
     assert given("normal", "one lost") == {"scour": {"survey": 0.5}}
     assert given("abnormal", "one lost", apart=True) == {}
     numbers.parts = {"gust factor": {}}
-    with pytest.raises(ValueError, match="'gust factor' is given, but x computes it; leave it out"):
+    with pytest.raises(ValueError, match="'gust factor' is given, but x computes it; leave the given value out"):
         given("abnormal", "intact")
 
 

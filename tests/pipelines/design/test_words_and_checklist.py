@@ -202,7 +202,7 @@ def test_a_line_is_told_in_metres_and_kilonewtons():
     study = {"types": {"chain": {"catalogue": "R3 studless 76 mm"}, "wire": {}}}
     (row,) = report_words.line_rows(SimpleNamespace(study=study), verdict)
     assert row == (
-        "fore", "260", "chain: R3 studless 76 mm, wire", "50, -25, 0", "300, -200, -20", "392.3", "4884",
+        "fore", "260", "chain: R3 studless 76 mm, wire", "50, -25, -0.02", "300, -200, -20", "392.3", "4884",
         "2442", "50 %",
     )  # fmt: skip
     (row,) = report_words.line_rows(SimpleNamespace(study=study | {"allowable": 0.4}), verdict)

@@ -237,7 +237,7 @@ def test_hours_of_states_have_errors_of_ninety_per_cent_and_states_that_failed_a
     assert list(said.findings[:2]) == ["of ice", "uncertain"] and len(said.findings) == 7
     assert said.findings[2].endswith("hour 2001-01-01T00:00:00: reason 0")
     assert said.notes[0].startswith(
-        "simulated: 2 states of 30 min with 3 seeds each, with the waves of the hour and al"
+        "simulated: 2 states of 30 min with 3 seeds each, with the waves of each hour and al"
     )
     assert len(said.notes) == 1
     moored.moored(of_simulation(), "folder", "db", None, "local", print)

@@ -39,7 +39,7 @@ def test_a_set_of_two_bodies_comes_back_by_the_names_of_the_bodies_alone(kind, t
     """Hulls, points, depth and all couplings are in the files: written along the axes of the scene"""
     place, out = tmp_path / PLACES[kind], tmp_path / "back.h5"
     assert main(["export", str(two), "--to", kind, "--output", str(place)]) == 0
-    assert "all bodies along the axes of the scene" in capsys.readouterr().err
+    assert "all bodies are in the axes of the scene" in capsys.readouterr().err
     water = WATER if kind != "nemoh" else []
     words = ["import", str(place), "--from", kind, "--bodies", "barge,spar", "--output", str(out), *water]
     assert main([*words, "--gyration", "2,3,3;2,2,1.5", "--center-of-gravity", "0,5,0;4,-6,-4"]) == 0

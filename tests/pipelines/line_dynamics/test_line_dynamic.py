@@ -362,5 +362,5 @@ def test_hills_lie_under_the_line_from_its_anchor_towards_the_fairlead(tmp_path)
     assert np.allclose(line.system.bed_course[2:], way / np.linalg.norm(way))
     assert main(["line-dynamics", str(place), "--duration", "16", "--plot", str(tmp_path / "hills.png")]) == 0
     place.write_text(place.read_text().replace("[65, 1]", "[5, 1]"))
-    with pytest.raises(ValueError, match="bed: bed points step 0 m"):
+    with pytest.raises(ValueError, match="bed: x of the bed points changes by 0 m"):
         line_of(read_line_dynamics(place)[0])

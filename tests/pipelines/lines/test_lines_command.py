@@ -413,7 +413,8 @@ def test_the_example_of_lines_with_segments_comes_to_rest_and_is_drawn(tmp_path,
     scene, picture = Path(pipelines.__file__).parent / "scenes" / "lines_barge.toml", tmp_path / "barge.png"
     assert main(["lines", str(scene), "--plot", str(picture)]) == 0
     warned = [line for line in capsys.readouterr().out.splitlines() if "warning" in line]
-    assert len(warned) == 1 and "with the weight in water: hawser over" in warned[0]  # a pile above the water holds it
+    # a pile above the water holds it
+    assert len(warned) == 1 and "above still water with their weight in water: hawser over" in warned[0]
     assert picture.stat().st_size > 20_000
     assert main(["lines", str(scene), "--moordyn", str(tmp_path / "barge.txt")]) == 2
     assert "line stern has several segments" in capsys.readouterr().err
@@ -429,7 +430,8 @@ def test_a_type_of_a_study_may_come_from_the_catalogue_and_be_corrected():
 
 
 @pytest.mark.parametrize(
-    "flags, state", [([], "at rest"), (["--offset", "5"], "held at offsets"), (["--broken"], "after the loss of")]
+    "flags, state",
+    [([], "at rest"), (["--offset", "5"], "with the body held at offsets"), (["--broken"], "after the loss of")],
 )
 def test_lines_loaded_above_their_breaking_load_are_named_with_number_and_limit(tmp_path, capsys, flags, state):
     weak = tmp_path / "weak.toml"

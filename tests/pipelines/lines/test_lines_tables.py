@@ -169,7 +169,7 @@ def test_a_stiffness_that_is_rounding_is_nothing(found):
 def test_a_moordyn_file_says_what_it_does_not_keep(shown, tmp_path):
     line = CHAIN_OVER_WIRE.split("segments")[0] + 'type = "wire"\nlength = 312.0\n'
     said, _ = shown(line, flags=("--moordyn", str(tmp_path / "lines.dat")))
-    assert "1 is chain over wire; breaking loads are not in it" in said
+    assert "1 is chain over wire; breaking loads are not in the file" in said
 
 
 def test_flags_of_a_system_are_refused_with_a_result(tmp_path, capsys):

@@ -127,7 +127,7 @@ def test_studies_take_the_level_they_ask_for(path, tmp_path, capsys):
     assert found["body"][1] != found["bound-wave"][1]
     (tmp_path / "study.toml").write_text(STUDY.format("all"))
     assert main(["response", str(tmp_path / "study.toml"), "--database", str(path)]) == 2
-    assert "sea.qtf is 'all'; allowed: newman, bound-wave, body, full, auto" in capsys.readouterr().err
+    assert "sea.qtf is 'all'; allowed levels: newman, bound-wave, body, full, auto" in capsys.readouterr().err
 
 
 def test_a_vertical_cylinder_has_them_by_contour_and_on_panels_when_asked(tmp_path, capsys):

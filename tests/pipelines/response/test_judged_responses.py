@@ -49,8 +49,8 @@ def test_a_body_that_is_not_upright_capsizes(mode, name, restoring, told):
 def test_water_at_a_deck_or_a_keel_on_the_bed_fails(left, told):
     deck, bow = state(gaps={"deck": (5.0, left, 0.1)}), state(keel={"bow": (5.0, left, 0.1)})
     for one, words in (
-        (deck, "air gap at deck: -0.01 of 5 m are left, limit 0; give more freeboard"),
-        (bow, "under keel, at bow: -0.01 of 5 m are left, limit 0; give more water or less draft"),
+        (deck, "air gap at deck: -0.01 m of 5 m are left, limit 0; give more freeboard"),
+        (bow, "under keel, at bow: -0.01 m of 5 m are left, limit 0; give more water or less draft"),
     ):
         said = list(failures(one, None))
         assert len(said) == told and (not told or words in said[0])

@@ -159,7 +159,10 @@ def test_faulty_study_is_refused_in_one_line(folder, capsys, change, words):
         (["none.toml", "--database", "box.h5"], "none.toml does not exist"),
         (["study.toml", "--database", "none.h5"], "none.h5 does not exist"),
         (["study.toml"], "--database"),
-        (["study.toml", "--database", "box.h5", "--output", "out.txt"], "suffix '.txt'; allowed: .h5, .hdf5, .csv"),
+        (
+            ["study.toml", "--database", "box.h5", "--output", "out.txt"],
+            "suffix '.txt'; allowed suffixes: .h5, .hdf5, .csv",
+        ),
         (["study.toml", "--database", "box.h5", "--plot", "out.bmp"], "suffix '.bmp'"),
         (["study.toml", "--database", "box.h5", "--output", "box.h5"], "box.h5 is an input of the study"),
         (["study.toml", "--database", "box.h5", "--output", "nowhere/out.csv"], "nowhere"),

@@ -52,7 +52,7 @@ FAULTS = {
     "a pair of what is not there": ({"points": [DECK], "relative": [HOSE]}, "relative[0].points has 'quay'"),
     "a pair of one body": (
         {"points": [DECK, {**DECK, "name": "bow"}], "relative": [{**HOSE, "points": ["deck", "bow"]}]},
-        "both of barge",
+        "points are both on barge",
     ),
     "two of a name": ({"points": [DECK], "relative": [{**HOSE, "name": "deck"}]}, "two points are called 'deck'"),
     "a matrix of one": ({"body": {"damping": [[1.0]]}}, "allowed: 6 rows of 6"),
@@ -175,7 +175,10 @@ def test_a_barge_moored_to_a_pier_lies_between_its_lines(database):
 
 
 MOORED = {
-    "of what is fixed": ({"lines": [{**TO_QUAY, "body": "pier"}]}, "lines[0].body is 'pier'; allowed: one that moves"),
+    "of what is fixed": (
+        {"lines": [{**TO_QUAY, "body": "pier"}]},
+        "lines[0].body is 'pier'; allowed: a body that moves",
+    ),
     "to itself": ({"lines": [{**TO_QUAY, "to": "barge"}]}, "lines[0].to is 'barge'; allowed: another body, pier"),
     "to no place": ({"lines": [{k: v for k, v in TO_QUAY.items() if k != "bollard"}]}, "lines[0].bollard is missing"),
     "a hull of one": ({"lines": [ANCHORED], "hull": {"freeboard": 1.0}}, "allowed with this database: [hulls.barge]"),
