@@ -261,7 +261,7 @@ def test_anchors_are_of_lines_that_end_at_one_each_in_one_table():
     refused("anchors[1].lines: 'A' is in two tables; allowed lines: B", anchors, ["A"], ["A"])
     refused("anchors[0].lines: 'C' is on no anchor; allowed lines: A, B", anchors, ["C"])
     refused("anchors[0].lines: 'D' is unknown; allowed lines: A, B", anchors, ["D"])
-    refused("anchors[1].lines: 'D' is unknown; allowed: none is left", anchors, ["A", "B"], ["D"])
+    refused("anchors[1].lines: 'D' is unknown; allowed lines: none is left", anchors, ["A", "B"], ["D"])
     refused("anchors[0] and anchors[1] have no lines; allowed: one table without lines", anchors, [], [])
 
 

@@ -85,7 +85,7 @@ def test_frequencies_of_a_band_are_counted_with_both_its_ends():
     assert "drift" not in said
     db.names = {"added_mass", "excitation_force", "rao", "drift_force"}
     assert "error of coefficients and forces between them 1.3 %" in adaptive._text(scene, db, 0.013)
-    assert adaptive._text(scene, db, 0.013).endswith("of motions and drift more")
+    assert adaptive._text(scene, db, 0.013).endswith(", and more for motions and drift")
     db.names = {"added_mass", "Froude_Krylov_force"}  # which are exact
     assert adaptive._text(scene, db, 0.013).endswith("error of coefficients between them 1.3 % (tolerance 2 %)")
 
