@@ -168,7 +168,7 @@ class Between:
         if name not in self.quantities:
             raise BetweenError(
                 f"{name} is not stored and cannot be computed from {', '.join(self.quantities)}; "
-                f"run its command again with --only {name}"
+                f"repeat the command that made it, with --only {name}"
             )
 
     def _fitted(self, omega, name):

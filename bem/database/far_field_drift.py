@@ -30,12 +30,12 @@ def drift(reader, omega, headings, fixed):
         return value if headings is None else over.unfolded(value, "drift")
     if name not in reader.between.quantities:
         raise BetweenError(
-            f"{', '.join(KOCHIN)} must be stored for {name}; run its command again with --only kochin,drift"
+            f"{', '.join(KOCHIN)} must be stored for {name}; repeat the command that made it, with --only kochin,drift"
         )
     if not fixed and not reader.own:
         raise BetweenError(
             "drift of a body with added damping or stiffness is computed from Kochin functions, which the database "
-            "lacks; run its command again with --only kochin,drift"
+            "lacks; repeat the command that made it, with --only kochin,drift"
         )
     values = reader.between.value(omega, name)
     if headings is None:

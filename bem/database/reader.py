@@ -191,7 +191,8 @@ class Reader:
         missing = [name for name in NEEDED["rao"] if name not in self.between.quantities]
         if missing:
             raise BetweenError(
-                f"{', '.join(missing)} must be stored for motions; run its command again with --only motions,radiation"
+                f"{', '.join(missing)} must be stored for motions; repeat the command that made it, with "
+                "--only motions,radiation"
             )
         for name in NEEDED["rao"]:
             _known(name, self.between.quantities[name])
@@ -329,7 +330,9 @@ class Reader:
         """
         omega, (name,) = self.inside(omega), (key for key, moves in OF_EACH.items() if moves != fixed)
         if name not in self.between.quantities:
-            raise BetweenError(f"{name} is not stored; run its command again with --only drift, by method panel")
+            raise BetweenError(
+                f"{name} is not stored; repeat the command that made it, with --only drift, by method panel"
+            )
         values = self.between.value(omega, name)
         if headings is None:
             return values

@@ -186,10 +186,10 @@ class Database:
         if missing:
             raise DatabaseError(f"{self.path} contains no {', '.join(missing)}; {self._remedy(missing)}")
         if not self.rows.any() and any(name not in LIMITS for name in names):
-            raise DatabaseError(f"{self.path} has no solved frequency yet; run its command again to continue")
+            raise DatabaseError(f"{self.path} has no solved frequency yet; repeat the command that made it to continue")
         unsolved = [name for name in names if name in LIMITS and not self._stored(name)]
         if unsolved:
-            raise DatabaseError(f"{self.path} lacks {', '.join(unsolved)}; run its command again to continue")
+            raise DatabaseError(f"{self.path} lacks {', '.join(unsolved)}; repeat the command that made it to continue")
 
     def require_one_body(self) -> None:
         """Raise DatabaseError for a database of several bodies, which it names, or of a flexible body."""
@@ -390,7 +390,7 @@ class Database:
         motion = [name for name in missing if name in NEEDS_MOTION]
         if motion and self.inertia_matrix is None:
             return "motions need the mass: give --gyration kxx,kyy,kzz (scene: gyration)"
-        return f"run its command again with --only {','.join(missing)}"
+        return f"repeat the command that made it, with --only {','.join(missing)}"
 
 
 def _sum(first, second):

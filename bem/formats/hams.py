@@ -123,8 +123,8 @@ def read(place, known):
     if any(given.drawn_at):
         where = ", ".join(f"{x:g}" for x in given.drawn_at)
         told = (
-            f"HullMesh{given.number}.pnl has its origin at ({where}) m and is moved there; a hull of --mesh must lie at "
-            "that place in the water",
+            f"HullMesh{given.number}.pnl has its origin at ({where}) m and is moved there; a hull of --mesh must lie "
+            "at that place in the water",
         )
     return replace(found, body=dict(found.body) | masses, name=place.name, left_out=(*found.left_out, *told))
 

@@ -60,7 +60,7 @@ class Values:
 
 
 def about(values, point):
-    """The same Values with rotations and moments about another point (3,) m, of several bodies about one each, (N, 3).
+    """The same Values with rotations and moments about another point: (3,) m, or (N, 3), one for each of N bodies.
 
     x_old = T x_new,  F_new = Tᵀ F_old,  A_new = Tᵀ A_old T,    T = [[1, −r×], [0, 1]],  r from the new to the old
 

@@ -100,7 +100,7 @@ class PreparedShapeProblem:
 
     @cached_property
     def few_estimates(self):
-        """`bem.methods.few_estimates.FewEstimates`, or None where each frequency has an estimate of its own"""
+        """`bem.methods.few_estimates.FewEstimates`, or None where each frequency has an error estimate of its own"""
         many = self.problem.method in RESOLVED and len(self.problem.omegas) >= FEWEST
         return FewEstimates(self, self.problem.omegas) if many else None
 

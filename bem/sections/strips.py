@@ -40,7 +40,7 @@ TURN[[0, 1, 2, 3, 4, 5], [1, 0, 2, 4, 3, 5]] = 1, -1, 1, 1, -1, 1
 
 @dataclass(frozen=True)
 class Strips:
-    """A box by strips; `inverse` places them across instead of along.
+    """A box by strips; with `inverse` by the inverse method, whose strips run across the box.
 
     length, beam, draft, depth : m, depth may be inf; tolerance : relative error of the sections, not of the method
     """

@@ -110,7 +110,8 @@ def _check(body, wall):
     missing = [name for name in NEEDED if name not in body.between.quantities]
     if missing:
         raise WallError(
-            f"a wall needs {', '.join(missing)} in the database; run its command again with --only kochin,radiation"
+            f"a wall needs {', '.join(missing)} in the database; repeat the command that made it, with "
+            "--only kochin,radiation"
         )
     if body.mesh is None:
         raise WallError("a wall needs the mesh of the body, which the database lacks; solve it again")

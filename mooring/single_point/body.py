@@ -32,7 +32,7 @@ class SinglePointError(ValueError):
 
 
 class NotFollowedError(SinglePointError):
-    """A motion beyond the range of the mooring, or too fast for any step"""
+    """A motion beyond the reach of the lines, or too fast to follow with any time step"""
 
 
 class Pull(NamedTuple):

@@ -125,7 +125,7 @@ def slew(point: SinglePoint, start, duration, step, *, tolerance=1e-4, wind_spee
 def until_turn(point: SinglePoint, start, direction, longest, tolerance):
     """Solution (`scipy`, dense) from a state (6,) until the yaw rate passes 0, upwards for a direction above 0
 
-    raises : SinglePointError if it does not turn within `longest` s
+    raises : SinglePointError if its yaw rate does not change its sign within `longest` s
     """
     from scipy.integrate import solve_ivp
 

@@ -80,7 +80,10 @@ def slow_motion(free, held, sea, duration, loads=None, points=()) -> SlowMotion:
     raises : ValueError without drift in the database, and for a mode without restoring or damping
     """
     if not free.knows_drift:
-        raise ValueError("slow motion needs mean drift in the database; run its command again with --only kochin,drift")
+        raise ValueError(
+            "slow motion needs the mean drift, which the database lacks; repeat the command that made it, "
+            "with --only kochin,drift"
+        )
     loads, state = loads or Loads(), sea_state(free, sea, duration)
     damping = held.damping + _drift_damping(state.slow.damping)
     of_drift = np.diag(_drift_damping(state.slow.damping))[PLANE]

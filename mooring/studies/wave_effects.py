@@ -75,9 +75,13 @@ def sea_of(conditions):
 def _irregular(reader, conditions):
     sea = sea_of(conditions)
     if not reader.knows_drift:
-        raise BetweenError("drift_force must be stored for waves; run its command again with --only drift,kochin,rao")
+        raise BetweenError(
+            "drift_force must be stored for waves; repeat the command that made it, with --only drift,kochin,rao"
+        )
     if reader.bodies and not reader.knows_drift_of_each:
-        raise BetweenError("body_drift_force must be stored for waves; solve the scene of the bodies by method panel")
+        raise BetweenError(
+            "body_drift_force must be stored for a study with waves; solve the scene of the bodies by method panel"
+        )
     try:
         body, _ = in_sea(on_current(reader, carrier_of(conditions.current)), sea)
     except BetweenError as error:
@@ -132,7 +136,7 @@ def _regular(reader, conditions):
     if body.lacks_motions:
         warnings += (
             "motions on the current are taken from still water, since the database lacks the coefficients to compute "
-            "them; run its command again with --only motions,radiation",
+            "them; repeat the command that made it, with --only motions,radiation",
         )
     near = np.clip(w.omega * (1 + BESIDE * np.array([-1.0, 0.0, 1.0])), *body.between.span)
     _, coefficients, known = drift_on_current(body, np.unique(near), [w.direction])

@@ -182,7 +182,9 @@ def _check_map(study):
         if ends is not None and not -np.inf < ends[0] < ends[1] < np.inf:
             raise StudyError(f"map.{key} is from {ends[0]:g} to {ends[1]:g} m; allowed: rising, finite")
     if study.loss is not None:
-        raise StudyError("map is given with loss, which a database does not include; leave out one of them")
+        raise StudyError(
+            "map is given, and loss too: a map is computed from a database, which has no loss; leave out one of them"
+        )
 
 
 def _check_optimisation(study):

@@ -198,7 +198,8 @@ def _check_limits(project, found):
     for i, one in enumerate(project.limits):
         if one.quantity not in (*known, *(value.quantity for value in project.values)):
             raise StudyError(
-                f"limits[{i}].quantity is {one.quantity!r}; allowed: {'; '.join(known)}; or give it by [[values]]"
+                f"limits[{i}].quantity is {one.quantity!r}; allowed: {'; '.join(known)}; or add this "
+                "quantity by [[values]]"
             )
 
 
@@ -211,7 +212,7 @@ def _check_own_rules(project, found, folder):
             if one.quantity not in known:
                 raise StudyError(
                     f"rules[{i}], {table.file}: no load case computes the quantity {one.quantity!r}; allowed: "
-                    f"{'; '.join((*OF_TENSIONS, *found, *KNOWN_OF_PROJECT))}; or give it by [[values]]"
+                    f"{'; '.join((*OF_TENSIONS, *found, *KNOWN_OF_PROJECT))}; or add this quantity by [[values]]"
                 )
 
 

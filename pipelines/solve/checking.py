@@ -83,7 +83,9 @@ def _repaired(path):
     if not found:
         return f"{path}: nothing is damaged"
     what = ", ".join(f"{name} ({count})" for name, count in found.items())
-    return f"{path}: these frequencies are now marked as unsolved: {what}; run its command again to solve them"
+    return (
+        f"{path}: these frequencies are now marked as unsolved: {what}; repeat the command that made it to solve them"
+    )
 
 
 def _findings(db):

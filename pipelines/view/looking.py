@@ -146,7 +146,7 @@ def _meshes(source):
 def _pressure(db, path, omega, heading):
     """Amplitude of the dynamic pressure at a stored heading and the stored frequency nearest to the requested one"""
     if path.suffix not in DATABASES:
-        raise SceneError(f"{path} contains no pressure; run its command again with --only pressure")
+        raise SceneError(f"{path} contains no pressure; repeat the command that made it, with --only pressure")
     if omega is None or heading is None:
         raise SceneError("the pressure depends on frequency and heading; give --omega rad/s and --heading degrees")
     amplitude = np.abs(db["pressure"])

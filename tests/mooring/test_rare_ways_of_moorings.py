@@ -612,7 +612,7 @@ def test_a_map_of_waves_damps_its_body_in_waves_of_the_height_asked_for(monkeypa
 
 def test_drift_of_each_of_several_bodies_has_to_be_known_in_irregular_waves():
     reader = SimpleNamespace(knows_drift=True, bodies=[1], knows_drift_of_each=False)
-    with pytest.raises(wave_effects.BetweenError, match="body_drift_force must be stored for waves"):
+    with pytest.raises(wave_effects.BetweenError, match="body_drift_force must be stored for a study with waves"):
         wave_effects._irregular(reader, SimpleNamespace(sea="sea", waves=None))
     reader.knows_drift = False
     with pytest.raises(wave_effects.BetweenError, match=r"^drift_force must be stored for waves"):

@@ -166,9 +166,10 @@ def pass_sliding_sinker(line, q, g, at, angle, folds):
 
 @kernel()
 def leave_heap(line, q, g, at, amount, angle, unknown, rows):
-    """Leave an unstretched length of line, the unknown with this index, in a heap here, with all sinkers on it.
+    """Put the next length of line, unstretched, in a heap at this point, with its sinkers.
 
-    angle : slope of the bed there.  returns : False where a buoy would lift the heap
+    unknown : index of the unknown that this length is; angle : slope of the bed there.  returns : False where a buoy
+        would lift the heap
     """
     end = q[S] - amount
     for _ in range(10_000):

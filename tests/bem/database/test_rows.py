@@ -95,7 +95,7 @@ def test_what_a_database_is_is_said_in_one_line(tmp_path):
     db = open_database(path)
     assert repr(db) == f"<Database box.h5: 2 of 3 frequencies, 2 headings, {', '.join(db.names)}>"
     assert db.asked.tolist() == list(OMEGAS) and not db.holds("added_mass_infinity") and db.holds("drift_force")
-    with pytest.raises(DatabaseError, match="lacks added_mass_infinity; run its command again to continue"):
+    with pytest.raises(DatabaseError, match="lacks added_mass_infinity; repeat the command that made it to continue"):
         db["added_mass_infinity"]
     with pytest.raises(AttributeError, match="a database contains no 'displacement'"):
         _ = db.displacement
