@@ -110,7 +110,7 @@ def _check_section(key, one, depth):
         if getattr(one, name) is not None:
             positive(f"{key}.{name}", getattr(one, name))
     if not one.draft < depth:
-        raise StudyError(f"{key}.draft is {one.draft:g} in water {depth:g} m deep; allowed: below the depth")
+        raise StudyError(f"{key}.draft is {one.draft:g} m in water {depth:g} m deep; allowed: below the depth")
     try:
         check_gap(one.draft, depth)
     except ValueError as error:

@@ -328,7 +328,7 @@ def _dress(db, figure, grid, curves):
             _mark(axis, gaps)
         elif axis.axison:
             unknown = any(DOFS[j] in gaps.unknown.get(name, ()) for name in ROWS[rows[i]])
-            word = "not solved" if unknown else "zero by symmetry"
+            word = "not solved" if unknown else "zero"
             axis.text(0.5, 0.5, word, transform=axis.transAxes, ha="center", color="0.5")
             axis.set_yticks([])
     for axis in grid[-1]:

@@ -46,7 +46,7 @@ SECTION = {"name": "left", "beam": 30.0, "draft": 6.0, "y": -16.5}
     ({"water": {"depth": 12.0, "gravity": float("nan")}}, "water.gravity is nan; allowed: above 0"),
     ({"omegas": [0.0, 0.5]}, "omegas is 0; allowed: above 0"),
     ({"sections": [SECTION, SECTION], "hinges": []}, "sections have the name 'left'"),
-    ({"sections": [SECTION | {"draft": 12.0}], "hinges": []}, "sections[0].draft is 12 in water 12 m deep"),
+    ({"sections": [SECTION | {"draft": 12.0}], "hinges": []}, "sections[0].draft is 12 m in water 12 m deep"),
     ({"sections": [SECTION, SECTION | {"name": "b", "y": 0.0}], "hinges": []}, "m; leave a gap between them"),
     ({"hinges": [{"sections": ["left", "up"], "position": [0, 0]}]}, "hinges[0].sections has 'up'"),
     ({"hinges": [{"sections": ["left", "left"], "position": [0, 0]}]}, "hinges[0] joins left to itself"),
