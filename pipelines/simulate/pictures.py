@@ -251,7 +251,8 @@ def _extremes(file, kept, path, motions):
     """Share of maxima above a level, of motions in standard deviations and of tensions"""
     from hakobune.mooring.environment.crossings import local_maxima
 
-    figure, ((left, right),) = _figure(1, 2, (13, 6), title=0.2)
+    figure, ((left, right),) = _figure(1, 2, (13, 6), title=0.32)
+    figure.suptitle(f"maxima in {_runs(kept)}", fontsize=10, y=0.985)
     least = 1.0
     for j, (name, _, _) in enumerate(motions.named):
         records = motions.of(file, kept)[..., j].astype(float)
