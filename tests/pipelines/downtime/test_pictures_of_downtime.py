@@ -101,6 +101,7 @@ def test_a_rose_has_north_on_top_and_goes_round_clockwise():
     """Four sectors of 90°, of which the bars of two operations take 0.8: 36° each, the first anticlockwise"""
     axes = axes_of(pictures.rose, result(), True)
     assert axes.get_theta_direction() == -1 and axes.get_theta_offset() == pytest.approx(np.pi / 2)
+    assert len(axes.containers) == 2
     for o, bar in enumerate(axes.containers):
         assert [one.get_height() for one in bar] == [1.0 + o, 3.0 + o, 5.0 + o, 7.0 + o]
         middle = [np.degrees(one.get_x() + 0.5 * one.get_width()) for one in bar]
@@ -171,10 +172,14 @@ def test_the_page_has_a_picture_of_every_panel_and_of_each_limiting_sea(monkeypa
     assert [polar for _, polar in drawn] == [False, False, True, False, False, True]
     assert [one for one, _ in drawn[:5]] == [pictures.months, pictures.years, pictures.rose, pictures.persistence,
                                              pictures.waits]  # fmt: skip
-    asked = []
+    found, asked = limited(2.0), []
+    found.quantities["limiting.height"].values[0, 0, 0] = 1.0
     monkeypatch.setattr(pictures, "limiting", lambda found, number, axes: asked.append(number))
-    drawn[5][0](result(), None)
-    assert asked == [1]
+    both = list(report._pictures(found))[5:]
+    assert [one["words"] for one in both] == ["limiting sea of cranes", "limiting sea of arms"]
+    for panel, _ in drawn[-2:]:
+        panel(result(), None)
+    assert asked == [0, 1]
 
 
 def test_a_page_is_known_by_its_mark_and_has_its_text_and_the_name_of_its_record(monkeypatch, tmp_path):

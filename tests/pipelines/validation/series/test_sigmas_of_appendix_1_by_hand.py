@@ -60,6 +60,7 @@ def test_waves_at_45_degrees_are_those_of_the_tests_without_reflection(incidence
     made = appendix_1.simulation_of(row, "full", 5)
     assert made["waves"]["height"] == pytest.approx(0.04 * wave * SIZE)
     assert made["waves"]["incidence_deg"] == float(incidence)
+    assert made["waves"]["period"] == pytest.approx(2.19 * math.sqrt(SIZE))
     own = made["simulation"]
     assert (own["memory"], own["slow_drift"], own["wave_drift_damping"]) == ("states", "newman", True)
     assert (own["seeds"], own["duration_hours"], own["dynamic_lines"]) == (5, 3.0, "none")
