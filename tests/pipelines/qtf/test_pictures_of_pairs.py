@@ -84,3 +84,8 @@ def test_levels_lie_at_both_frequencies_of_each_pair_that_there_is(pictures, tmp
              if (i, j) != (1, 3)]  # fmt: skip
     assert np.stack([one, two], axis=1) == pytest.approx(np.array(pairs))
     assert value == pytest.approx(np.full(len(pairs), 1.5 * 4e3 / unit))
+    if kind is DIFFERENCE:  # Newman's rule is the squares, of which the body has half as much besides
+        one, two, value = seen[1]
+        known = [(w, v) for w, v in pairs if v < 0.7 + 1e-9]
+        assert np.stack([one, two], axis=1) == pytest.approx(np.array(known))
+        assert value == pytest.approx(np.full(len(known), np.log10(1 / 1.5)))
