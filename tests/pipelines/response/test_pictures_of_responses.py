@@ -85,3 +85,13 @@ def test_rows_of_three_panels_are_added_as_they_are_needed(pictures, tmp_path):
     found = draw(climate, tmp_path / "p.png")
     assert [one.get_title() for one in found.axes] == list(names) and found.get_size_inches()[1] == pytest.approx(8.6)
     assert found.axes[0].get_subplotspec().get_gridspec().nrows == 3
+
+
+def test_levels_of_a_point_share_a_panel_with_a_legend(pictures, tmp_path):
+    m0 = np.array([[1.0, 4.0]])
+    climate = Climate(("deck x", "deck z"), ("m", "m"), *(np.ones(1) for _ in range(4)), m0, m0, None, ())
+    found = draw(climate, tmp_path / "p.png")
+    assert found.axes[0].get_title() == "deck"
+    assert [text.get_text() for text in found.axes[0].get_legend().get_texts()] == ["x", "z"]
+    x, z = (line.get_xdata()[-1] for line in found.axes[0].lines[:2])
+    assert z == pytest.approx(2 * x)

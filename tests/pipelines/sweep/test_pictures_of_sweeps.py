@@ -48,7 +48,16 @@ def test_a_sweep_of_one_key_has_one_line_and_no_legend(pictures, tmp_path):
 def test_twelve_quantities_are_drawn_at_most(pictures, tmp_path):
     more = {f"more{i}": Quantity(np.ones(4), ("case",), "m", f"more {i}", "cases") for i in range(12)}
     draw(result(**more), tmp_path / "p.png")
-    assert len(pictures[0].axes) == 12 and pictures[0].axes[-1].get_ylabel() == "more 8, m"
+    axes = pictures[0].axes
+    assert len(axes) == 12 and axes[-1].get_ylabel() == "more 8, m"
+    assert axes[0].get_subplotspec().get_gridspec().get_geometry() == (6, 2)
+
+
+def test_a_sweep_that_prints_nothing_has_an_empty_picture(pictures, tmp_path):
+    made = result()
+    keys = {name: one for name, one in made.quantities.items() if name.startswith("keys.") or name == "status"}
+    draw(Result("sweep", keys, made.labels), tmp_path / "p.png")
+    assert pictures[0].axes == []
 
 
 def test_a_first_key_of_words_has_no_axis(tmp_path):
