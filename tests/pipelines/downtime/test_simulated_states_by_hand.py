@@ -282,12 +282,18 @@ def test_alternatives_and_headings_are_whole_studies_with_files_of_their_own(mon
 
 
 def test_states_take_limits_of_what_their_body_gives(monkeypatch):
-    monkeypatch.setattr(moored, "record_with_passages", lambda read, folder, depth: f"record at {depth}")
-    monkeypatch.setattr(simulated, "prepared_of", lambda table, folder, db: SimpleNamespace(names=["surge", "yaw"]))
-    monkeypatch.setattr(simulated, "simulated", lambda read, record, limits, *more: (record, limits))
+    monkeypatch.setattr(
+        moored, "record_with_passages", lambda *given: asked.append(given[:2]) or f"record at {given[2]}"
+    )
+    ready = SimpleNamespace(names=["surge", "yaw"])
+    monkeypatch.setattr(simulated, "prepared_of", lambda *given: asked.append(given) or ready)
+    monkeypatch.setattr(
+        simulated, "simulated", lambda read, record, limits, *more: asked.append(more) or (record, limits)
+    )
     monkeypatch.setattr(moored, "limits_of", lambda read, points, gaps, units: units)
-    read = of_simulation()
-    found = moored._states(read, "f", SimpleNamespace(water_depth=20.0), "p", "w", print)
+    read, db, asked = of_simulation(), SimpleNamespace(water_depth=20.0), []
+    found = moored._states(read, "f", db, "p", "w", print)
+    assert asked == [(read, "f"), (read.simulation, "f", db), (ready, "p", "w", print)]
     assert found == ("record at 20.0", {"surge": "m", "yaw": "deg"}, ("record at 20.0", {"surge": "m", "yaw": "deg"}))
 
 
