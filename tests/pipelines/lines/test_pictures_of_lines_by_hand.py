@@ -154,15 +154,15 @@ def test_the_plane_of_a_line_goes_through_its_ends_at_the_start():
     assert pictures.line_plane(upright)[0, :, 0].tolist() == [0.0, 1.0, 0.0]
 
 
-@pytest.mark.parametrize(("frames", "times", "columns"), [
-    (30, [0, 3, 5, 8, 11, 13, 16, 18, 21, 24, 26, 29], 4), (5, [0, 1, 2, 3, 4], 4), (2, [0, 1], 2)])  # fmt: skip
-def test_a_strip_has_twelve_frames_at_most_from_the_first_to_the_last(monkeypatch, tmp_path, frames, times, columns):
+@pytest.mark.parametrize(("frames", "times", "grid"), [
+    (30, [0, 3, 5, 8, 11, 13, 16, 18, 21, 24, 26, 29], (3, 4)), (5, [0, 1, 2, 3, 4], (2, 4)), (2, [0, 1], (1, 2))])  # fmt: skip
+def test_a_strip_has_twelve_frames_at_most_from_the_first_to_the_last(monkeypatch, tmp_path, frames, times, grid):
     found = kept(monkeypatch)
     pictures.draw_frames(0.5 * np.arange(frames), nodes(frames), tmp_path / "p.png")
     ((figure, _),) = found
     drawn = [axis for axis in figure.axes if axis.axison]
     assert [axis.get_title() for axis in drawn] == [f"{0.5 * i:.2f} s" for i in times]
-    assert figure.axes[0].get_subplotspec().get_gridspec().ncols == columns
+    assert figure.axes[0].get_subplotspec().get_gridspec().get_geometry() == grid
     for axis, i in zip(drawn, times, strict=True):
         first, now = axis.lines
         assert first.get_xydata()[1] == pytest.approx([5.0, -4.0])
@@ -202,3 +202,21 @@ def test_a_frame_of_a_film_has_its_line_and_time_in_a_window_of_all(monkeypatch)
     (drawn,) = made["show"](2)
     assert drawn.get_xydata()[1] == pytest.approx([5.0, -2.0]) and axis.get_title() == "1.00 s"
     assert axis.get_xlim() == pytest.approx((-0.5, 10.5)) and axis.get_ylim() == pytest.approx((-5.25, 0.25))
+
+
+def test_a_result_is_drawn_beside_its_file_where_no_other_place_is_given(monkeypatch, tmp_path):
+    drawn, kinds = [], []
+    labels = {"frame": SimpleNamespace(values="times")}
+    found = type("Found", (dict,), {"labels": labels})({"line.place": "nodes"})
+    monkeypatch.setattr("hakobune.pipelines.results.file.read", lambda file, kind: kinds.append(kind) or found)
+    monkeypatch.setattr("hakobune.pipelines.results.writing.kind_of", lambda file: "moor")
+    monkeypatch.setattr(pictures, "draw_frames", lambda *given: drawn.append(given))
+    assert pictures.draw_result(tmp_path / "a.h5", None) == tmp_path / "a_frames.png"
+    assert pictures.draw_result(tmp_path / "a.h5", tmp_path / "b.gif") == tmp_path / "b.gif"
+    assert drawn == [("times", "nodes", tmp_path / "a_frames.png"), ("times", "nodes", tmp_path / "b.gif")]
+    assert kinds == ["line-dynamics"] * 2
+    with pytest.raises(ValueError, match=r"c\.doc"):
+        pictures.draw_result(tmp_path / "a.h5", tmp_path / "c.doc")
+    del found["line.place"]
+    with pytest.raises(ValueError, match="has no frames; allowed: a result of hakobune line-dynamics"):
+        pictures.draw_result(tmp_path / "a.h5", None)

@@ -9,7 +9,7 @@ from hakobune.meshing.shapes import box
 from hakobune.mooring.passing.passage import Passage, Track
 from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.passing import command, result
-from hakobune.pipelines.passing.study import check_apart, make_study
+from hakobune.pipelines.passing.study import check_apart, make_study, read_study
 
 BOX = {"shape": "box", "length": 60.0, "beam": 12.0, "draft": 4.0}
 
@@ -84,6 +84,17 @@ def test_what_was_asked_for_is_written_and_named_in_order(tmp_path, monkeypatch,
 def test_a_passage_needs_hulls_alone(name, key, value):
     with pytest.raises(StudyError, match=rf"{name}\.{key} is given; a passage needs the hull only"):
         make_study(study(**{name: BOX | {key: value}}))
+
+
+def test_files_of_both_hulls_lie_beside_the_study(tmp_path):
+    text = "[water]\ndepth = 10.0\n[track]\ndistance = 40.0\nspeed = 2.0\n"
+    for name in ("moored", "passing"):
+        text += f'[{name}]\nshape = "mesh"\nfile = "{name}.msh"\n'
+        (tmp_path / f"{name}.msh").write_text("")
+    (tmp_path / "study.toml").write_text(text)
+    found, told = read_study(tmp_path / "study.toml")
+    assert found.moored.file == str(tmp_path / "moored.msh") and found.passing.file == str(tmp_path / "passing.msh")
+    assert told == text
 
 
 def test_only_the_moored_ship_has_a_rotation_center():
