@@ -155,7 +155,9 @@ def test_the_plane_of_a_line_goes_through_its_ends_at_the_start():
 
 
 @pytest.mark.parametrize(("frames", "times", "grid"), [
-    (30, [0, 3, 5, 8, 11, 13, 16, 18, 21, 24, 26, 29], (3, 4)), (5, [0, 1, 2, 3, 4], (2, 4)), (2, [0, 1], (1, 2))])  # fmt: skip
+    (30, [0, 3, 5, 8, 11, 13, 16, 18, 21, 24, 26, 29], (3, 4)), (5, [0, 1, 2, 3, 4], (2, 4)),
+    (2, [0, 1], (1, 2)),
+])  # fmt: skip
 def test_a_strip_has_twelve_frames_at_most_from_the_first_to_the_last(monkeypatch, tmp_path, frames, times, grid):
     found = kept(monkeypatch)
     pictures.draw_frames(0.5 * np.arange(frames), nodes(frames), tmp_path / "p.png")
