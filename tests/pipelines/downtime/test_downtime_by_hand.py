@@ -426,7 +426,7 @@ def test_limits_of_a_simulation_are_on_what_it_gives_and_on_the_weather():
         ("simulated", "work: roll ≤ 2 deg"), ("simulated", "work: surge ≤ 2 m"),
         ("weather", "work: significant height ≤ 2 m"),
     ]  # fmt: skip
-    with pytest.raises(StudyError, match="no simulation of this study gives .surge.; allowed: sig.* height, roll"):
+    with pytest.raises(StudyError, match=r"no simulation of this study gives .surge.; allowed: sig.* height, roll"):
         limits_of(read, [], {"surge": "m"}, {"roll": "deg"})
 
 

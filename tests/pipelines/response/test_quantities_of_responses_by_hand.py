@@ -171,3 +171,16 @@ def test_gaps_of_points_and_under_the_keel_stand_in_tables_of_their_own(monkeypa
             one = made[f"{head}.{name}"]
             assert one.values.tolist() == values and (one.unit, one.description, one.table) == (unit, said, table)
     assert made["a"] == 1 and axes["b"] == 2
+
+
+@pytest.mark.parametrize(("tide", "extra", "told"), [(0.99, 0.0, False), (1.01, 0.0, True), (0.0, 0.99, False),
+                                                     (0.0, 1.01, True), (2.0, 1.5, False)])  # fmt: skip
+def test_water_far_from_that_of_the_database_is_told(tide, extra, told):
+    """Under a keel of 6 m in 16 m of water are 10 m, of which a share may change: tide less extra draft"""
+    size = result.FAR_FROM_DEPTH * 10.0
+    whole = SimpleNamespace(points=np.array([[0.0, 0.0, -6.0], [0.0, 0.0, 0.0]]))
+    db = SimpleNamespace(water_depth=16.0, mesh=SimpleNamespace(whole=lambda: whole))
+    read = SimpleNamespace(keel=SimpleNamespace(tide=tide * size, extra_draft=extra * size))
+    said = result._of_depth(read, db)
+    assert len(said) == told and all("of 10 m" in line for line in said)
+    assert result._of_depth(SimpleNamespace(keel=None), db) == []
