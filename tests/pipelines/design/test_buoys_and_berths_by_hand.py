@@ -188,3 +188,29 @@ def test_steady_strains_of_all_runs_need_no_remark(kept, count, said):
 def test_a_body_that_nothing_holds_has_no_period():
     file = SimpleNamespace(attrs={"natural_period": [np.nan] * 3})
     assert berth._periods(file).endswith("at the berth: none, since nothing holds the body at rest")
+
+
+def test_lines_at_a_berth_are_held_where_the_body_rests_there(monkeypatch):
+    """At its place in the study and the displacement at the berth together"""
+    held = []
+    body = SimpleNamespace(name="ship", position=(1.0, 2.0, 3.0, 0.0, 0.0, 0.5))
+    system = SimpleNamespace(bodies=[body])
+    made = SimpleNamespace(system=lambda *given: held.append(given) or system)
+    equilibrium = "hakobune.mooring.lines.system.equilibrium"
+    monkeypatch.setattr(f"{equilibrium}.held_at", lambda system, poses: held.append(poses) or system)
+    monkeypatch.setattr(f"{equilibrium}.rest", lambda system: ("rest", system))
+    db = SimpleNamespace(rotation_center="center", density=1025.0, gravity=9.8)
+    start = np.array([0.5, -1.0, 0.25, 0.0, 0.0, 0.1])
+    assert berth._at_rest(made, db, "hull", start) == ("rest", system)
+    asked, poses = held
+    assert asked == ("hull", "center", 1025.0, 9.8) and poses["ship"] == pytest.approx((1.5, 1.0, 3.25, 0, 0, 0.6))
+    made.system = lambda *given: None
+    assert berth._at_rest(made, db, "hull", start) is None
+
+
+def test_a_case_of_a_buoy_is_checked_with_its_body(monkeypatch):
+    asked = []
+    monkeypatch.setattr(single_point, "make_study", lambda study: f"made {study}")
+    monkeypatch.setattr("hakobune.pipelines.single_point.checked.checked", lambda *given: asked.append(given))
+    single_point.checked("study", "body", "folder")
+    assert asked == [("made study", "body")]

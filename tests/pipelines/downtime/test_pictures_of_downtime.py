@@ -190,3 +190,18 @@ def test_a_page_is_known_by_its_mark_and_has_its_text_and_the_name_of_its_record
     assert "[hindcast]" in path.read_text(encoding="utf-8") and "bay <1>" not in path.read_text(encoding="utf-8")
     path.write_text("<html>")
     assert not report.written_by_downtime(path)
+
+
+@pytest.mark.parametrize("count", [1, 3, 7])
+def test_bars_of_any_number_of_operations_lie_about_their_month_and_six_are_drawn(count):
+    """One is 0.8 broad on its mark; of seven six have a colour"""
+    names = [f"work {i}" for i in range(count)]
+    value = np.ones((12, count))
+    axes = Figure().add_subplot()
+    made = SimpleNamespace(labels={"operation": SimpleNamespace(values=np.array(names))})
+    pictures._bars(made, axes, value, NAN * value, NAN * value)
+    drawn = min(count, 6)
+    assert [bar.get_label() for bar in axes.containers] == names[:drawn]
+    assert axes.containers[0][3].get_x() == pytest.approx(3 - 0.4)
+    last = axes.containers[-1][3]
+    assert last.get_x() + last.get_width() == pytest.approx(3 + 0.4) and last.get_width() == pytest.approx(0.8 / drawn)

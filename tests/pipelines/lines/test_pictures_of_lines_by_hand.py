@@ -165,6 +165,7 @@ def test_a_strip_has_twelve_frames_at_most_from_the_first_to_the_last(monkeypatc
     drawn = [axis for axis in figure.axes if axis.axison]
     assert [axis.get_title() for axis in drawn] == [f"{0.5 * i:.2f} s" for i in times]
     assert figure.axes[0].get_subplotspec().get_gridspec().get_geometry() == grid
+    assert (figure.get_supxlabel(), figure.get_supylabel()) == ("along the line's plane at the start, m", "z, m")
     for axis, i in zip(drawn, times, strict=True):
         first, now = axis.lines
         assert first.get_xydata()[1] == pytest.approx([5.0, -4.0])
