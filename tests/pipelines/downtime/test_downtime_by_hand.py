@@ -13,7 +13,7 @@ from hakobune.mooring.response.points import KeelPoint, Point
 from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.downtime import lee as behind
 from hakobune.pipelines.downtime import moored, passages, result, simulated
-from hakobune.pipelines.downtime.answers import YEAR, Verdicts, _by_year, _three, answers, judged
+from hakobune.pipelines.downtime.answers import YEAR, Verdicts, _by_year, _causes, _three, answers, judged
 from hakobune.pipelines.downtime.limits import Hours, limits_of, used_of, value_of
 from hakobune.pipelines.downtime.one_state import _values
 from hakobune.pipelines.downtime.study import Record as Study
@@ -440,3 +440,16 @@ def test_ends_of_an_interval_are_printed_where_one_of_them_is_known(values, prin
     }  # fmt: skip
     assert made["head.high"].values == pytest.approx(np.array(values) + 1, nan_ok=True)
     assert "head.share" in _three("head", "table", ("operation",), (np.ones(2),) * 3, "share of")
+
+
+def test_a_limit_stops_alone_by_the_chance_that_no_other_of_its_operation_does():
+    """Chances of 0.5 and 0.2 in the first hour, of 1 and 0 in the second, the third is not known: 0.5 · 0.8 + 1 of
+    two hours, and 0.2 · 0.5 + 0; a limit of another operation makes no difference"""
+    limits = [SimpleNamespace(operation=i) for i in (0, 0, 1)]
+    beyond = np.array([[0.5, 0.2, 1.0], [1.0, 0.0, 1.0], [1.0, 1.0, 1.0]])
+    used = np.array([[0.9, 0.8, INF], [1.2, 0.4, 2.0], [NAN, 3.0, NAN]])
+    known = np.array([[True, True], [True, True], [False, True]])
+    made = _causes(known, SimpleNamespace(beyond=beyond, used=used), limits)
+    assert made["cause.hours"].values == pytest.approx(YEAR * np.array([1.5 / 2, 0.2 / 2, 1.0]))
+    assert made["cause.alone"].values == pytest.approx(YEAR * np.array([1.4 / 2, 0.1 / 2, 1.0]))
+    assert made["cause.most"].values == pytest.approx([1.2, 3.0, 2.0]) and made["cause.most"].share
