@@ -34,7 +34,7 @@ def stored(kind, largest, count=6, floats=True):
 def test_the_picture_of_differences_is_of_the_heading_with_the_largest_surge_or_sway(pictures, tmp_path):
     """Of squares of 4 kN/m² with half of it for the body: 6; heave and yaw are larger and are no slow drift"""
     found = draw(stored(DIFFERENCE, {(0, 0): 3e3, (1, 1): 4e3, (0, 2): 9e3, (1, 5): 9e3}), DEEP, tmp_path / "p.png")
-    assert pictures == [found]
+    assert pictures == [found] and len(found.axes) == 5  # two of them with a scale of colours
     level, rule, parts = found.axes[:3]
     assert found.get_suptitle() == "slow force of pairs of waves, sway, 180°, floating, deep water"
     assert level.get_title() == "|T| of sway, kN/m²" and rule.get_title().startswith("log10 of Newman's approximation")
