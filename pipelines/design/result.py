@@ -130,4 +130,5 @@ def _array(values):
 def _fails(one, use):
     c = one.criterion
     found = f"{percent(use.utilisation)}, {use.item}, {use.case}" if use else one.missing
-    return fails(f"{WORDS[one.met]}, {c.rule}: {c.quantity} {c.sense} {c.limit:.4g} {c.unit.strip('-')}: {found}")
+    limit = f"{c.limit:.4g} {c.unit.strip('-')}".rstrip()
+    return fails(f"{WORDS[one.met]}, {c.rule}: {c.quantity} {c.sense} {limit}: {found}")

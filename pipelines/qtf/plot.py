@@ -47,15 +47,15 @@ def _draw_sums(forces, db, floats, words, path):
     with matplotlib.rc_context({"font.size": 8, "axes.titlesize": 9, "svg.fonttype": "none"}):
         figure = Figure(figsize=(10, 7.6), layout="constrained")
         axes = figure.subplots(2, 2)
-        for row, (first, unit, words) in zip(axes, ((0, 1e3, "kN/m²"), (3, 1e6, "MN m/m²")), strict=True):
+        for row, (first, unit, told) in zip(axes, ((0, 1e3, "kN/m²"), (3, 1e6, "MN m/m²")), strict=True):
             h, mode = np.unravel_index(np.argmax(np.where(turns == (first > 0), size, 0.0)), size.shape)
             low, Ω = np.meshgrid(forces.omega, forces.frequency)
             total = np.abs(forces.total[:, :, h, h, mode]) / unit
             name = f"{words[mode]}, {np.degrees(forces.headings[h]):.4g}°"
-            _levels(figure, row[0], low, Ω - low, total, f"|T| of {name}, {words}")
+            _levels(figure, row[0], low, Ω - low, total, f"|T| of {name}, {told}")
             for part, value in parts_of_sums(forces, mode, h).items():
                 row[1].plot(forces.frequency, np.sqrt(np.nanmean(np.abs(value) ** 2, axis=1)) / unit, label=part)
-            row[1].set(title=f"{name}: root mean square over pairs, {words}", xlabel="sum of frequencies  rad/s")
+            row[1].set(title=f"{name}: root mean square over pairs, {told}", xlabel="sum of frequencies  rad/s")
             row[1].set_ylim(bottom=0)
             row[1].grid(True, color="0.9", linewidth=0.6)
             row[1].legend(frameon=False)

@@ -415,13 +415,17 @@ def test_a_breakwater_is_told_by_its_sizes_and_solved_without_what_a_case_needs_
 
 def test_numbers_of_a_single_point_are_of_its_hawsers_and_then_of_its_lines(monkeypatch):
     """The largest of rest and run; what an anchor holds grows as the tension of its line; place from that at rest"""
+    asked = []
     monkeypatch.setattr(single_point, "_alone", lambda best: np.array([11.0, 12.0]))
     monkeypatch.setattr(
         "hakobune.mooring.single_point.in_time.pulls",
-        lambda *given: {
-            "at rest": (np.array([50.0, 60.0]), np.array([100.0, 200.0])),
-            "run": (np.array([70.0, 55.0]), np.array([150.0, 180.0])),
-        },
+        lambda *given: (
+            asked.append(given)
+            or {
+                "at rest": (np.array([50.0, 60.0]), np.array([100.0, 200.0])),
+                "run": (np.array([70.0, 55.0]), np.array([150.0, 180.0])),
+            }
+        ),
     )
     system = SimpleNamespace(
         arrays=SimpleNamespace(ends=np.array([[0, 1], [2, 3]])),
@@ -451,6 +455,7 @@ def test_numbers_of_a_single_point_are_of_its_hawsers_and_then_of_its_lines(monk
     )
     run = SimpleNamespace(cycle=SimpleNamespace(amplitude=math.radians(7.0)))
     found = single_point._numbers(study, best, 1, None, run, ["h1", "h2"], ["l1", "l2"], ("w",))
+    assert asked == [(best, None, run, False)]
     assert found.names == ("h1", "h2", "l1", "l2") and found.hawsers == ("h1", "h2") and found.warnings == ("w",)
     assert found.types == (("hawser",), ("hawser",), ("chain", "wire"), ("chain", "wire"))
     assert found.fairlead.tolist() == [[5, 7, 0], [5, 7, 0], [3, 4, 5], [9, 10, 11]]

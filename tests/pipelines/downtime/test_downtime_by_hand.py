@@ -13,7 +13,7 @@ from hakobune.mooring.response.points import KeelPoint, Point
 from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.downtime import lee as behind
 from hakobune.pipelines.downtime import moored, passages, result, simulated
-from hakobune.pipelines.downtime.answers import YEAR, Verdicts, _by_year, answers, judged
+from hakobune.pipelines.downtime.answers import YEAR, Verdicts, _by_year, _causes, _three, answers, judged
 from hakobune.pipelines.downtime.limits import Hours, limits_of, used_of, value_of
 from hakobune.pipelines.downtime.one_state import _values
 from hakobune.pipelines.downtime.study import Record as Study
@@ -414,3 +414,42 @@ def test_shares_of_up_to_twelve_years_are_printed_and_of_more_are_in_files_alone
     assert found.axes == ("year", "operation") and found.share and bool(found.table) is (count <= 12)
     whole = (np.arange(count) < count // 2).astype(float)
     assert found.values == pytest.approx(np.stack([np.full(count, 1 / 3), whole], axis=1))
+
+
+def test_limits_of_a_simulation_are_on_what_it_gives_and_on_the_weather():
+    """A name that responses have too is that of the simulation, in its unit"""
+    given = [{"quantity": name, "at_most": 2.0} for name in ("roll", "surge", "significant height")]
+    hindcast = {"file": "h.csv", "x_axis_compass_deg": 0.0, "waves": [WAVES]}
+    read = make_downtime({"hindcast": hindcast, "operations": [{"name": "work", "limits": given}]})
+    found = limits_of(read, [], {"roll": "rad"}, {"roll": "deg", "surge": "m"})
+    assert [(one.kind, one.label) for one in found] == [
+        ("simulated", "work: roll ≤ 2 deg"), ("simulated", "work: surge ≤ 2 m"),
+        ("weather", "work: significant height ≤ 2 m"),
+    ]  # fmt: skip
+    with pytest.raises(StudyError, match=r"no simulation of this study gives .surge.; allowed: sig.* height, roll"):
+        limits_of(read, [], {"surge": "m"}, {"roll": "deg"})
+
+
+@pytest.mark.parametrize(("values", "printed"), [([1.0, NAN], True), ([NAN, NAN], False), ([1.0, 2.0], True)])
+def test_ends_of_an_interval_are_printed_where_one_of_them_is_known(values, printed):
+    three = np.ones(2), np.array(values), np.array(values) + 1
+    made = _three("head", "table", ("operation",), three, "mean of", "h", False)
+    assert {name: (one.description, bool(one.table), one.unit, one.share) for name, one in made.items()} == {
+        "head.mean": ("mean of", True, "h", False), "head.low": ("90 % from", printed, "h", False),
+        "head.high": ("90 % to", printed, "h", False),
+    }  # fmt: skip
+    assert made["head.high"].values == pytest.approx(np.array(values) + 1, nan_ok=True)
+    assert "head.share" in _three("head", "table", ("operation",), (np.ones(2),) * 3, "share of")
+
+
+def test_a_limit_stops_alone_by_the_chance_that_no_other_of_its_operation_does():
+    """Chances of 0.5 and 0.2 in the first hour, of 1 and 0 in the second, the third is not known: 0.5 · 0.8 + 1 of
+    two hours, and 0.2 · 0.5 + 0; a limit of another operation makes no difference"""
+    limits = [SimpleNamespace(operation=i) for i in (0, 0, 1)]
+    beyond = np.array([[0.5, 0.2, 1.0], [1.0, 0.0, 1.0], [1.0, 1.0, 1.0]])
+    used = np.array([[0.9, 0.8, INF], [1.2, 0.4, 2.0], [NAN, 3.0, NAN]])
+    known = np.array([[True, True], [True, True], [False, True]])
+    made = _causes(known, SimpleNamespace(beyond=beyond, used=used), limits)
+    assert made["cause.hours"].values == pytest.approx(YEAR * np.array([1.5 / 2, 0.2 / 2, 1.0]))
+    assert made["cause.alone"].values == pytest.approx(YEAR * np.array([1.4 / 2, 0.1 / 2, 1.0]))
+    assert made["cause.most"].values == pytest.approx([1.2, 3.0, 2.0]) and made["cause.most"].share

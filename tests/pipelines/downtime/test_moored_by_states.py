@@ -84,6 +84,43 @@ def test_an_operation_stops_at_the_height_that_uses_its_limit_where_the_interpol
     assert moored._limiting(read, SimpleNamespace(waves=[hindcast().waves[0]] * 2), found) == ({}, {})
 
 
+def test_limiting_seas_have_the_wind_of_their_height_from_the_waves_and_the_mean_current(monkeypatch):
+    """Wind of 5 H − 1 m/s, none below 0.2 m and no more than was measured; the x axis heads to 30° of the compass"""
+    count = len(TIME)
+    height = np.linspace(0.02, 3.0, count)
+    wind, current = np.maximum(5 * height - 1, 0.0), np.full(count, 0.5)
+    columns = {"wind speed": 5 * height - 1, "wind from": np.full(count, 1.0), "current speed": current,
+               "current to": np.where(np.arange(count) % 2 == 0, 0.2, 0.6)[:count]}  # fmt: skip
+    record = hindcast(columns)
+    wave = record.waves[0]
+    record.waves = [SimpleNamespace(height=height, period=wave.period, direction=wave.direction)]
+    seen = []
+
+    def features(numbers, angles):
+        seen.append((numbers, angles))
+        return np.stack(numbers, axis=1)
+
+    monkeypatch.setattr(moored, "features", features)
+    fits = [SimpleNamespace(name="crane", fit=Sure(2.0, 0.1))]
+    found = SimpleNamespace(hours_at=np.arange(count), fits=fits)
+    read = SimpleNamespace(
+        hindcast=SimpleNamespace(x_axis_compass_deg=30.0), operations=[SimpleNamespace(name="crane")]
+    )
+    moored._limiting(read, record, found)
+    ((numbers, angles),) = seen
+    H, T, blown, flow = (one[count:] for one in numbers)
+    beta, blows, flows = (one[count:] for one in angles)
+    assert len(H) == 32 * 24 * 36 and H.min() == pytest.approx(0.1) and H.max() == pytest.approx(3.0)
+    assert blown == pytest.approx(np.maximum(5 * H - 1, 0.0)) and blown.max() <= wind.max() * (1 + 1e-12)
+    assert flow == pytest.approx(0.5) and flows == pytest.approx(
+        np.full(len(H), np.angle(np.exp(1j * columns["current to"]).mean()))
+    )
+    towards = np.degrees(beta)
+    assert np.mod(30.0 - np.degrees(blows) - 180.0, 360.0) == pytest.approx(towards)
+    assert sorted(set(np.round(np.degrees(blows)))) == [10.0 * i for i in range(36)]
+    assert T.min() >= wave.period.min() and T.max() <= wave.period.max()
+
+
 def test_what_another_mooring_gains_is_told_with_both_interpolants():
     """± 1.645 √(3² + 4²) h"""
     own = SimpleNamespace(hours=np.array([100.0]), error=np.array([3.0]))

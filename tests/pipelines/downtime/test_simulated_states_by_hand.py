@@ -212,7 +212,7 @@ def of_simulation(**more):
 
 def test_hours_of_states_have_errors_of_ninety_per_cent_and_states_that_failed_are_told(monkeypatch):
     """1.645 σ; an alternative gains what it has less, of an error √(3² + 4²)"""
-    workers, asked = Workers(), []
+    workers, asked, others = Workers(), [], []
     failed = tuple((k % 2, f"reason {k}") for k in range(6))
     monkeypatch.setattr(moored, "executor_of", lambda name: workers)
     monkeypatch.setattr(
@@ -220,11 +220,12 @@ def test_hours_of_states_have_errors_of_ninety_per_cent_and_states_that_failed_a
     )
     other = found_states((40.0, 5.0))
     other.error = np.array([4.0, 3.0])
-    monkeypatch.setattr(moored, "_others", lambda *_: [("longer ropes", other)])
+    monkeypatch.setattr(moored, "_others", lambda *given: others.append(given[1:]) or [("longer ropes", other)])
     monkeypatch.setattr(moored, "_returned", lambda *_: ({"r": 1}, {"r axis": 1}))
     monkeypatch.setattr(moored, "_limiting", lambda *_: ({"l": 1}, {}))
     said = moored.moored(of_simulation(), "folder", "db", "kept.jsonl", "local", print)
     assert asked == [Path("kept.jsonl")] and workers.ended == 1
+    assert others == [("folder", "db", Path("kept.jsonl"), workers, print)]
     made = said.quantities
     assert made["simulated.hours"].values.tolist() == [100.0, 20.0]
     assert made["simulated.interpolant"].values == pytest.approx(1.645 * np.array([3.0, 4.0]), rel=1e-3)
@@ -281,12 +282,18 @@ def test_alternatives_and_headings_are_whole_studies_with_files_of_their_own(mon
 
 
 def test_states_take_limits_of_what_their_body_gives(monkeypatch):
-    monkeypatch.setattr(moored, "record_with_passages", lambda read, folder, depth: f"record at {depth}")
-    monkeypatch.setattr(simulated, "prepared_of", lambda table, folder, db: SimpleNamespace(names=["surge", "yaw"]))
-    monkeypatch.setattr(simulated, "simulated", lambda read, record, limits, *more: (record, limits))
+    monkeypatch.setattr(
+        moored, "record_with_passages", lambda *given: asked.append(given[:2]) or f"record at {given[2]}"
+    )
+    ready = SimpleNamespace(names=["surge", "yaw"])
+    monkeypatch.setattr(simulated, "prepared_of", lambda *given: asked.append(given) or ready)
+    monkeypatch.setattr(
+        simulated, "simulated", lambda read, record, limits, *more: asked.append(more) or (record, limits)
+    )
     monkeypatch.setattr(moored, "limits_of", lambda read, points, gaps, units: units)
-    read = of_simulation()
-    found = moored._states(read, "f", SimpleNamespace(water_depth=20.0), "p", "w", print)
+    read, db, asked = of_simulation(), SimpleNamespace(water_depth=20.0), []
+    found = moored._states(read, "f", db, "p", "w", print)
+    assert asked == [(read, "f"), (read.simulation, "f", db), (ready, "p", "w", print)]
     assert found == ("record at 20.0", {"surge": "m", "yaw": "deg"}, ("record at 20.0", {"surge": "m", "yaw": "deg"}))
 
 

@@ -71,6 +71,7 @@ def test_bodies_of_a_set_move_together(place):
     assert db["added_mass"][0, 2, [2, 8]] == pytest.approx([2000.0, 500.0])
     assert db["radiation_damping"][0, 8, 2] == pytest.approx(20 * w)
     assert db["excitation_force"][0, 0] == pytest.approx(1e4 * np.arange(1.0, 13))
+    assert db["wave_direction"][:].tolist() == [0.0]  # boxes are not round
     assert db["mass"][:] == pytest.approx([32e3, 72e3])
     apart = "--gyration", "1,1,1;2,2,2", "--center-of-gravity", "0,0,0;9,0,0", "--uncoupled", "--fresh"
     assert imported(place, "--bodies", "a,b", *apart) == 0
