@@ -8,7 +8,8 @@ A body in a circle of radius a sends Σ Zₙ(z) bₙₘ Sₙₘ(r) exp(imθ), al
     laplace     (r/a)ᵐ                     (a/r)ᵐ, log r             κ → 0
 
 with |m| for m, scaled so that neither overflows.  Graf's addition theorem (DLMF 10.23.7) turns what an axis sends into
-regular waves of another, at points nearer to that one than the first is: with R, α of the second from the first,
+regular waves of a second axis, at points nearer to the second axis than the first axis is: with R, α of the second axis
+from the first,
 
     Hₘ e^{imθ} = Σ_q Hₘ₋q(kR) e^{i(m−q)α} J_q e^{iqθ′},    Kₘ e^{imθ} = Σ_q (−1)^q Kₘ₋q(κR) e^{i(m−q)α} I_q e^{iqθ′}
 """

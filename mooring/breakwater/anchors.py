@@ -33,7 +33,7 @@ def sinker(tension, angle, friction, lifted=False):
 def common_sinker(horizontal, vertical, friction):
     """Submerged weight W (…), N/m, of one sinker under both lines with the wave forces P_H, P_U, complex (…)
 
-    W is the greatest value of ±P_H(t)/μ + P_U(t) over a period; the sum of both is one harmonic.
+    W is the greatest value of ±P_H(t)/μ + P_U(t) over a period; the sum of the two terms is one harmonic.
     """
     pull = np.asarray(horizontal) / _at_least("friction", friction, 1e-3, "")
     return np.maximum(abs(pull + vertical), abs(pull - vertical))

@@ -141,7 +141,8 @@ def links_of(reader):
 
 
 def link_work(links, states=0, samples=0, groups=0):
-    """`LinkWork` of Links, for so many numbers of a state, samples, and groups of shapes of bodies that bend"""
+    """`LinkWork` of Links; states, samples, groups : how many numbers of a state, samples and groups of shapes of
+    bodies that bend"""
     r, n, k = int(links.first[-1]), len(links.place), len(links.ends)
     motions, f = max(6 * (n + groups), 1 + int(links.shapes.max(initial=-1))), len(links.shapes)
     return LinkWork(

@@ -1,7 +1,7 @@
 """A body in one sea state: standard deviations, extremes and drift, with warnings on their limits.
 
-The spectrum is integrated over the stored frequencies only.  The part outside is estimated with constant transfer
-functions, and reported if above 1 %.
+The spectrum is integrated over the stored frequencies only.  The part of a response outside the stored frequencies is
+estimated with constant transfer functions, and reported if above 1 %.
 """
 
 from __future__ import annotations

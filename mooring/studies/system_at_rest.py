@@ -95,8 +95,8 @@ def _following(inner, pulled):
 def offset_curve(state: SystemEquilibrium, body, direction, offsets, progress=None) -> OffsetCurve:
     """Forces and tensions with a body held at offsets from its place at rest, its attitude unchanged.
 
-    direction : rad; offsets : (m,) m; everything else comes to rest anew at each, after which `progress` is called
-    raises : EquilibriumError where no equilibrium is found at any of them
+    direction : rad; offsets : (m,) m; at each offset everything else comes to rest again, then `progress` is called
+    raises : EquilibriumError where no equilibrium is found at any offset
     """
     i = body_number(state.system, body)
     at_rest = state.position[i]

@@ -138,7 +138,7 @@ class Approach(msgspec.Struct, frozen=True):
 
 
 def read_berth(path):
-    """The BerthStudy of a TOML file and its text.  Raises StudyError."""
+    """The BerthStudy of a TOML file, and the text of the file.  Raises StudyError."""
     raw, text = read_study_at_site(Path(path), "a berthing", BERTHING)
     return typed(raw, BerthStudy, StudyError), text
 

@@ -28,7 +28,7 @@ WORDS = {
 
 
 def read_toml(path, what, error):
-    """Nested dictionaries of a TOML file, and its text.
+    """Nested dictionaries of a TOML file, and the text of the file.
 
     what : "a study", for messages; error : class raised with one line
     """

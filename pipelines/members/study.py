@@ -114,7 +114,7 @@ class MembersStudy(Table):
 
 
 def read_study(path):
-    """The MembersStudy of a TOML file and its text.  Raises StudyError."""
+    """The MembersStudy of a TOML file, and the text of the file.  Raises StudyError."""
     raw, text = read_toml(path, "a study of members", StudyError)
     return make_study(raw), text
 

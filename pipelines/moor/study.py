@@ -338,7 +338,7 @@ def _in_space(where, line, body, bodies):
 
 
 def read_study(path):
-    """The Study of a TOML file and its text.  Raises StudyError."""
+    """The Study of a TOML file, and the text of the file.  Raises StudyError."""
     raw, text = read_raw(path)
     return make_study(raw), text
 

@@ -92,7 +92,7 @@ class Exterior:
 
     @cached_property
     def basis(self):
-        """(size, n) ψ of all, plan by plan and class by class"""
+        """(size, n) ψ of all plans, plan by plan and class by class"""
         from scipy.linalg import block_diag
 
         return block_diag(*(one.bases[cls] for one in self.senders for cls in CLASSES))

@@ -175,8 +175,8 @@ class Snapshots:
     def add_point_rows(self, sketch, points, weights, velocities, samples, single_layers):
         """Add the rows of W at `points` (r,) times `weights` (r,), as columns
 
-        S V of each class, and S of the `samples` (e,) on the hull, are appended to its list in `single_layers`, side
-        by side, one (r, v + e) a frequency.
+        For each frequency and class one array (r, v + e), S V beside S of the `samples` (e,) on the hull, is appended
+        to the list of the class in `single_layers`.
         """
         scale, hull = weights[:, None], self.geometry.hull
         for layers in single_layers:

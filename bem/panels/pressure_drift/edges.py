@@ -49,13 +49,14 @@ class Stencils(NamedTuple):
         return np.where(self.at_edge, self.panels[:, 0], np.arange(len(self.at_edge)))
 
     def replaced(self, where, others):
-        """The same with the stencils of `others` where the condition `where` (n,) holds"""
+        """These stencils, replaced by the stencils of `others` where the condition `where` (n,) holds"""
         return Stencils(
             *(np.where(where.reshape(-1, *[1] * (a.ndim - 1)), b, a) for a, b in zip(self, others, strict=True))
         )
 
     def where(self, used, alone):
-        """The same where the condition `used` (n,) holds, elsewhere those of the panels alone, at the same edges"""
+        """These stencils where the condition `used` (n,) holds, elsewhere the stencils `alone` of the panels alone, at
+        the same edges"""
         first = self.at_edge & (self.own == 0)
         across = np.where(first[:, None], self.across, alone.across), np.where(first, self.gap, alone.gap)
         return self.replaced(~used, alone._replace(across=across[0], gap=across[1]))._replace(row=self.row)

@@ -86,7 +86,8 @@ def bend_at_vertex(line, q, g, angle, unknown):
 def slides_down(line, at, facet, tension):
     """Whether the line would slide down the facet without this tension, so that it needs the tension to lie there.
 
-    On the first facet not above a buoy, which may lift the line.  Exempt are parts fixed by `held`: see `line_data`.
+    Always False on the first facet above the lowest buoy, which may lift the line, and for parts fixed by `held` (see
+    `line_data`).
     """
     above = at[1] >= line.lowest_buoy
     if not slides_on(line, facet) or (above and (facet == 0 or line.held > 0)):

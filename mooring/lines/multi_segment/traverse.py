@@ -5,10 +5,10 @@ lies on the bed to the last place from which a free span just clears the bed fur
 or at a vertex at an angle between those of its facets.  The excess length at the anchor grows with the tension and
 has one root.  SR179 report (1982), section 3.1.3, gives the same rules for nodes of a line.
 
-The end of that search is an option (`LineData.to_place`).  It ends at the anchor's place, with an excess length; or it
-ends with the line, somewhere on the first facet or its continuation: the distance beyond the anchor's place grows with
-the tension too, on a plane bed for any segments and loads, and the excess of a slack line is laid out there.  Over
-hills the first way is better, with buoys on slack lines the second.
+The end of that search is an option (`LineData.to_place`).  The search ends at the anchor's place, with an excess
+length; or it ends with the line, somewhere on the first facet or its continuation: the distance beyond the anchor's
+place grows with the tension too, on a plane bed for any segments and loads, and the excess of a slack line is laid out
+there.  Over hills it is better to end at the anchor's place, with buoys on slack lines to end with the line.
 
 The contacts are recorded as steps; `newton` solves the equations of all of them together.
 """

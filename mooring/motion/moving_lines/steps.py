@@ -174,7 +174,7 @@ def foresee(moving, work, h, given):
 
 @kernel(counted=False)
 def keep_lines(moving, work, h, given):
-    """Accept the step of the body of h s: the trial state becomes the state of the lines."""
+    """Accept the body's step of h seconds: the trial state becomes the state of the lines."""
     put(work.position[0], work.position[1])
     put(work.velocity[0], work.velocity[1])
     put(work.acceleration[0], work.acceleration[1])

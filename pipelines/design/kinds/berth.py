@@ -18,7 +18,7 @@ PLANE = ("surge", "sway", "yaw")
 
 
 def berth_numbers(study, database, path, runs):
-    """`Numbers` of a load case by the file of its runs; runs : of `in_time.simulated`"""
+    """`Numbers` of a load case, from the file of its runs; runs : as `in_time.simulated` gives them"""
     from hakobune.bem.database import open_database
     from hakobune.mooring.motion.contacts import courses
 
