@@ -114,7 +114,8 @@ def about(force, center):
 
 
 def sum_about_origin(drift, bodies):
-    """(…, 3) surge, sway and yaw about the origin of all bodies together, from those of each (…, bodies, 3)"""
+    """(…, 3) surge, sway and yaw about the origin of all bodies together, from the forces on each body (…, bodies,
+    3)"""
     out = np.zeros((*drift.shape[:-2], 3))
     for i, body in enumerate(bodies):
         c, s = np.cos(body.heading), np.sin(body.heading)

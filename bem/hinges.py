@@ -86,7 +86,8 @@ def driven(reader):
 
 
 def travel_of(reader, link):
-    """(n,) row of the travel of a slider along its axis, m, or of a hinge about it, rad, by the motions of a Reader"""
+    """(n,) row that gives, from the motions of a Reader, the travel of a slider along its axis, m, or the rotation of a
+    hinge about its axis, rad"""
     part = _all_rows(reader, link)[:3] if link.kind == "slider" else _all_rows(reader, link)[3:]
     return np.asarray(link.axis, float) @ part / np.linalg.norm(link.axis)
 

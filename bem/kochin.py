@@ -32,7 +32,8 @@ class Folded(NamedTuple):
     images: np.ndarray
 
     def unfolded(self, value, slope, signs):
-        """H and H′ (…, t) of a symmetry class from those at `angles` (…, u); signs : (i,) ±1 of the class there
+        """H and H′ (…, t) of a symmetry class at all angles, from H and H′ at `angles` (…, u); signs : (i,) ±1 of the
+        class in the images
 
         An image has the sign of the class, and its derivative also that of the change of angle.
         """

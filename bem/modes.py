@@ -122,7 +122,7 @@ def turning(bodies, modes=()):
 
 def transform_of(bodies, rotation_center, modes=()):
     """(n, n) matrix that turns generalized normals about the origin into those about `rotation_center`, for several
-    bodies about the centre of each"""
+    bodies about the rotation centre of each body"""
     rigid = axes_of(bodies) if bodies else reference_change(rotation_center)
     out = np.eye(len(rigid) + len(modes))
     out[: len(rigid), : len(rigid)] = rigid
@@ -140,7 +140,7 @@ def axes_of(bodies):
 
 
 def turned(heading):
-    """(6, 6) from generalized normals to those in axes turned by `heading` rad about z"""
+    """(6, 6) from generalized normals to generalized normals in axes turned by `heading` rad about z"""
     c, s = np.cos(heading), np.sin(heading)
     return np.kron(np.eye(2), [[c, s, 0], [-s, c, 0], [0, 0, 1]])
 

@@ -47,7 +47,7 @@ class Problem:
 
     @property
     def moving(self):
-        """Numbers of those `dofs` that belong to bodies that are not fixed"""
+        """Numbers of the `dofs` of bodies that are not fixed"""
         return moving(self.bodies, self.modes)
 
 

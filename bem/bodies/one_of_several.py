@@ -73,7 +73,7 @@ class OneOfSeveral:
 
     @property
     def reader(self):
-        """None: the motions of one body depend on those of all"""
+        """None: the motions of one body depend on the motions of all bodies"""
         return None
 
     @property

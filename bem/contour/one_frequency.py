@@ -48,7 +48,7 @@ class ContourFrequency:
 
     @property
     def classes(self):
-        """Symmetry classes to solve: those of the dofs, for a far field all of an incident wave."""
+        """Symmetry classes to solve: the classes of the dofs, or for a far field all classes of an incident wave."""
         own = {class_of(d, "xy") for d in self.dofs}
         return [c for c in CLASSES if c in own or (len(self.theta) and len(self.headings))]
 

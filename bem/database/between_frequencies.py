@@ -249,7 +249,7 @@ class Between:
 
     @cached_property
     def ringing(self):
-        """(p,) poles of water resonances in the variable s of `interpolant`, as the body motions respond to them"""
+        """(p,) poles of water resonances, in the variable s of `interpolant`, to which the body motions respond"""
         if len(self.omega) < FEWEST_RINGING or not set(RADIATION) <= set(self.quantities):
             return np.zeros(0, complex)
         own = np.einsum("nii->ni", self._impedance)

@@ -87,7 +87,7 @@ class Ring:
         return np.where(apart[near, np.arange(len(wanted))] <= SAME, near, -1)
 
     def reflected(self, wanted):
-        """(p,) whether headings beside a wall are computed from −β: those that are not stored and lie on the side with
+        """(p,) whether headings beside a wall are computed from −β: headings that are not stored, on the side with
         fewer stored headings"""
         if self.wall is None:
             return np.zeros(len(wanted), bool)
@@ -138,7 +138,7 @@ class AtHeadings:
         return self.unfolded(values[:, self.place] if one else _joined(self.weights, values), kind)
 
     def unfolded(self, values, kind):
-        """(q, p, …) at the wanted headings from values (q, u, …) at the `folded` ones"""
+        """(q, p, …) at the wanted headings, from values (q, u, …) at the `folded` headings"""
         if self._as_folded:
             return values
         values = values[:, self.source]

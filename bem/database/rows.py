@@ -82,7 +82,8 @@ def estimate_of(name):
 
 
 def row_values(file, omega, headings, names):
-    """{name: values, in the shape that `append` needs} of one frequency, or None if one of them is not stored."""
+    """{name: values, in the shape that `append` needs} of one frequency, or None if any of these values is not
+    stored."""
     (i,) = places_on(file, [omega], "omega")
     columns, found = places_on(file, headings, "wave_direction"), {}
     for name in names:
@@ -265,14 +266,14 @@ class Database:
 
     @cached_property
     def bodies_reader(self) -> Reader:
-        """`reader`, also for several bodies and for flexible ones"""
+        """`reader`, also for several bodies and for flexible bodies"""
         from .reader import reader
 
         self.require()
         return reader(self)
 
     def at(self, omega: Any, name: str, headings: Any = None) -> tuple[np.ndarray, np.ndarray]:
-        """A quantity at omega (q,) rad/s and headings (p,) rad, None for the stored ones: value (q, …) as stored,
+        """A quantity at omega (q,) rad/s and headings (p,) rad, None for the stored headings: value (q, …) as stored,
         estimated error (q, …).
 
         raises : `bem.database.between_frequencies.BetweenError`, a ValueError, outside the stored range and for unknown
@@ -291,7 +292,8 @@ class Database:
             return {name: file["checks"][name][()][self.rows] for name in CHECKS}
 
     def estimated_errors(self) -> dict[str, np.ndarray]:
-        """{name: (n, …)} of `schema.ESTIMATES` that are here: absolute errors in the unit and on the axes of each.
+        """{name: (n, …)} of the stored `schema.ESTIMATES`: absolute errors, each in the unit and on the axes of its
+        quantity.
 
         NaN where the method gives no estimate, and in files of versions without estimates.
         """
@@ -348,7 +350,8 @@ class Database:
 
     @property
     def sizes(self) -> dict[str, float]:
-        """`dimensions`, m; for a hull that is not a box or ship those of the box about the origin that encloses it"""
+        """`dimensions`, m; for a hull that is neither box nor ship the dimensions of the box about the origin that
+        encloses the hull"""
         if self.mesh is None or not len(self.mesh) or "length" in self.dimensions:
             return self.dimensions
         points = self.mesh.whole().points

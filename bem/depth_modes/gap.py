@@ -36,7 +36,7 @@ CUTOFFS = 0.8 ** np.arange(5)
 
 
 class OuterModes(NamedTuple):
-    """Modes of the water outside at one frequency; their rows are those of `Gap.outer_rows`.
+    """Modes of the water outside at one frequency; the rows are the rows of `Gap.outer_rows`.
 
     k : rad/m, wave_norm : ∫Z₀² dz (m), wave_rows : ⟨·, Z₀⟩ (f + 2,)
     wavenumbers : kₙ (n,) rad/m, norms : ∫Zₙ² dz (n,) m, rows : ⟨·, Zₙ⟩ (f + 2, n)

@@ -48,7 +48,7 @@ _before_first = [_collect_nothing_meanwhile]
 
 
 def before_first_kernel(call):
-    """Have something called once numba is loaded, before it compiles or loads the first kernel of this process"""
+    """Have a function called once numba is loaded, before numba compiles or loads the first kernel of this process"""
     _before_first.append(call)
 
 
@@ -97,7 +97,7 @@ class Kernel:
 
     @property
     def called(self):
-        """Numba's dispatcher for kernels that call this one"""
+        """Numba's dispatcher of this kernel, for other kernels that call it"""
         return self._called or self._made("_called", self._for_kernels)
 
     def _made(self, name, make):

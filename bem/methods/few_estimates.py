@@ -1,4 +1,4 @@
-"""Errors of many frequencies from the differences between two resolutions at some of them.
+"""Errors of many frequencies from the differences between two resolutions at a few of these frequencies.
 
 Both resolutions of the contour method increase in steps over the frequency; between steps their difference is smooth.
 Frequencies with the same resolutions form a range.  It is halved until, at its middle frequency, the difference is

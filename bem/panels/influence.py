@@ -154,7 +154,7 @@ class Geometry:
         return self.rankine_rows(self.elements.nodes)
 
     def rankine_of(self, nodes):
-        """`rankine_rows` at some nodes, from `rankine` if a frequency has computed it"""
+        """`rankine_rows` at some nodes, taken from `rankine` if an earlier frequency has computed `rankine`"""
         if "rankine" in vars(self.larger or self):
             return tuple(a[:, nodes] for a in self.rankine)
         return self.rankine_rows(self.elements.nodes[nodes])

@@ -73,7 +73,7 @@ class PanelRun(FrequencyRun):
 
     @property
     def sharper(self):
-        """Extrapolated from both meshes or, if this is not accurate enough, on the next finer one
+        """Extrapolated from both meshes or, if the extrapolation is not accurate enough, solved on the next finer mesh
 
         None if no estimate requires it, and for a requested number of panels
         """

@@ -101,7 +101,8 @@ class Row(NamedTuple):
 
     @property
     def turn(self):
-        """(6, 6) from the frame of the row to that of the box, zero for motions that are not of this row"""
+        """(6, 6) from the frame of the row of strips to the frame of the box, zero for motions that do not belong to
+        the row"""
         turn = TURN.copy() if self.across else np.eye(6)
         turn[[i for i in range(6) if i not in self.mine]] = 0
         return turn

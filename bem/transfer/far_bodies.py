@@ -154,7 +154,7 @@ class Response(NamedTuple):
 
 
 class Coupled:
-    """Bodies coupled at one frequency, or in a limit of it.
+    """Bodies coupled at one frequency, or in a limit of the frequency.
 
     modes : {body: `OuterModes`}; kind : of the first partial waves
     """

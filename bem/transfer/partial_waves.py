@@ -1,4 +1,4 @@
-"""Partial waves about a vertical axis, and those of one axis seen from another.
+"""Partial waves about a vertical axis, and the partial waves of one axis seen from another axis.
 
 A body in a circle of radius a sends Σ Zₙ(z) bₙₘ Sₙₘ(r) exp(imθ), all others send Σ Zₙ(z) aₙₘ Rₙₘ(r) exp(imθ):
 
@@ -64,9 +64,10 @@ class PartialWaves(NamedTuple):
         return np.full(len(m), -2j / np.pi if self.kind == "radiating" else 1.0)
 
     def seen_from(self, there, a, there_a):
-        """(2 last + 1,) squared: regular waves about an axis at `there` (complex m, from this one) of what this sends
+        """(2 last + 1,) squared: from the waves that this axis sends to regular waves about a second axis at `there`,
+        complex m, from this axis
 
-        a, there_a : m, radii of the circles of this axis and of that
+        a, there_a : m, radii of the circles about this axis and about the second axis
         """
         m, R, turn = self.orders, abs(there), there / abs(there)
         if self.kind == "laplace":
@@ -124,7 +125,7 @@ def _finite(kind, k, a, apart, most):
 
 
 def to_real(orders):
-    """(2M + 1, 2M + 1) from coefficients of exp(imθ) to those of cos 0 … M and sin 1 … M"""
+    """(2M + 1, 2M + 1) from coefficients of exp(imθ) to coefficients of cos 0 … M and sin 1 … M"""
     last = orders[-1]
     m = np.arange(last + 1)
     cos = (np.abs(orders) == m[:, None]).astype(complex)

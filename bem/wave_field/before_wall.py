@@ -55,7 +55,7 @@ def neglected(body, wall):
 
 
 def least_gap(share, depth, breadth):
-    """m, from hull to wall, at which the share `neglected` has this value"""
+    """m, distance from hull to wall at which `neglected` is equal to `share`"""
     return -float(np.log(share)) * _decay(depth, breadth)
 
 

@@ -145,7 +145,7 @@ class _Edges:
 
     @property
     def on_bed_length(self):
-        """m, length of the edges on the sea bed, without those of images"""
+        """m, length of the edges on the sea bed, without the edges of mirror images"""
         ends = self.points[self.ends[self.at_bed & ~self.on_plane & (self.uses == 1)]]
         return float(np.linalg.norm(np.diff(ends, axis=1), axis=2).sum())
 

@@ -20,7 +20,7 @@ def pretension_needed(front, tide_part):
 
 
 def goes_slack(pretension, tide_part, amplitude):
-    """Whether a line of `pretension` is slack at low tide in a wave of this tension amplitude; arrays broadcast"""
+    """Whether a line of `pretension` is slack at low tide in a wave of the given tension amplitude; arrays broadcast"""
     return np.asarray(pretension) - tide_part < np.asarray(amplitude)
 
 

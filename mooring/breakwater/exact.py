@@ -72,7 +72,7 @@ def about_gravity(section, to_origin):
 
 
 def moved_to_origin(z):
-    """Motions of the origin from those of a point at z: the origin sways by +zθ more"""
+    """Motions of the origin from the motions of a point at z: the origin sways by zθ more than the point"""
     matrix = np.eye(3)
     matrix[SWAY, ROLL] = z
     return matrix

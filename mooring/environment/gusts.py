@@ -1,4 +1,4 @@
-"""Spectra of gusts and records of them.
+"""Spectra of gusts, and records of gusts.
 
 Each spectrum is a variance, a time scale T and a dimensionless shape over X = T f, f in Hz, with ∫ s dX = 1:
 
@@ -102,7 +102,8 @@ def npd(hourly_speed, height=10.0):
 
 
 def kaimal(speed, height, intensity):
-    """Kaimal's spectrum of IEC 61400-1; speed : m/s mean at `height` m; intensity : standard deviation over it"""
+    """Kaimal's spectrum of IEC 61400-1; speed : m/s, mean at `height` m; intensity : standard deviation over the mean
+    speed"""
     positive("wind speed", speed, "m/s")
     positive("height", height, "m")
     within("turbulence intensity", intensity, 1e-4, 1.0)

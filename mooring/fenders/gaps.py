@@ -1,4 +1,4 @@
-"""Clear water between hulls, represented by the boxes around them, seen from above."""
+"""Clear water between hulls seen from above, each hull represented by the box around it."""
 
 from itertools import combinations
 from typing import NamedTuple

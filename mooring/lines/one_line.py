@@ -14,7 +14,8 @@ NEAR_SHORE = 1e-3  # how near curves go to where the bed is as high as the fairl
 
 @dataclass(frozen=True)
 class OneLine:
-    """A line and where it hangs, SI; type : LineType; height, depth : m, fairlead and sea surface above anchor
+    """A line and the place where the line hangs, SI; type : LineType; height, depth : m, fairlead and sea surface above
+    anchor
 
     slope : rad, of the bed
     """

@@ -20,7 +20,7 @@ from .coefficients import HullCoefficients, hull_force
 
 @dataclass(frozen=True, eq=False)
 class StreamOnHull:
-    """Force of a stream over the angle it travels to, rad from the bow.
+    """Force of a stream over the angle to which the stream travels, rad from the bow.
 
     unit : (…) rad → (…, 3) N s²/m², N s²/m², N s² amidships, at 1 m/s; height : (2,) m above still water, of F_x, F_y
     notes : on the origin of the numbers, one line each

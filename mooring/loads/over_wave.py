@@ -33,7 +33,7 @@ def over_wave(member, wave, phases, density):
 
 
 def wet_part(start, end, wave, phase):
-    """Two ends (3,) m of the part of a straight member below the surface, None if it is dry.
+    """Two ends (3,) m of the part of a straight member below the surface, None if the member is dry.
 
     A member is cut once: the method does not apply to one longer than half a wave that lies in the surface.
     """

@@ -1,4 +1,4 @@
-"""Curves through tabulated points: cubic between them, slope continuous.
+"""Curves through tabulated points: cubic between the points, slope continuous.
 
 `smooth` does not overshoot: its slopes are those of Fritsch and Butland (1984), the weighted harmonic mean of the
 neighbouring secants, 0 where these differ in sign.  `parabolic` uses the slope of the parabola through a point and its

@@ -98,7 +98,7 @@ class TurningCoefficients:
         return out
 
     def tested(self, beta, turn):
-        """(…) whether the tests cover these: within 60° of straight ahead or astern and |r'| ≤ 0.5"""
+        """(…) whether the tests cover this motion: within 60° of straight ahead or astern and |r'| ≤ 0.5"""
         acute = np.abs(np.arctan(np.tan(beta)))
         return (acute <= FITTED * (1 + 1e-9)) & (np.abs(turn) <= LARGEST_TURN)
 

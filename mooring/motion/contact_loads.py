@@ -1,4 +1,4 @@
-"""Fenders compressed by a body, and ropes from it to a fixed point or to another body, compiled.
+"""Fenders compressed by a body, and ropes from the body to a fixed point or to another body, compiled.
 
 The face of a fender is at a in space.  A flat side of the body touches it, with outward normal m (unit, axes of the
 body) at the distance s from their origin x₀ + η; q = Rᵀ(a − x₀ − η) is the face in those axes:
@@ -153,7 +153,8 @@ def fender_force(contacts, work, i, R, v, f):
 
 @kernel(counted=False)
 def rope_force(contacts, work, i, R, v, f):
-    """f (3,) N in space of rope i on its body, at the arm v (3,) m, where it was that to the other end"""
+    """f (3,) N in space of rope i on its body, at the arm v (3,) m; before the call v is the arm to the other end of
+    the rope"""
     c, span, w = contacts.numbers, 0.0, work.shift
     for j in range(3):
         arm = R[j, 0] * (c[i, ARM] + w[0]) + R[j, 1] * (c[i, ARM + 1] + w[1]) + R[j, 2] * (c[i, ARM + 2] + w[2])

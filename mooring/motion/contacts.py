@@ -1,4 +1,5 @@
-"""Fenders and ropes of bodies at a berth or side by side, as values, and where bodies rest between them, or hinged."""
+"""Fenders and ropes of bodies at a berth or side by side, as values, and the places of rest of bodies between fenders
+and ropes, or hinged."""
 
 from dataclasses import dataclass, replace
 
@@ -20,8 +21,8 @@ TOGETHER = 1e-12  # m, rad: apart by less is rounding
 
 @dataclass(frozen=True, eq=False)
 class QuayFender:
-    """fender : with its dolphin; face : (3,) m in space; normal : (3,) outward of the body's flat side that meets it,
-    at `side` m from the origin of the hull's coordinates; friction : μ; shear : N/m along the face
+    """fender : with its dolphin; face : (3,) m in space; normal : (3,) outward of the body's flat side that meets the
+    fender, at `side` m from the origin of the hull's coordinates; friction : μ; shear : N/m along the face
 
     face : with the bodies at rest; normal : in the body's axes
     """
@@ -263,7 +264,8 @@ def poses_at(place, headings):
 
 
 def bent_poses_at(place, headings):
-    """(N, 6) of displacements in space (6N + f,), and after them (f,) amplitudes of shapes, for bodies that bend"""
+    """(N, 6) poses of displacements in space (6N + f,), of which the last (f,) are amplitudes of shapes, for bodies
+    that bend"""
     rigid = 6 * len(headings)
     return (poses_at(place[:rigid], headings), *([place[rigid:]] if len(place) > rigid else []))
 

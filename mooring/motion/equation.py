@@ -200,7 +200,8 @@ def add_horizontal(force, y, rate, x, y_force, moment, number):
 
 @kernel(counted=False)
 def restore(body, b, y, rate, force, work):
-    """Hydrostatic and spring forces on body b and those of the turning axes, whose work is that of the current, if any
+    """Hydrostatic and spring forces on body b, and the forces of the turning axes, whose work is the work of the
+    current, if any
 
     y, rate : (BLOCK,), force : (6,) of it
     """
@@ -340,7 +341,7 @@ def move(body, b, y, rate, force):
 
 @kernel(counted=False)
 def of_shapes_on_body(body, b, y, rate, force, work):
-    """Restoring forces and damping that shapes exert on body b; y, rate : (n,) of all, force : (6,) of it"""
+    """Restoring forces and damping that shapes exert on body b; y, rate : (n,) of all bodies, force : (6,) on body b"""
     count, first = body.heading.size, BLOCK * b
     K, B = body.shapes.stiffness, body.damping
     for i in range(6):

@@ -396,7 +396,7 @@ def advance(scene, waves, clock, samples, most, buoy, links, moving):
 
 @kernel(counted=False)
 def put_samples(clock, t, h, later, samples):
-    """Samples of the step from t to `later`, s, into their rows; the last one may lie beyond it by rounding."""
+    """Samples of the step from t to `later`, s, into their rows; the last sample may lie beyond `later` by rounding."""
     counts = clock.counts
     while counts[SAMPLES] < samples.shape[0]:
         at = counts[SAMPLES] * clock.sample_step

@@ -448,7 +448,7 @@ def line_loads(lines, work, positions, R, out):
 
 @kernel(counted=False)
 def loads_at(lines, work, positions, R, out):
-    """`line_loads`, for calls from Python, where it would be compiled a second time"""
+    """`line_loads` for calls from Python, without which `line_loads` would be compiled a second time"""
     return line_loads(lines, work, positions, R, out)
 
 

@@ -48,7 +48,7 @@ def missed_response(body, spectrum, transfer, weights):
 
 
 def responses_outside(body, spectrum, transfer, weights, m0):
-    """Contribution of those waves to responses with m0 (c,)"""
+    """Contribution of the waves outside the stored frequencies to responses with m0 (c,)"""
     missed = missed_response(body, spectrum, transfer, weights)
     said = named_shares(transfer.names, np.where(m0 > 0, missed / np.maximum(m0 + missed, 1e-300), 0.0))
     if said:
@@ -137,7 +137,7 @@ def errors_between(body, sea, omega, m0, drift, damping):
 
 
 def between_waves(body, errors):
-    """Warnings on those of `Errors` that are large enough"""
+    """Warnings on the `Errors` that are large enough to matter"""
     named = errors.named(UNSURE)
     if named:
         advice = "" if errors.drift is None or body.rebuilds_drift else ", or Kochin functions (--only kochin,drift)"
@@ -201,7 +201,7 @@ def current_along_waves(carrier, heading, weights, damping):
 
 
 def some(named, most=6):
-    """`named` as a list in words, with only the number of those beyond `most`"""
+    """`named` as a list in words: at most `most` names, then only the number of further names"""
     rest = f" and {len(named) - most} more" if len(named) > most else ""
     return ", ".join(named[:most]) + rest
 

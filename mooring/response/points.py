@@ -47,14 +47,15 @@ class Point(NamedTuple):
 
 
 class Pair(NamedTuple):
-    """name; points : two Points of two bodies, a gangway or a manifold between them"""
+    """name; points : two Points of two bodies, such as the ends of a gangway or of a hose between manifolds"""
 
     name: str
     points: tuple[Point, Point]
 
 
 class KeelPoint(NamedTuple):
-    """name; position (3,) m at rest, of the bottom of the body; gap m, water under it at rest; body : as in Point"""
+    """name; position (3,) m at rest, of the bottom of the body; gap m, water under the point at rest; body : as in
+    Point"""
 
     name: str
     position: tuple[float, float, float]

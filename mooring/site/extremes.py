@@ -172,7 +172,7 @@ class Extreme(NamedTuple):
 
 
 def extreme(maxima, family, years, confidence):
-    """Extreme of a return period, of yearly maxima (n,), and findings on it, one line each.
+    """Extreme of a return period, of yearly maxima (n,), and findings on this extreme, one line each.
 
     Raises ValueError for maxima that are none, and where the value is not above 0.
     """

@@ -152,7 +152,8 @@ def one_line_broken(state: SystemEquilibrium, progress=None):
 
 
 def about_body_axes(stiffness, force, R, center):
-    """(6, 6) stiffness about space axes and the origin, taken to the body's axes and the point `center` in them.
+    """(6, 6) stiffness about space axes and the origin, changed to the body's axes and the point `center` in these
+    axes.
 
     force : (3,) N in space, which turns with the change of the lever
     """

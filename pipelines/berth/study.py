@@ -1,4 +1,4 @@
-"""A berthing as typed TOML: a ship, its approach, and the fenders that it meets.
+"""A berthing as typed TOML: a ship, its approach, and the fenders that the ship meets.
 
 [ship]                    [approach]                 [[fender]]            # keys of `hakobune fender` and
 length = 337.5  # over    speed = 0.15               family = "v"

@@ -84,7 +84,7 @@ class TypeTable(MaterialTable):
 
     @property
     def straight(self):
-        """Whether it is a hawser or spring"""
+        """Whether the line is a hawser or a spring"""
         return self.elongation_percent is not None or self.spring_kN_per_m is not None
 
 

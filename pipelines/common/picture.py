@@ -40,7 +40,7 @@ def save(figure, path, dpi):
 
 
 def draw_streams(axes, towards):
-    """Draw an arrow for each of {name: rad that it travels to}, one below the other, left of the matplotlib axes"""
+    """Draw an arrow for each of {name: rad to which it travels}, one below the other, left of the matplotlib axes"""
     import numpy as np
 
     (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()

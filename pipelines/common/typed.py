@@ -1,4 +1,4 @@
-"""Tables of TOML as typed values, and one line on the first fault in them."""
+"""Tables of TOML as typed values, and one line on the first fault in the tables."""
 
 from __future__ import annotations
 

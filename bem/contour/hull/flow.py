@@ -26,7 +26,7 @@ SIGNS = np.array([[(x if a < 0 else 1) * (y if b < 0 else 1) for a, b in CLASSES
 
 
 class SharedFrequency(ContourFrequency):
-    """A `ContourFrequency` with given functions, tables and contour, those for the shortest waves"""
+    """A `ContourFrequency` with the functions, tables and contour of the shortest waves"""
 
     def __init__(self, shared, omega, headings, density, gravity):
         self.shared = shared

@@ -110,7 +110,7 @@ def interpolation(nodes, t):
 
 
 def is_far(panels, x, y):
-    """(targets, images, p) whether a panel's image is as far from the target as it is long"""
+    """(targets, images, p) whether the image of a panel is at least its own length away from the target"""
     far = np.empty((len(x), len(IMAGES), len(panels.start)), bool)
     _is_far(x, y, _flat(panels), IMAGES, far)
     return far

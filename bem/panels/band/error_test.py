@@ -13,7 +13,7 @@ from ...kernels.real_times_complex import complex_times_real, real_times_complex
 
 
 class Samples(NamedTuple):
-    """s random nodes of hull and lid, those of the hull first."""
+    """s random nodes of hull and lid, the nodes of the hull first."""
 
     nodes: np.ndarray  # (s,) numbers
     weights: np.ndarray  # (s,) 1/probability: a sum over all nodes is estimated by the weighted sum over samples

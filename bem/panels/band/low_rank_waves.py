@@ -42,7 +42,8 @@ LID = 0.1  # weight of φ' on the lid relative to φ on the hull: φ' is zero ex
 
 
 class LowRankWaves(NamedTuple):
-    """Interpolation nodes and matrices of one band, c symmetry classes, n nodes: those of the hull, then of the lid.
+    """Interpolation nodes and matrices of one band, c symmetry classes, n nodes: first the nodes of the hull, then the
+    nodes of the lid.
 
     r points, q sources, t flux nodes; the first h sources, which lie on the hull, are also the monopoles; v normal
     velocities of each class.
@@ -152,7 +153,7 @@ class Snapshots:
         return np.concatenate([hull, np.full(lid, min(1.0, most / max(lid, 1)))])
 
     def test_points(self):
-        """(w,) nodes of the hull at which errors are tested: `TEST_POINTS` random ones and the highest"""
+        """(w,) nodes of the hull at which errors are tested: `TEST_POINTS` random nodes and the highest node"""
         n, generator = self.geometry.hull, np.random.default_rng(SEED + 1)
         areas = self.root[:n] ** 2
         chosen = generator.choice(n, size=min(TEST_POINTS, n), replace=False, p=areas / areas.sum())

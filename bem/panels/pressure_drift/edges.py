@@ -13,7 +13,8 @@ SIDES = (3, 1), (0, 2)  # indices of the sides of a panel where s is −1 and 1,
 
 
 def sharp_sides(mesh):
-    """(n, 4) exponent μ of the flow at the side from corner i to i + 1 of every panel, 1 where it is not sharp"""
+    """(n, 4) exponent μ of the flow at the side from corner i to i + 1 of every panel, 1 where the side is not a sharp
+    edge"""
     hull = mesh.whole()
     out, (one, other) = np.ones(4 * len(hull)), _neighbours(hull)
     a, b = one // 4, other // 4
@@ -83,7 +84,7 @@ def stencils(mesh, exponents, depth=np.inf, steady=lambda stencil: True):
 
 
 def coarsest_at_gap(mesh, depth):
-    """(m, m) length of a panel next to the keel and the gap under it, where their ratio is largest
+    """(m, m) length of a panel next to the keel and the gap under the panel, where the ratio of the two is largest
 
     0 and infinite for a hull without such panels.
     """

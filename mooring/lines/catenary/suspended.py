@@ -97,7 +97,8 @@ def suspended_stiffness(t, s, c, length, weight, flexibility):
 
 @kernel(inline=True)
 def suspended_span(H, z, length, weight, flexibility):
-    """Span of a line that carries the horizontal tension H > 0 over the height z; nan where it is too short to hang."""
+    """Span of a line that carries the horizontal tension H > 0 over the height z; nan where the line is too short to
+    hang."""
     Z, kappa, pull = z / length, 0.5 * flexibility * weight * length, 2 * H / (weight * length)
     inside = 1 - Z * Z
     if kappa == 0 and inside <= 0:

@@ -115,7 +115,7 @@ def pass_load(line, e):
 
 @kernel()
 def march_span(line, e, facet, load, target, unknown, rows):
-    """Integrate down a free span to s = target, or, where that is nan, until it is parallel to a facet.
+    """Integrate down a free span to s = target, or, where target is nan, until the span is parallel to a facet.
 
     load : index of the next point load there, or of the sinker at which the slope passes that of the facet
     unknown : index of the unknown that the target is, below 0 for none

@@ -84,7 +84,7 @@ def bend_at_vertex(line, q, g, angle, unknown):
 
 @kernel()
 def slides_down(line, at, facet, tension):
-    """Whether the line would slide down the facet without this tension, so that it needs the tension to lie there.
+    """Whether the line would slide down the facet without `tension`, so that the line needs this tension to lie there.
 
     Always False on the first facet above the lowest buoy, which may lift the line, and for parts fixed by `held` (see
     `line_data`).
@@ -98,7 +98,8 @@ def slides_down(line, at, facet, tension):
 
 @kernel()
 def friction_rate(line, q, weight, angle):
-    """dT/ds on the bed, the length for which it holds, and the kept tension reached at its end (nan: not reached)."""
+    """dT/ds on the bed, the length for which this rate holds, and the kept tension reached at the end of the length
+    (nan: not reached)."""
     along, across = weight * math.sin(angle), weight * line.friction * abs(math.cos(angle))
     kept, slope, until = kept_tension(line, q[S])
     available = q[S] - until

@@ -35,7 +35,8 @@ def length_on(line, q, at, facet):
 
 @kernel()
 def bed_piece(line, q, g, at, angle, slides, folds):
-    """dT/ds and row of the tension table here; length over which they apply; cause of its end; kept tension reached."""
+    """dT/ds and row of the tension table from this place on; length over which both apply; cause of the end of this
+    length; kept tension reached."""
     segment = at[0]
     rate, ds, kept = friction_rate(line, q, line.segments[segment, 1], angle)
     if rate < 0 and q[X] <= line.bed[0, 0] and not folds:  # a line in a heap at the anchor does not pull there
@@ -166,7 +167,7 @@ def pass_sliding_sinker(line, q, g, at, angle, folds):
 
 @kernel()
 def leave_heap(line, q, g, at, amount, angle, unknown, rows):
-    """Put the next length of line, unstretched, in a heap at this point, with its sinkers.
+    """Put the next length of line, unstretched, in a heap at the present point, with the sinkers of this length.
 
     unknown : index of the unknown that this length is; angle : slope of the bed there.  returns : False where a buoy
         would lift the heap
@@ -202,7 +203,7 @@ def is_at_sinker(line, q, at):
 
 @kernel()
 def put_on_facet(line, q, g, facet):
-    """Set z to that of the facet at x, where a span ends on it."""
+    """Set z to the height of the facet at x, where a span ends on the facet."""
     tan = math.tan(line.bed[facet, 2])
     q[Z] = line.bed[facet, 1] + (q[X] - line.bed[facet, 0]) * tan
     mix(g, Z, tan, X, 0.0, X)
@@ -225,14 +226,15 @@ def touch_down(line, q, g, at, facet):
 
 @kernel()
 def normal_force_on(line, q, at, facet):
-    """Normal force of the sinker here on a facet, N, if the line below it lies on the facet."""
+    """Normal force of the sinker at this place on a facet, N, if the line below the sinker lies on the facet."""
     angle = line.bed[facet, 2]
     return (q[H] * math.tan(angle) - q[V] + line.loads[at[1], 1]) * math.cos(angle)
 
 
 @kernel()
 def pass_grounded_sinker(line, q, g, at, facet, normal_force, unknown):
-    """Pass a sinker with a normal force (N, the unknown of the given index) on a facet; a free span begins below it.
+    """Pass a sinker with a normal force (N, the unknown of the given index) on a facet; a free span begins below the
+    sinker.
 
     Friction acts on it as if it slid towards the fairlead, but at least the tension `line.least` remains for the span.
     """

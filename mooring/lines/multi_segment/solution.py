@@ -1,4 +1,4 @@
-"""A solved static line: its forces, stiffness, grounded parts, profile, and the friction that it keeps.
+"""A solved static line: its forces, stiffness, grounded parts, profile, and the friction that the line keeps.
 
 Coordinates and signs : `mooring.lines.multi_segment.line`.
 """
@@ -206,7 +206,8 @@ def _along(p, down):
 
 
 def turned(row, pieces):
-    """A row of `newton.store`, and pieces (n, 11), of the mirrored line as those of the line itself"""
+    """A row of `newton.store`, and pieces (n, 11), of the mirrored line, changed into the row and pieces of the line
+    itself"""
     row, out = row.copy(), pieces.copy()
     row[FORCES + STIFFNESS] *= -1.0
     out[:, 3] *= -1.0

@@ -1,4 +1,5 @@
-"""Forces and stiffness of a whole system of lines, compiled: the rows of its lines, and from them the matrices.
+"""Forces and stiffness of a whole system of lines, compiled: the rows of the lines, and the matrices that follow from
+these rows.
 
 A line end on a body at arm a with force f and stiffness block k = −∂f/∂r adds J' k J − S(f) S(a) to the stiffness
 about the moving origin, with J = [1, −S(a)] and S(a) v = a × v; an end on a free point adds k itself.

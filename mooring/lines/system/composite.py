@@ -48,7 +48,8 @@ def composite(system, number, end):
 
 
 def of_line(given, number, end, height):
-    """The Composite of a CompositeLine whose `end`, at z = height m, is an anchor on a bed; "" where it hangs free."""
+    """The Composite of a CompositeLine whose `end`, at z = height m, is an anchor on a bed; "" for an end at which the
+    line hangs free."""
     segments, loads, surface, bed = given.segments, given.loads, np.inf, None
     if end == "b":
         segments = segments[::-1]

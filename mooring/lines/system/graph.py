@@ -103,7 +103,8 @@ class SystemArrays(NamedTuple):
 
 @dataclass(frozen=True)
 class System:
-    """Lines, the points they join and the bodies these belong to.  depth : m; density : kg/m³; gravity : m/s²"""
+    """Lines, the points that lines join, and the bodies to which points belong.  depth : m; density : kg/m³; gravity :
+    m/s²"""
 
     depth: float
     lines: tuple[UniformLine | CompositeLine | Hawser, ...]

@@ -23,7 +23,7 @@ SHIFT = 1e-5  # difference for derivatives, over the length
 
 @dataclass(frozen=True)
 class Surfacing:
-    """A UniformLine with a weight in air as its solver reads it, from its origin: its anchor on the bed, or end a.
+    """A UniformLine with a weight in air as the solver reads it, measured from the anchor on the bed, or from end a.
 
     number : of the line in its system; anchored : whether the origin is an anchor on the bed, at z = bed
     """

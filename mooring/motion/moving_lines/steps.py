@@ -110,7 +110,8 @@ def put(y, x):
 
 @kernel(counted=False)
 def slopes(work, i):
-    """Fill work.slope of line i: that of parabolas through an own step's end and the ones before and after."""
+    """Fill work.slope of line i: slopes of parabolas through the ends of a step of the line, the step before and the
+    step after."""
     time, pull, last = work.time[i], work.pull[i], work.used[i] - 1
     for j in range(last + 1):
         for k in range(3):

@@ -69,7 +69,7 @@ def rest_bent(body, berth, others, start, unit, free):
 
 
 def with_bent_fairleads(system, reader, amplitudes):
-    """A System whose fairleads are where shapes of a Reader, of amplitudes (f,), move them"""
+    """A System with its fairleads moved by the shapes of a Reader with amplitudes (f,)"""
     if not reader.modes:
         return system
     names = [one.name for one in system.bodies]

@@ -113,7 +113,7 @@ def _both(run, moored, weather, settings, able):
 
 
 def able_to_move(system, settings, bends=False):
-    """Names of the lines of a System, or None, that can move by themselves, and lines of text on those that cannot
+    """Names of the lines of a System, or None, that can move by themselves, and lines of text on the lines that cannot
 
     bends : whether bodies bend
     """

@@ -10,7 +10,8 @@ import numpy as np
 
 
 class Groups(NamedTuple):
-    """owner : (G,) number of the body of each group, of those that move; place : (f,) of each shape among the 6G"""
+    """owner : (G,) number of the body of each group, among the bodies that move; place : (f,) of each shape among the
+    6G"""
 
     owner: np.ndarray
     place: np.ndarray

@@ -54,7 +54,8 @@ def bearing(k, thickness, p):
 
 @kernel(inline=True, counted=False)
 def slipped(n, x, y, z, limit):
-    """Part of a displacement (x, y, z) along the bed, at most `limit` long, and the factor that cut it, ≤ 1."""
+    """Part of a displacement (x, y, z) along the bed, at most `limit` long, and the factor ≤ 1 that shortened the
+    displacement."""
     up = n[0] * x + n[1] * y + n[2] * z
     x, y, z = x - up * n[0], y - up * n[1], z - up * n[2]
     size = math.sqrt(x * x + y * y + z * z)

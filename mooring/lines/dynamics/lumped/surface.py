@@ -1,4 +1,4 @@
-"""A line that rises out of the water: above the still level it has its weight in air and no water loads.
+"""A line that rises out of the water: a part above the still level has its weight in air and no water loads.
 
 An element with ends at z₁ and z₂ whose water weighs B when it is wholly wet gains
 

@@ -65,7 +65,8 @@ def fairlead_at(motion, t, p, v, a):
 
 @kernel(counted=False)
 def time_weights(x, weights):
-    """weights (2, SAMPLES): of the values at 0, 1, …, for the polynomial through them at x, and for its slope"""
+    """weights (2, SAMPLES) of the values at 0, 1, …, for the value at x of the polynomial through these values, and for
+    its slope"""
     for i in range(SAMPLES):
         value, slope = SHARES[i], 0.0
         for m in range(SAMPLES):

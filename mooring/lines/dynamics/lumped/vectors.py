@@ -1,4 +1,4 @@
-"""Eight places at once: three coordinates from rows (3, w) as three SIMD vectors, and what is done with them."""
+"""Eight places at once: three coordinates from rows (3, w) as three SIMD vectors, and operations on such vectors."""
 
 from hakobune.bem.kernels.jit import kernel
 from hakobune.bem.kernels.simd import choose_less, load_vector, store_vector, to_scalars
