@@ -271,7 +271,7 @@ def bent_poses_at(place, headings):
 
 
 def contact_forces(berth, position):
-    """(m,) N of fenders and ropes with the bodies at a displacement (n,) that they are put to"""
+    """(m,) N of fenders and ropes with the bodies put to a displacement (n,)"""
     rigid = 6 * len(berth.heading)
     poses = np.array(position[:rigid], float).reshape(1, -1, 6)
     poses[:, :, 5] += berth.heading

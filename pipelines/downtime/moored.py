@@ -45,7 +45,7 @@ class Detail(NamedTuple):
 
 
 class Found(NamedTuple):
-    """detail; quantities, axes : in addition to those of `answers`; findings, notes : lines"""
+    """detail; quantities, axes : in addition to the quantities and axes of `answers`; findings, notes : lines"""
 
     detail: Detail
     quantities: dict

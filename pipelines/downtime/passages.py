@@ -19,7 +19,8 @@ DISTANCES = 8
 
 
 def record_with_passages(read, folder, depth):
-    """The `study.Record` of a DowntimeStudy, with columns of its passages where it has any.  Raises StudyError."""
+    """The `study.Record` of a DowntimeStudy, with columns of the passages of ships where the study has any.  Raises
+    StudyError."""
     record, table = record_of(read.hindcast, folder, depth), read.passages
     if table is None:
         return record

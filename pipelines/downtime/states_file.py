@@ -1,4 +1,5 @@
-"""The file of simulated states: a line for each, written when it is finished; a kill at any time keeps all whole lines.
+"""The file of simulated states: one line for each state, written when the state is finished; a kill at any time keeps
+all whole lines.
 
 The first line describes the states; each further one is JSON with its CRC-32.  A line cut by a kill is removed; a
 damaged line is an error.

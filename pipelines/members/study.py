@@ -134,7 +134,7 @@ def make_study(raw):
 
 
 def wave_of(study):
-    """`RegularWave` of a study, of zero height if it has only a current.  Raises StudyError, ValueError."""
+    """`RegularWave` of a study, of zero height if the study has only a current.  Raises StudyError, ValueError."""
     depth, current, wave = water_depth("water.depth", study.water.depth), None, study.wave
     if study.current is not None:
         towards = direction("current", study.current)

@@ -90,7 +90,7 @@ class Study(Table):
         return Conditions(wind, current, regular, waves.method, sea, duration, factor)
 
     def hulls_of(self, db):
-        """ExposedBox as by `hull_of` for a database of one body; for several {name: ExposedBox} of the moving ones"""
+        """ExposedBox as by `hull_of` for a database of one body; for several {name: ExposedBox} of the moving bodies"""
         if not db.bodies:
             if self.hulls:
                 raise StudyError(f"hulls.{min(self.hulls)} is given, but the database contains one body; give [hull]")
@@ -210,7 +210,7 @@ class Study(Table):
         return None if legs is None else moored_body(legs, self.water.depth, center, density, gravity)
 
     def system_of(self, db, hulls, in_time=False):
-        """System of the bodies of a database, `hulls_of` it, None as of `system`"""
+        """System of the bodies of a database with hulls as `hulls_of` gives them; None where `system` gives None"""
         if not db.bodies:
             return self.system(hulls, db.rotation_center, db.density, db.gravity, in_time)
         legs = self._legs(hulls, db.density, db.gravity, in_time, {body.name: body for body in db.bodies})

@@ -75,7 +75,8 @@ class PassingStudy(Table):
 
 
 def read_study(path):
-    """The PassingStudy of a TOML file and its text, files of meshes beside it.  Raises StudyError."""
+    """PassingStudy of a TOML file, with the mesh files beside that file, and the text of the file.  Raises
+    StudyError."""
     raw, text = read_toml(path, "a study of a passing ship", StudyError)
     for body in (raw.get(name) for name in SHIPS):
         if isinstance(body, dict) and isinstance(body.get("file"), str):

@@ -204,7 +204,7 @@ class ResponseStudy(Table):
 
 
 def viscous_laws(study, db):
-    """{degree of freedom: law} of a ResponseStudy, by default those of the database's scene"""
+    """{degree of freedom: law} of a ResponseStudy, by default the laws in the scene of the database"""
     from hakobune.bem.viscous_table import laws_of
     from hakobune.mooring.response import viscous
 

@@ -58,7 +58,7 @@ def owner(scene, mode):
 
 
 def owners(scene, mode):
-    """Numbers of the bodies of a `tables.ModeTable`: by default all moving ones"""
+    """Numbers of the bodies of a `tables.ModeTable`: by default all moving bodies"""
     if not scene.several:
         return [0]
     if mode.body is None:

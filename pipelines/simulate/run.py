@@ -1,4 +1,4 @@
-"""A simulation into its file: missing seeds are run one by one, and each is stored when it is finished."""
+"""A simulation into its file: missing seeds are run one by one, and each seed is stored when its run is finished."""
 
 import hashlib
 import json
@@ -52,7 +52,8 @@ AFTER = 10.0  # s between lines of a long run
 
 
 class Input(NamedTuple):
-    """study : `moor.study.Study`; text : its TOML; folder : of the files it names; path : of its file, or None"""
+    """study : `moor.study.Study`; text : its TOML; folder : of the files that the study names; path : of the file of
+    the study, or None"""
 
     study: Study
     text: str
@@ -70,7 +71,8 @@ def input_of(study):
 
 @dataclass(frozen=True)
 class Outcome:
-    """made : seeds of this run; there : complete rows; total : seeds of the study; failures : (seed, reason)
+    """made : number of seeds run now; there : number of complete rows; total : number of seeds of the study; failures :
+    (seed, reason)
 
     interrupted : by Ctrl-C, even in the last seed: later steps are not wanted either
     """

@@ -340,7 +340,7 @@ def _settings(table, duration, words, shapes):
 
 
 def moving_lines(table):
-    """dynamic_lines of a SimulationTable as settings have them: names, () for none, "all" or "auto" """
+    """dynamic_lines of a SimulationTable as settings have these: names, () for no line, "all" or "auto" """
     given = table.dynamic_lines
     return () if given == "none" else given if isinstance(given, str) else tuple(given)
 

@@ -63,7 +63,7 @@ def rest_of(found):
 
 
 def state_of(found):
-    """The final heading, its slewing, and published criteria of it"""
+    """The final heading, the slewing about it, and published criteria of slewing"""
     one = found.best
     (x, y), s, title = one.place, one.slewing, f"at {bow(one):.4g}°, the heading at which it comes to rest"
     state = {

@@ -14,7 +14,8 @@ from ..common.quantities import StudyError
 
 
 class Climate(NamedTuple):
-    """law : `JointLaw` of the scatter; height, period : (n,) m, s, its contour; top : m, s, of it; hours : of a sea"""
+    """law : `JointLaw` of the scatter; height, period : (n,) m, s, the contour of the law; top : m, s, the top of the
+    contour; hours : duration of a sea"""
 
     scatter: object
     law: object

@@ -225,7 +225,7 @@ class FinerHull:
         return self.scene.omegas()
 
     def band(self, mesh, lid, omegas):
-        """`large.shared_band` of some of these frequencies"""
+        """`large.shared_band` of some of the frequencies"""
         return shared_band(self.scene, mesh, lid, omegas)
 
     def __call__(self, mesh, cover):

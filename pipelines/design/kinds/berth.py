@@ -120,7 +120,8 @@ def _of_fenders(file, made, berth):
 
 
 def dolphin_of(table, dolphins):
-    """Stiffness, yield force and stiffness beyond it of the dolphin of a fender's table, SI; () without one"""
+    """Stiffness, yield force, and stiffness beyond yield of the dolphin in a fender's table, SI; () without a
+    dolphin"""
     if getattr(table, "on", None) is not None:
         one = dolphins[table.on]
         values = one.stiffness, one.yield_force, one.stiffness_beyond

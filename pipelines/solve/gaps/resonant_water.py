@@ -1,4 +1,5 @@
-"""Water between hulls and in moonpools that oscillates vertically as one mass, reported if no damping lid is on it.
+"""Water between hulls and in moonpools that oscillates vertically as one mass, reported if no damping lid covers this
+water.
 
 The natural frequency follows from the mass of this water and of the water below that moves with it:
 
