@@ -82,7 +82,7 @@ def harmonics(H, theta):
 
 
 def slope_and_ahead(H, theta, beta):
-    """H′ (…, m, t), and H and H′ (…, m) of each of the m rows of H (…, m, t) at its own beta (m,) rad."""
+    """H′ (…, m, t), and H and H′ (…, m) of the m rows of H (…, m, t), each row at its own beta (m,) rad."""
     order, series = harmonics(H, theta)
     turn = 1j * np.where(np.abs(order) == len(theta) / 2, 0.0, order)  # the highest has no phase of its own
     back = np.fft.ifftshift(turn * series * np.exp(1j * order * theta[0]) * len(theta), axes=-1)

@@ -25,7 +25,7 @@ SAME = 1e-9  # singular value, relative to the largest, below which a constraint
 
 
 class Link(NamedTuple):
-    """name; bodies : names of the two bodies; position (3,) m and axis (3,) in coordinates of the first
+    """name; bodies : names of the two bodies; position (3,) m and axis (3,) in coordinates of the first body
 
     kind : "hinge" turns about its axis, "ball" about all, "rigid" about none; "slider" slides along it without a turn
     stiffness, damping : N/m, N s/m along the axis of a slider, N m, N m s about that of a hinge

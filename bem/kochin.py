@@ -21,7 +21,7 @@ BLOCK = 32  # directions at a time: four complex numbers each for every point
 
 
 class Folded(NamedTuple):
-    """Directions of one part of the circle; mirror images give the values at all others.
+    """Directions of one part of the circle; mirror images give the values at all other directions.
 
     angles : (u,) rad; place, image : (t,) index of each direction in `angles` and in `images` (i, 2), ±1
     """

@@ -31,16 +31,16 @@ class Body(NamedTuple):
 
     @property
     def axes(self):
-        """(3, 3) matrix whose columns are its axes in coordinates of the scene"""
+        """(3, 3) matrix whose columns are the axes of the body in coordinates of the scene"""
         return turned(self.heading)[:3, :3].T
 
     @property
     def own_center(self):
-        """(3,) m, its rotation centre in its own coordinates"""
+        """(3,) m, rotation centre of the body in coordinates of the body"""
         return self.axes.T @ (np.asarray(self.rotation_center, float) - (*self.place, 0.0))
 
     def in_scene(self, point):
-        """(…, 3) m in coordinates of the scene, from points (…, 3) in its own coordinates"""
+        """(…, 3) m in coordinates of the scene, from points (…, 3) in coordinates of the body"""
         return np.asarray(point, float) @ self.axes.T + (*self.place, 0.0)
 
 

@@ -24,7 +24,8 @@ PRINTED = 1e-4  # the same for files of other programs with seven digits, whose 
 
 
 class Broken(NamedTuple):
-    """A law violated by stored numbers: its largest relative violation, at which rad/s, and the limit"""
+    """A law violated by stored numbers: the largest relative violation, the frequency of this violation, rad/s, and the
+    limit"""
 
     law: str
     worst: float

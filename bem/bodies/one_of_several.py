@@ -65,7 +65,7 @@ class OneOfSeveral:
 
     @cached_property
     def mesh(self):
-        """PanelMesh of its hull"""
+        """PanelMesh of the hull of this body"""
         database = self.database
         if not database.bodies:
             return database.mesh

@@ -22,7 +22,7 @@ def combined(weights, maps, rows, single):
 
 
 def degrees(body, k):
-    """Degrees of the functions on the plan of a `ContourBody`, and of its tables, for waves of k rad/m"""
+    """Degrees of the functions on the plan of a `ContourBody`, and degrees of its tables, for waves of k rad/m"""
     plan, tolerance = body.plan, body.tolerance
     # waves that have decayed at the depth of the keel need no resolution in the gap
     waves = min(k, -np.log(tolerance) / body.draft)

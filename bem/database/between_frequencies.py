@@ -91,7 +91,8 @@ class Between:
         return self._everywhere(omega, name, self._deviation)
 
     def largest_error(self, omega, names):
-        """(q,) largest estimated error over `names` at omega (q,), relative to the largest stored of the same kind.
+        """(q,) largest estimated error over `names` at omega (q,), relative to the largest stored value of the same
+        kind.
 
         Each diagonal coefficient is one kind, and so is a force over all headings; couplings refer to √(ii · jj).
         """

@@ -156,7 +156,8 @@ class AtHeadings:
         return values
 
     def deviation(self, values, independent):
-        """(q, u, …) standard deviation of `value`; `independent` (…) ring values do not follow from others"""
+        """(q, u, …) standard deviation of `value`; `independent` (…) ring values do not follow from other ring
+        values"""
         scale = np.sum(np.abs(_joined(self._root, values)) ** 2, axis=1) / np.maximum(independent, 1)
         left = self._left.reshape(*self._left.shape, *[1] * (values.ndim - 2))
         return np.sqrt(left * scale[:, None])

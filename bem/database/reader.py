@@ -207,7 +207,7 @@ class Reader:
 
     def critical_damping(self, mode):
         """Critical damping 2√(C (M + A)) of one mode alone, with A at its natural frequency, or at the nearest stored
-        one.
+        frequency.
 
         Raises ValueError for a mode without restoring.
         """

@@ -241,7 +241,7 @@ class Database:
 
     @property
     def bodies(self) -> tuple:
-        """`bem.modes.Body` of each of several bodies, empty for one"""
+        """`bem.modes.Body` of each of several bodies, empty for a single body"""
         return self.header.bodies
 
     @property
@@ -425,12 +425,12 @@ def _first_axis(name):
 
 
 def same_omega(a, b):
-    """Whether two frequencies, rad/s, are one"""
+    """Whether two frequencies, rad/s, are equal but for rounding"""
     return abs(a - b) <= SAME * abs(b)
 
 
 def same_heading(a, b):
-    """Whether two headings, rad, are one"""
+    """Whether two headings, rad, are equal but for rounding"""
     return abs((a - b + np.pi) % (2 * np.pi) - np.pi) <= SAME
 
 

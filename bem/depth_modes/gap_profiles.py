@@ -18,7 +18,7 @@ DEPENDENT = 24  # modes to the gap per T², see above
 
 @dataclass(frozen=True)
 class Profiles:
-    """e orthonormal profiles made of the functions of a `Gap`; rows r = e + 2 as there.
+    """e orthonormal profiles made of the functions of a `Gap`; rows r = e + 2 as in `Gap`.
 
     smallest : smallest eigenvalue that is kept, for functions of unit norm
     """

@@ -46,7 +46,7 @@ class Beam(NamedTuple):
 
     @property
     def turns(self):
-        """Whether its amplitude is in rad"""
+        """Whether the amplitude of the shape is in rad"""
         return self.kind == "torsion"
 
     @property

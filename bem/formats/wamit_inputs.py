@@ -29,7 +29,7 @@ PERIOD_KINDS = {1: "period", 2: "frequency", 3: "deep wavenumber", 4: "wavenumbe
 
 
 def pot_of(values, hulls):
-    """Text of NAME.pot of several bodies, each along the axes of the scene about its own point
+    """Text of NAME.pot of several bodies, each along the axes of the scene about the reference point of the body
 
     values : `values.Values` with bodies; hulls : names of their .gdf files, in these axes
     """

@@ -81,7 +81,7 @@ class Geometry:
 
     @cached_property
     def lid_from(self):
-        """K in 1/m above which the lid is needed, `bem.panels.irregular_frequencies`; infinite without one"""
+        """K in 1/m above which the lid is needed, `bem.panels.irregular_frequencies`; infinite without a lid"""
         mesh, lid, *_ = self.given
         return np.inf if lid is None else lid_needed_from(mesh)
 

@@ -134,7 +134,8 @@ class PanelRun(FrequencyRun):
 
     @cached_property
     def columns(self):
-        """{class: (its radiating dofs, its headings)}, the right-hand sides; classes without any are omitted."""
+        """{class: (radiating dofs, headings) of the class}, the right-hand sides; classes without right-hand sides are
+        omitted."""
         table, incident_headings = {}, self.incident_headings if self.diffracts else {}
         for cls in self.geometry.classes:
             own = self.geometry.members(cls)

@@ -20,7 +20,7 @@ class Field(NamedTuple):
         return Field(self.value[which], self.slope[:, which])
 
     def second(self, kind):
-        """The field as the second of a pair in products of a `kinds.Kind`"""
+        """The field as the second factor in products of a `kinds.Kind`"""
         return Field(kind.second(self.value), kind.second(self.slope))
 
     def __add__(self, other):

@@ -1,4 +1,4 @@
-"""Poles, inputs and losses of a passive system, adjusted together until its largest error is small.
+"""Poles, inputs and losses of a passive system, adjusted together until the largest error of the system is small.
 
 With rows b_k of B and l_k of L in the modes of `passive_fit`,
 

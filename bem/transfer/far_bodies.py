@@ -68,7 +68,7 @@ class FarBodies(SeveralBodies):
         return self.at(omega, gravity).first_order(headings, theta, density)
 
     def at(self, omega, gravity=9.80665):
-        """`Coupled` at one frequency; the last one is kept"""
+        """`Coupled` at one frequency; the last result is kept"""
         if not 0 < omega < np.inf:
             raise ValueError(f"omega is {omega} rad/s; allowed: positive and finite (limits: added_mass_limit)")
         if self.cache.get("frequency") != (omega, gravity):
@@ -265,7 +265,7 @@ class Coupled:
         return self._solved(self.equations[1])
 
     def diffracted(self, headings):
-        """(y, m) of plane waves of unit amplitude, with what all others send"""
+        """(y, m) of plane waves of unit amplitude, with the waves that all other bodies send"""
         incident = self.incident(headings)
         return self._solved(np.vstack([one.few @ wave for one, wave in zip(self.each, incident, strict=True)]))
 

@@ -38,7 +38,7 @@ class PartialWaves(NamedTuple):
         return np.arange(-self.last, self.last + 1)
 
     def size(self, a):
-        """(last + 1,) |Hₘ(ka)| of radiating waves, 1 of others"""
+        """(last + 1,) |Hₘ(ka)| of radiating waves, 1 of other partial waves"""
         m = np.arange(self.last + 1)
         return np.abs(hankel1(m, self.k * a)) if self.kind == "radiating" else np.ones(len(m))
 

@@ -1,4 +1,5 @@
-"""A body before a reflecting wall, from its results in open water: its waves and its image's, with all reflections.
+"""A body before a reflecting wall, from its results in open water: the waves of the body and of its image, with all
+reflections.
 
 The wall is at y = w; ′ mirrors a point in it.  Sources s of a body's waves (`sources`) respond to the incident waves:
 the wave towards β, its reflection, and the waves of the image's equal sources:
@@ -44,7 +45,7 @@ class WallError(ValueError):
 
 
 def neglected(body, wall):
-    """Local wave at the hull after its way to the image and back, as a share of its height at the start
+    """Height of a local wave at the hull after the way to the image and back, as a share of the height at the start
 
     exp(−2πg/b), g the gap from hull to wall, b the depth or, in deeper water, the breadth of the hull: sway of the box
     of the module is off by 0.04 and 0.30 where it says 0.04 and 0.28 in 100 m, forces by 0.004, 0.02, 0.6 for 0.0004,

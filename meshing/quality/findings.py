@@ -114,7 +114,8 @@ class _Edges:
         return _where(self.points[self.ends[np.flatnonzero(which)[0]]].mean(axis=0))
 
     def half(self, which):
-        """Axis, "x" or "y", of the plane x = 0 or y = 0 in which edges lie, all of the mesh on one side; else None"""
+        """Axis, "x" or "y", of the plane x = 0 or y = 0 in which edges lie, if the whole mesh is on one side of the
+        plane; else None"""
         reach = DRAWN * float(np.median(np.linalg.norm(np.diff(self.points[self.ends], axis=1), axis=2)))
         for axis in "xy":
             place, side = self.points[self.ends[which]][..., "xy".index(axis)], self.points[:, "xy".index(axis)]

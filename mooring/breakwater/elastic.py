@@ -56,7 +56,8 @@ def _lines(body):
 
 
 def stiffness_of(body, axial_stiffness):
-    """Of water and lines about the centre of gravity, (3, 3), and δP of both lines, front first, of motions, (2, 3)"""
+    """Stiffness of water and lines about the centre of gravity, (3, 3), and δP of the front and back lines by motions,
+    (2, 3)"""
     stiffness, stretch = np.diag([0.0, body.heave_stiffness, body.roll_stiffness]), []
     for u, r, moved in _lines(body):
         along, across = u @ moved, np.array([-u[1], u[0]]) @ moved

@@ -38,8 +38,9 @@ MOST = 0.3  # largest elongation in the table of tensions, over the line length
 
 
 class Snap(NamedTuple):
-    """time : (n,) s, of the last cycles; front, back : tensions (n,) N/m; peaks : (front, back) means of the largest of
-    every cycle, N/m; largest : (front, back); slack : (front, back) shares of the time; findings : one line each"""
+    """time : (n,) s, of the last cycles; front, back : tensions (n,) N/m; peaks : (front, back) means of the largest
+    tension of every cycle, N/m; largest : (front, back); slack : (front, back) shares of the time; findings : one line
+    each"""
 
     time: np.ndarray
     front: np.ndarray

@@ -36,7 +36,8 @@ class EarthquakeError(ValueError):
 
 
 class Ground(NamedTuple):
-    """time (n,) s, equally spaced; acceleration, velocity, displacement (n,) in m; 0 at both ends except the first
+    """time (n,) s, equally spaced; acceleration, velocity, displacement (n,) in m; velocity and displacement are 0 at
+    both ends
 
     base_line : m/s², of the first and the last acceleration, added to a record and straight between them
     """

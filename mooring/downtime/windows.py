@@ -1,4 +1,4 @@
-"""Weather windows: runs of usable hours, their length, and the waiting time for one.
+"""Weather windows: runs of usable hours, the length of a window, and the waiting time for a window.
 
 A ship that arrives at any hour waits until the first hour at which a window of n hours remains.  Gaps of the record and
 unknown hours end a window, and waits across them are excluded.

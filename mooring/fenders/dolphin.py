@@ -17,7 +17,8 @@ from .fender import Fender, FenderError
 
 @dataclass(frozen=True, eq=False, repr=False)
 class OnDolphin(Fender):
-    """A fender and its dolphin as one; deflections and strains are of both together, over the fender's height.
+    """A fender and its dolphin as one fender; deflections are of both together, and strains are these deflections over
+    the height of the fender.
 
     strains : (2, n), of both together and of the fender, on loading; own_allowable : strain, of the fender itself
     """

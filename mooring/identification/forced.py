@@ -22,7 +22,7 @@ from .record import RecordError, Sine, checked, sine_of
 
 
 class Forced(NamedTuple):
-    """added_mass : kg; linear, quadratic : B₁ N s/m, B₂ N s²/m²; by_harmonics : the same two by the paper's formulas
+    """added_mass : kg; linear, quadratic : B₁ N s/m, B₂ N s²/m²; by_harmonics : B₁ and B₂ by the formulas of the paper
 
     motion : `record.Sine`; off : deviation from the force over the force's own
     error : standard errors of B₁ and B₂ by noise without memory

@@ -22,7 +22,7 @@ class Member(NamedTuple):
 
 
 def over_wave(member, wave, phases, density):
-    """(p, 6) N and N m about its foot on a Member in a RegularWave, at phases (p,) rad"""
+    """(p, 6) N and N m on a Member in a RegularWave, about the foot of the Member, at phases (p,) rad"""
     force = np.zeros((len(phases), 6))
     for row, phase in zip(force, phases, strict=True):
         wet = wet_part(member.start, member.end, wave, phase)

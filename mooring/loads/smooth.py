@@ -10,7 +10,8 @@ import numpy as np
 
 
 def smooth(x, y, flat=()):
-    """Callable curve through x (n,) rising and y (n, …); `flat` are places in x where its slope is set to 0."""
+    """Callable curve through x (n,) rising and y (n, …); `flat` : places in x where the slope of the curve is set to
+    0."""
     x, y = np.asarray(x, float), np.asarray(y, float)
     if len(x) == 1:
         return lambda at: np.broadcast_to(y[0], np.shape(at) + y.shape[1:])

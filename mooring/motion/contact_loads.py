@@ -87,7 +87,7 @@ def contact_work(contacts):
 
 @kernel(inline=True, counted=False)
 def pressed(contacts, work, i, depth):
-    """Force N of a deflection or elongation, m, which is stored with its state"""
+    """Force N of a deflection or elongation, m; stores the deflection or elongation and its state"""
     state = advanced(work.start[i, STATE], work.start[i, DEPTH], depth, contacts.table.marks[i, 0])
     force = reaction(contacts.table, i, depth, state)
     work.now[i, DEPTH], work.now[i, STATE], work.now[i, FORCE] = depth, state, force
@@ -96,7 +96,8 @@ def pressed(contacts, work, i, depth):
 
 @kernel(counted=False)
 def from_the_body(contacts, work, i, positions, R, v):
-    """v (3,) m, from the origin of the axes of its body to a of contact i; work.arm is that from the other body's"""
+    """v (3,) m, from the origin of the body's axes to end a of contact i; work.arm is the arm from the origin of the
+    other body"""
     b, other = contacts.body[i], contacts.other[i]
     c, bent = contacts.numbers, contacts.bent
     for j in range(3):

@@ -407,7 +407,7 @@ def of_shapes(scene, t, y, rate):
 
 @kernel(counted=False)
 def of_moorings_on_shapes(scene, y, rate, met):
-    """What lines, and fenders and ropes if they are `met`, do to shapes, into the forces and the rates of their work"""
+    """Add the forces of lines on shapes, and of fenders and ropes if `met`, to the forces and to the rates of work"""
     shapes, count = scene.body.shapes, scene.body.heading.size
     for k in range(shapes.place.size):
         g, i = shapes.place[k] // 6, shapes.place[k] % 6

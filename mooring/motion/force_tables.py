@@ -202,7 +202,8 @@ def _tautest(composite, breaking_load, chord, height):
 
 @in_memory
 class Packed(NamedTuple):
-    """Tables in arrays, as in `ForceTable`; ends (k, 2, 2), first (k, 2) and root (k,), the first cell, of each."""
+    """Tables in arrays, as in `ForceTable`; ends (k, 2, 2), first (k, 2) and root (k,), the first cell, of each
+    table."""
 
     ends: np.ndarray
     first: np.ndarray

@@ -1,4 +1,5 @@
-"""Integration in time: Runge and Kutta's method of Dormand and Prince (1980), orders 5 and 4, step by its own error.
+"""Integration in time: Runge and Kutta's method of Dormand and Prince (1980), orders 5 and 4, with the step chosen by
+the error of the step.
 
 The error of a step is the difference of the two orders.  Its limit is a share of the tolerance, of the scale of each
 motion, times the step over the time in which an error decays; positions and velocities count.  Where a line becomes
@@ -155,7 +156,8 @@ def take_step(scene, buoy, links, clock, t, h):
 
 @kernel(counted=False)
 def take_step_with_lines(scene, buoy, links, clock, moving, t, h):
-    """`take_step` with moving lines: with the predicted pull, then lines along that course, then again with their pull.
+    """`take_step` with moving lines: first with the predicted pull, then the lines along the course so found, then
+    again with the pull of the lines.
 
     The error includes the deviation of the body from its predicted course, which the lines followed.
     """
@@ -286,7 +288,8 @@ def next_break(lines, t):
 
 @kernel(counted=False)
 def open_window(waves, clock, work, owner):
-    """Forces of the next window, whose slow pose passes from the one foreseen for now to that foreseen for its end.
+    """Forces of the next window, whose slow pose passes from the pose foreseen for its start to the pose foreseen for
+    its end.
 
     owner : (G,) bodies of groups of shapes, which meet the waves at the poses of these
     """

@@ -375,7 +375,7 @@ def place_end(lines, work, i, positions, R):
 
 @kernel(inline=True, counted=False)
 def follow_on_bed(lines, work):
-    """H and V into work.ends of the lines that lay on the bed a moment before, nan of others"""
+    """H and V into work.ends of the lines that lay on the bed a moment before; nan for all other lines"""
     for n in range(0, work.on_bed.size, WIDTH):
         some = False
         for i in range(n, n + WIDTH):

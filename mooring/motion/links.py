@@ -191,7 +191,8 @@ def springs_at(links, poses, bent=0.0):
 
 @kernel(counted=False)
 def give_row(links, work, poses, k, m, turns, row):
-    """row (12,) of a unit force or moment along m (3,) in space on the second body of link k, and less on the first"""
+    """row (12,) of a unit force or moment along m (3,) in space on the second body of link k, and its opposite on the
+    first body"""
     f = work.push
     for e in range(2):
         b, sign = links.ends[k, e], 2.0 * e - 1.0

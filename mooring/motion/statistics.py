@@ -92,7 +92,8 @@ def record_statistics(record, step, split, duration=None):
 
 
 def statistics_of_records(records, step, split, duration=None):
-    """(q,) `record_statistics` of records (q, n), whose spectra are computed together: in half the time of one by one
+    """(q,) `record_statistics` of records (q, n), whose spectra are computed together, in half the time that single
+    records take
 
     raises : ValueError as there
     """

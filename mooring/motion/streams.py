@@ -83,7 +83,7 @@ def _around():
 
 @kernel(counted=False)
 def stream_force(stream, body, t, share, moving, weights, out, value):
-    """out (6,) N, N m in its axes, on one of the bodies, of a stream that has grown to `share` of its speed.
+    """out (6,) N, N m on one of the bodies, in axes of the body, of a stream that has grown to `share` of its speed.
 
     moving : (3,) heading, velocities along and across it, rad and m/s
     weights (6,), value (1,) : room for work

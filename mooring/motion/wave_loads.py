@@ -325,7 +325,8 @@ def fill_rows(waves, pose, start, body=0):
 
 @kernel(inline=True, counted=False)
 def put_rows(by_cos, by_sin, a, b, parts):
-    """Rows of a wave of amplitude a + ib m there: parts (16,) are its forces and drift as in a `WaveTable`"""
+    """Rows of a wave of amplitude a + ib m at the body: parts (16,) are the forces and drift of the wave as in a
+    `WaveTable`"""
     for j in range(6):
         by_cos[j], by_sin[j] = a * parts[j] - b * parts[6 + j], b * parts[j] + a * parts[6 + j]
     by_cos[6], by_sin[6] = a, b

@@ -86,7 +86,7 @@ class Passage:
 
     @property
     def force(self):
-        """(n, 6) N, N m of both parts"""
+        """(n, 6) N, N m, sum of both parts of the force"""
         return self.changing + self.steady
 
     def about(self, place):

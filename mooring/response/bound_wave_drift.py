@@ -56,7 +56,7 @@ class BoundWaveForces:
 
     @property
     def error(self):
-        """(6,) size of the last coefficients, of the largest force"""
+        """(6,) size of the last coefficients, as shares of the largest force"""
         size = np.abs(self.coefficients)
         last = size[-2:].sum(axis=(0, 1)) + size[:, -2:].sum(axis=(0, 1))
         return last / np.maximum(size.sum(axis=(0, 1)), 1e-300)

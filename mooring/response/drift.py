@@ -63,7 +63,8 @@ def mean_in_sea(omega, drift, density, weights=(1.0,)):
 
 
 def mean_in_sea_beyond(body, spectrum, ends, weights=(1.0,)):
-    """(2, 3) the part of the mean force in waves below and above the stored band, D held at its ends (2, p, 3).
+    """(2, 3) the part of the mean force in waves below and above the stored band, with D beyond the band equal to its
+    value at the end, (2, p, 3).
 
     In short waves D tends to that of total reflection, a constant; in long waves it falls, and the end is an upper
     bound.  weights : (p,) or (2, p)

@@ -42,7 +42,8 @@ def _solve_to(spectrum, end, share):
 
 
 def missed_response(body, spectrum, transfer, weights):
-    """(c,) m0 of responses to the waves beyond the stored frequencies, transfer functions held at their ends"""
+    """(c,) m0 of responses to the waves beyond the stored frequencies, with transfer functions equal to the last stored
+    ones"""
     ends = over_headings(np.abs(transfer.value[[0, -1]]) ** 2, weights if weights.ndim == 1 else weights[[0, -1]])
     return np.array(energy_outside(body.omega, spectrum)) @ ends * spectrum.moment(0)
 
@@ -151,7 +152,7 @@ def between_waves(body, errors):
 
 
 def drift_outside(body, spectrum, inside, beyond):
-    """Part of the mean drift from waves beyond the stored band, whose drift coefficient is that at its end"""
+    """Part of the mean drift from waves beyond the stored band, with the drift coefficient at the end of the band"""
     total = np.abs(inside) + np.abs(beyond).sum(axis=0)
     share = np.abs(beyond).sum(axis=0)[:2].max() / max(total[:2].max(), 1e-300)
     if share > MISSED:
@@ -164,7 +165,8 @@ def drift_outside(body, spectrum, inside, beyond):
 
 
 def drift_of_each(body, slow):
-    """Difference between the summed drift of several bodies and that of the whole by its far field, of `SlowForces`"""
+    """Difference in `SlowForces` between the sum of the drift of several bodies and the drift of all together by the
+    far field"""
     if slow.of_each is None:
         if body.bodies:
             yield "drift of each body is left out: the database has none, or the waves travel on a current"

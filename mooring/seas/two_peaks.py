@@ -77,7 +77,7 @@ class OneSystem(Spectrum):
 
 @dataclass(frozen=True, repr=False)
 class Enhanced(Spectrum):
-    """`system` times level γ^r: its peak is raised as that of JONSWAP"""
+    """`system` times level γ^r: the peak is raised as in JONSWAP"""
 
     system: OneSystem
     gamma: float

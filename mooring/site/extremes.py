@@ -163,7 +163,7 @@ def _checked(period):
 
 
 class Extreme(NamedTuple):
-    """value, and low and high of its interval (all equal if the user gives the value); fit : ExtremeFit, or None"""
+    """value; low and high : interval of the value (all equal if the user gives the value); fit : ExtremeFit, or None"""
 
     value: float
     low: float

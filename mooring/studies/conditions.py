@@ -120,7 +120,7 @@ class Afloat(NamedTuple):
 
     @property
     def axes(self):
-        """(3, 3) matrix whose columns are its axes in space"""
+        """(3, 3) matrix whose columns are the axes of the body in space"""
         return rotation(0.0, 0.0, self.heading)
 
     @property

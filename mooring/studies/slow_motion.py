@@ -1,4 +1,4 @@
-"""A moored body in a sea, in the frequency domain: its slow motion, its wave motion, and both together.
+"""A moored body in a sea, in the frequency domain: slow motion, wave motion, and both motions together.
 
     {−Ω²[M + A(Ω)] − iΩ[B_D + B′] + C + K} x(Ω) = F(Ω),    S_x = H S_F H*,    σ² = ∫ S_x dΩ
 

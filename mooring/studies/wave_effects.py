@@ -47,8 +47,8 @@ class WaveEffects(NamedTuple):
 
 
 def wave_effects(db, conditions, body=None):
-    """{method: WaveEffects} of a database in the waves of `Conditions`: by the chosen method, and by the other one if
-    the database has its quantities.
+    """{method: WaveEffects} of a database in the waves of `Conditions`: by the chosen method, and by the other method
+    if the database has the quantities for it.
 
     body : its `Reader`, by default as stored
     raises : ValueError or BetweenError where the method of the conditions is not possible

@@ -114,7 +114,8 @@ def _inclined(table, where, fender):
 
 
 def pair_of(table, fender, where="fender"):
-    """The fender in series with the dolphin of a FenderTable; the fender without one.  Raises ValueError."""
+    """The fender of a FenderTable in series with its dolphin; without a dolphin the fender alone.  Raises
+    ValueError."""
     if table.dolphin is None:
         if table.dolphin_yield is not None or table.dolphin_beyond is not None:
             raise StudyError(

@@ -341,7 +341,7 @@ def _pull(place, name, kind, length):
 
 
 def attached(where, bodies, joints):
-    """The AttachedTable at each of the joints between segments, or None there"""
+    """The AttachedTable at each of the joints between segments, or None at a joint without a body"""
     found = [None] * joints
     for i, body in enumerate(bodies):
         place, at = f"{where}bodies[{i}]", body.after_segment

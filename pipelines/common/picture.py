@@ -16,7 +16,7 @@ VIEWS = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff")
 
 
 def check_picture(path, kinds):
-    """Raise ValueError if no picture can be written there, before the computation; None for no picture."""
+    """Raise ValueError if no picture can be written to the path; called before the computation; None for no picture."""
     if path is None:
         return
     from hakobune.bem.database.file import check_place

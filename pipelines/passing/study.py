@@ -1,4 +1,4 @@
-"""A ship that passes a moored one, as typed TOML.
+"""A ship that passes a moored ship, as typed TOML.
 
 Bodies are as in a scene; for a mesh file the middle of its length and beam is the middle of the ship.
 
@@ -37,7 +37,7 @@ class WaterTable(DepthTable):
 
 
 class TrackTable(Table):
-    """Track of the passing ship, parallel to the moored one
+    """Track of the passing ship, parallel to the moored ship
 
     distance : m, distance between the centre lines, positive to port of the moored ship
     speed : m/s, speed over the ground

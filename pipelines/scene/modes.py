@@ -53,7 +53,7 @@ def names_of(mode):
 
 
 def owner(scene, mode):
-    """Number of the body of a `tables.ModeTable`; for a shape of several bodies the first moving one"""
+    """Number of the body of a `tables.ModeTable`; for a shape of several bodies the first moving body"""
     return owners(scene, mode)[0]
 
 

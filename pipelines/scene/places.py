@@ -8,7 +8,7 @@ from hakobune.bem.modes import Body
 
 
 def bodies_of(scene):
-    """`bem.modes.Body` of each of several bodies, empty for one"""
+    """`bem.modes.Body` of each of several bodies, empty for a single body"""
     if not scene.several:
         return ()
     return tuple(

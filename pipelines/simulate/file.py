@@ -267,7 +267,7 @@ def units_of(file):
 
 
 def bodies_of(file):
-    """Names of several bodies, () for one"""
+    """Names of several bodies, () for a single body"""
     names = file["dof"].asstr()[()]
     return tuple(name.removesuffix("__Surge") for name in names if name.endswith("__Surge"))
 

@@ -119,7 +119,7 @@ def yaw_of(one):
 
 
 def lines_at(found):
-    """Lines at the final heading, and their largest utilisation of the breaking load"""
+    """Lines at the final heading, and the largest utilisation of their breaking load"""
     one = found.best
     lines = one.lines.lines
     shares = used(found.study, one, found.cycle, found.run)

@@ -71,7 +71,7 @@ class HullPoints:
         return self.under is not None
 
     def surfaces(self, freq):
-        """`HullSurfaces` of a `SharedFrequency`, the same for all"""
+        """`HullSurfaces` of a `SharedFrequency`, the same for all frequencies"""
         c, draft = self.contour, self.body.draft
         depth = depth_flow(freq, 1 / self.k)
         flat = np.stack([c.x, c.y, 0 * c.x], axis=1)

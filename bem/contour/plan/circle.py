@@ -51,7 +51,7 @@ class Circle:
         return (self.radius,)
 
     def to(self, accuracy):
-        """The same plan for another `accuracy.Accuracy`; its maps are exact"""
+        """The same plan for another `accuracy.Accuracy`; the maps of a circle are exact"""
         return self
 
     def degree(self, waves, tolerance):

@@ -99,7 +99,7 @@ def gauss_rule(count):
 
 
 def interpolation(nodes, t):
-    """(t, g) values at t of the polynomials that are one at a node and zero at the others"""
+    """(t, g) values at t of the polynomials that are 1 at one node and 0 at all other nodes"""
     gaps = np.subtract.outer(nodes, nodes) + np.eye(len(nodes))
     scale = 1 / gaps.prod(axis=1)
     distance = np.subtract.outer(t, nodes)

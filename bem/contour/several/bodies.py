@@ -67,7 +67,7 @@ def near(body, gap):
 
 
 def nearest(plans, places):
-    """[m] from each plan to the nearest other one"""
+    """[m] from each plan to the nearest other plan"""
     outlines = [place.in_scene(_outline(plan)) for plan, place in zip(plans, places, strict=True)]
     out = []
     for a, one in enumerate(outlines):

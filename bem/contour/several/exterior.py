@@ -1,4 +1,5 @@
-"""One plane problem outside several plans: from velocities on their contours to potentials there, and plane waves.
+"""One plane problem outside several plans: from velocities on the contours of the plans to potentials on these
+contours, and plane waves.
 
     (½ − D_aa) φ_a − Σ D_ab φ_b = −Σ S_ab v_b + φ_I        on contour a, b ≠ a in the first sum
     Σ D_b φ_b − S_b v_b + φ_I = 0                            waves, at points inside (Schenck 1968, `plan.rectangle`)

@@ -224,5 +224,5 @@ def _real_rows(blocks):
 
 
 def wave_operator(S, D, hull, K):
-    """W (…, r, m) = [D, K S]: D of the first `hull` sources, K S of the others, which lie on the lid"""
+    """W (…, r, m) = [D, K S]: D of the first `hull` sources, K S of the other sources, which lie on the lid"""
     return np.concatenate([D[..., :hull], K * S[..., hull:]], axis=-1)

@@ -25,7 +25,8 @@ def sharp_sides(mesh):
 
 
 class Stencils(NamedTuple):
-    """Up to three panels in a row for each of n, in one of its two directions: φ is interpolated between their nodes.
+    """Up to three panels in a row for each of n panels, in one of the two directions of the panel: φ is interpolated
+    between their nodes.
 
     For a panel at an edge and the one behind it they are the first three from the edge, elsewhere the panel and its
     neighbours, mirror images included.  Distances are measured from the outer end of the first.
@@ -46,7 +47,7 @@ class Stencils(NamedTuple):
 
     @property
     def first(self):
-        """(n,) the panel at the edge, the panel itself without one"""
+        """(n,) the panel at the edge; without an edge the panel itself"""
         return np.where(self.at_edge, self.panels[:, 0], np.arange(len(self.at_edge)))
 
     def replaced(self, where, others):

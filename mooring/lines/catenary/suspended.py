@@ -22,7 +22,7 @@ from .free_piece import ROUNDING, asinh_excess
 
 @kernel(inline=True)
 def ellipse_parameter(X, Z, kappa, near=0.0, close=ROUNDING):
-    """t of a suspended line with span X and height Z over its length; inf beyond its reach.
+    """t of a suspended line with span X and height Z, both over the length of the line; inf for ends too far apart.
 
     near : a value near it, 0 if unknown; close : last change of ln t, over ln t, that is accepted
     """

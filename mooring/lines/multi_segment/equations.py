@@ -163,7 +163,7 @@ def march_span(line, e, facet, load, target, unknown, rows):
 
 @kernel()
 def span_step(line, e, step, index, load, next_step, slack, rows):
-    """A free span and the equations of its end; of a slack line that ends there only the height counts, and H."""
+    """A free span and the equations of its end; for a slack line that ends there only the height and H count."""
     q, g = e.q, e.g
     target, unknown = math.nan, NOTHING
     if step == TO_VERTEX:

@@ -39,7 +39,7 @@ def kept_tension(line, s):
 
 @kernel()
 def kept_within(line, q, g, low, high):
-    """Tension below a concentrated friction force: the kept one, limited to low … high, with derivatives in g."""
+    """Tension below a concentrated friction force: the kept tension, limited to low … high, with derivatives in g."""
     kept, slope, _ = kept_tension(line, q[S] - 1e-9 * line.length)
     if low <= kept <= high:
         q[T] = kept

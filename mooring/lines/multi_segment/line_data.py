@@ -164,7 +164,7 @@ def workspace_for(line):
 
 @kernel()
 def varied(line, heap, foot, close):
-    """LineData of the line with another heap, at another vertex, and another accuracy of its starts."""
+    """LineData of the same line with another heap, at another vertex, and with another accuracy of the starts."""
     return LineData(
         line.segments,
         line.length,

@@ -29,7 +29,8 @@ def length_for(distance, t, rate, factor, flexibility):
 
 @kernel()
 def length_on(line, q, at, facet):
-    """Length to march on a facet: to its lower end, given as inf, and on the first facet the whole remaining length."""
+    """Length to march on a facet: to the lower end of the facet, given as inf, and on the first facet the whole
+    remaining length of line."""
     return q[S] if facet == 0 and (not line.to_place or slides_down(line, at, facet, q[T])) else math.inf
 
 
@@ -59,7 +60,7 @@ def bed_piece(line, q, g, at, angle, slides, folds):
 
 @kernel()
 def march_on_facet(line, q, g, at, facet, amount, unknown, last_load, rows):
-    """Integrate down along a facet by a length, or to its lower end where `amount` is infinite.
+    """Integrate down along a facet by the length `amount`, or to the lower end of the facet where `amount` is infinite.
 
     Stops at a buoy and at the point load `last_load`.  On the first facet a line that slides is folded where T = 0.
     unknown : index of the unknown that the length is, below 0 for none; rows : see `record`

@@ -57,7 +57,7 @@ class StaticSolution:
 
     @property
     def anchor_uplift(self):
-        """(...,) rad, angle of the pull on the anchor above the bed there; 0 where the line lies on the bed"""
+        """(...,) rad, angle of the pull on the anchor above the bed at the anchor; 0 where the line lies on the bed"""
         up = np.arctan2(self.vertical_anchor, self.horizontal_anchor)
         beta = self.line.anchor_slope
         lifted = (self.tension_anchor > 0) & (up > beta + 1e-9)
@@ -159,7 +159,7 @@ class StaticSolution:
 
 
 def heaped(pieces, tangent):
-    """Pieces of a slack line, laid out along its first facet, with the part beyond the anchor in a heap there.
+    """Pieces of a slack line, laid out along the first facet, with the part beyond the anchor in a heap at the anchor.
 
     tangent : slope of that facet.  Spans that buoys lift from the heap are placed over the anchor, at the same height.
     """

@@ -145,7 +145,7 @@ def start_span(line, origin, q, g, at, facet, amount, rows):
 
 @kernel()
 def try_span(line, origin, q0, at0, facet, amount, q, g, at, states, load_weights, rows):
-    """Gap, step and index of the first contact of a span from (q0, at0); q and at are left at the contact."""
+    """Gap, step and index of the first contact of a span from (q0, at0); q and at then hold the contact."""
     copy_state(q, at, q0, at0)
     facet = start_span(line, origin, q, g, at, facet, amount, rows)
     return first_contact(line, q, g, at, facet, states, load_weights)

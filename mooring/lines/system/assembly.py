@@ -80,7 +80,7 @@ def add_block(K, tall, block, row, rows, column, columns, arm_row, arm_column):
 
 @kernel()
 def add_force(force, K, f, arm, column, width):
-    """Add the force of one line end, its moment, and −S(f) S(arm)."""
+    """Add the force f of one line end, the moment of f, and −S(f) S(arm)."""
     for i in range(3):
         force[column + i] += f[i]
     if width == 6:

@@ -1,4 +1,4 @@
-"""Uniform lines that emerge from the water, with their weight in air there, as rows of the assembly of a system.
+"""Uniform lines that emerge from the water, with their weight in air above it, as rows of the assembly of a system.
 
 Such a line has up to three segments, dry, wet and dry, joined where it crosses the surface, z = 0; these places are
 found by Newton's method on the height of each joint over the slope of the line there.  The joints' places do not enter

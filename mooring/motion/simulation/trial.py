@@ -1,4 +1,5 @@
-"""Whether lines of a body may have their static shape: a short run with static lines, and one with moving lines.
+"""Whether lines of a body may have their static shape: a short run with static lines, and a short run with moving
+lines.
 
 A line in its static shape has neither inertia nor drag.  It snaps where a line in water gives way, and takes no energy
 out of slow motion: under waves from abeam, chains in shallow water make a symmetric body surge and yaw (Mathieu's

@@ -117,7 +117,8 @@ def mean_wave(waves, spectrum):
 
 
 def mean_period(where, table, depth):
-    """s, mean, of a SpectrumTable or SeaTable in `depth` m: as given, else that of its spectrum.  Raises StudyError."""
+    """s, mean, of a SpectrumTable or SeaTable in `depth` m: as given, else the mean period of its spectrum.  Raises
+    StudyError."""
     if getattr(table, "file", None) is not None:
         return float(table.sea(where, depth).spectrum.T01)
     period = period_of(where, table)

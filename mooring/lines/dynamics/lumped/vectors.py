@@ -14,7 +14,7 @@ def load_three(rows, w, j):
 
 @kernel(inline=True, counted=False)
 def store_three(rows, w, j, a):
-    """Put three vectors there."""
+    """Write three vectors into rows (3, w)."""
     x, y, z = a
     store_vector(rows, j, x)
     store_vector(rows, w + j, y)
