@@ -241,7 +241,7 @@ def _potential(path, without=False):
             got += numbers_of(line)[: count - len(got)]
             if len(got) == count:
                 return got
-        raise FormatError(f"{path} ends before XBODY; give --about x,y,z and leave the file out, or mend it")
+        raise FormatError(f"{path} ends before XBODY; give --about x,y,z and leave the file out, or mend the file")
 
     try:
         (depth,) = read(1)

@@ -2,7 +2,8 @@
 
     A(ω) = A(∞) + (2/π) ⨍₀^∞ B(x) / (x² − ω²) dx        (Kramers and Kronig)
 
-Damping is linear between the frequencies of the band.  Beyond its ends ω₁ and Ω it follows powers,
+Damping is taken as linear in frequency between the frequencies of the band.  Beyond its ends ω₁ and Ω it follows
+powers,
 
     Bᵢⱼ = Mᵢⱼ(ω) + [Bᵢⱼ(ω₁) − Mᵢⱼ(ω₁)] (ω/ω₁)^{(pᵢ + pⱼ)/2} below,    Bᵢⱼ = Bᵢⱼ(Ω) (Ω/ω)^{(rᵢ + rⱼ)/2} above,
 

@@ -155,7 +155,7 @@ def _tell_missing(spectrum, low, high):
         warnings.warn(
             f"the gust band {low:.3g} to {high:.3g} rad/s contains {100 * held:.1f} % of the variance of "
             f"{spectrum.name} at {spectrum.speed:g} m/s, at least {100 * (1 - MISSED):g} % is needed; "
-            "widen it, or scale the record",
+            "widen the band, or scale the record",
             MissingVariance,
             stacklevel=4,
         )

@@ -13,7 +13,7 @@ of the body:
 
 On another body a moves with that body, which receives the opposite force there; u then turns with the touched body.
 Quantities with a history (`mooring.fenders.hysteresis`, u) keep their value from the start of a step; `settle` stores
-that of its end.
+the value at the end of the step.
 """
 
 from __future__ import annotations
@@ -176,7 +176,7 @@ def fender_on(contacts, work, i, b, R, v, f):
 
 @kernel(inline=True, counted=False)
 def rope_on(contacts, work, i, b, R, v, f):
-    """`rope_force` on body b, with R (N, 3, 3) of all"""
+    """`rope_force` on body b, with the rotations R (N, 3, 3) of all bodies"""
     rope_force(contacts, work, i, R[b], v, f)
 
 

@@ -27,5 +27,5 @@ def families(depth):
 
 def _tma(height, depth, **words):
     if depth is None or not np.isfinite(depth):
-        raise ValueError("tma needs a finite water depth; give it, or use jonswap")
+        raise ValueError("tma needs a finite water depth; give the depth, or use jonswap")
     return tma(height, depth, **words)

@@ -194,7 +194,7 @@ def _of_family(table, where):
 def _of_file(table, where):
     for key in ("length", "rated_reaction", "pressure"):
         if getattr(table, key) is not None:
-            raise StudyError(f"{where}.{key} is given with a table of the manufacturer; it is for a family")
+            raise StudyError(f"{where}.{key} is given with a table of the manufacturer; this key is for a family")
     return fender_of_file(
         table.table,
         table.height,

@@ -207,7 +207,7 @@ def _strength_left(where, table):
         return left
     if table.catalogue is None or of_catalogue(table.catalogue).proof_load is None:
         raise StudyError(
-            f'{where}.corrosion_mm is given without a chain; it needs a chain of the catalogue, such as "R3 '
+            f'{where}.corrosion_mm is given without a chain; this key needs a chain of the catalogue, such as "R3 '
             f'studless 76 mm"'
         )
     try:

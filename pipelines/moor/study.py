@@ -118,7 +118,7 @@ class Study(Table):
         for key in ("length", "beam", "draft"):
             own, stored = getattr(given, key), dimensions.get(key)
             if own is None and stored is None:
-                raise StudyError(f"hull.{key} is missing, and the database does not contain it; give it in m, above 0")
+                raise StudyError(f"hull.{key} is missing, also in the database; give it in m, above 0")
             if own is not None and stored is not None and not math.isclose(own, stored, rel_tol=1e-6):
                 raise StudyError(
                     f"hull.{key} is {own:g} m, but the database is for {stored:g} m; change it, or give another "
@@ -126,7 +126,7 @@ class Study(Table):
                 )
             sizes[key] = positive(f"hull.{key}", stored if own is None else own)
         if given.freeboard is None and self.wind is not None:
-            raise StudyError("hull.freeboard is missing, and the wind acts on it; give it in m, above 0")
+            raise StudyError("hull.freeboard is missing, and the wind acts on it; give the freeboard in m, above 0")
         freeboard = sizes["draft"] if given.freeboard is None else positive("hull.freeboard", given.freeboard)
         return ExposedBox(**sizes, freeboard=freeboard, **superstructures(given))
 
@@ -178,7 +178,7 @@ class Study(Table):
         if self.quay is not None or self.harbour is not None:
             key = "quay" if self.quay is not None else "harbour"
             raise StudyError(
-                f"[{key}] is given, but the database contains several bodies; it is available for one body only"
+                f"[{key}] is given, but the database contains several bodies; this table is for one body only"
             )
         return berth_between(self.fender, self.dolphin, self.rope, afloat(db, hulls), db.bodies)
 

@@ -54,7 +54,7 @@ def profile_of(study, wind_10):
     if not own.wind_driven:
         return profile
     if wind_10 is None:
-        raise StudyError("current.wind_driven is true and there is no [wind]; give it, or leave it out")
+        raise StudyError("current.wind_driven is true and there is no [wind]; give [wind], or leave out wind_driven")
     return profile + wind_drift(wind_10, 0.0, depth)
 
 
