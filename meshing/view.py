@@ -59,7 +59,7 @@ def show(plotter, title, screenshot=None):
 def write_page(plotter, path):
     """Write a Plotter as an HTML page that any browser can turn without a network; close the Plotter.
 
-    Raises ValueError if the packages for it are missing.
+    Raises ValueError if the packages for pictures are missing.
     """
     import asyncio
 

@@ -85,7 +85,8 @@ class Between:
     def error(self, omega, name):
         """(q, …) estimated error of `value`, about one standard deviation; for complex quantities that of the modulus.
 
-        It covers interpolation and is zero at stored frequencies; the solver's error is stored beside each quantity.
+        The error covers interpolation and is zero at stored frequencies; the solver's error is stored beside each
+        quantity.
         """
         omega = np.atleast_1d(np.asarray(omega, float))
         return self._everywhere(omega, name, self._deviation)

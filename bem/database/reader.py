@@ -325,8 +325,8 @@ class Reader:
 
     def drift_of_each(self, omega, headings=None, fixed=False):
         """(q, p, bodies, 3) mean drift per squared wave amplitude on each of several bodies, fixed bodies included,
-        about the point of the body in the axes of the body. It is interpolated from stored drift: that with all bodies
-        fixed, or that with the stored motions, even if the motions are restrained here.
+        about the point of the body in the axes of the body. The drift is interpolated from stored drift: with all
+        bodies fixed, or with the stored motions, even if the motions are restrained here.
 
         Raises BetweenError if it is not stored.
         """

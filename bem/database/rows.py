@@ -3,7 +3,7 @@
 Every quantity is a full grid over frequencies and headings, allocated and set to NaN when the file is made, so that an
 append changes numbers in place and never the structure of the file.  The group /stored has one mark per frequency (and
 heading).  Data are written first, then flushed, then marked.  The file is made under another name and renamed, so that
-it is never incomplete; `widening` replaces it by a new one.
+it is never incomplete; `widening` replaces it by a new file.
 """
 
 from __future__ import annotations

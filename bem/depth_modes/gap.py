@@ -6,7 +6,7 @@
     beneath   cos l_qζ,  l_q = qπ/s
 
 At the keel's edge, with an angle of 270° in the water, the horizontal velocity u(ζ) is singular like distance^(−1/3),
-then ^(+1/3), then regular.  It is expanded in three Gegenbauer families
+then ^(+1/3), then regular.  u(ζ) is expanded in three Gegenbauer families
 
     U = (s² − ζ²)^(ν−½) C₂ₚ^(ν)(ζ/s),   ν = 1/6, 5/6, 1/2,   p = 0 … terms − 1,
 

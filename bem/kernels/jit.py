@@ -71,7 +71,7 @@ def kernel(inline=False, counted=True):
     """Decorator: compile to machine code on the first call and keep the result on disk.
 
     Kernels of `bem` write to given arrays: an allocation, or a direct array assignment, takes a second to compile, for
-    its error message.  They start no threads themselves (`bem.kernels.threads.parallel_rows` does).
+    its error message.  Kernels start no threads themselves (`bem.kernels.threads.parallel_rows` does).
     inline : always inlined into the kernels that call it; by default as the compiler decides
     counted : whether it counts who refers to arrays, as it must where it makes or returns one.  Where arrays are cut in
     loops, counting took two thirds of the time of two bodies moored to each other

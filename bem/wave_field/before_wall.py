@@ -94,8 +94,8 @@ def before_wall(body, wall):
 def given_back(body):
     """Negative radiated energy, 0 or more: minus the lowest eigenvalue of damping over the largest of each motion
 
-    It is an error of the result: 1e-4 for the box of the module at 25 m with headings stored every 15°, for 50 m 0.02,
-    and 0.12 with every 30°: sharp resonances between hull and wall are sensitive to errors.
+    Negative energy is an error of the result: 1e-4 for the box of the module at 25 m with headings stored every 15°,
+    for 50 m 0.02, and 0.12 with every 30°: sharp resonances between hull and wall are sensitive to errors.
     """
     B = body.between.quantities["radiation_damping"]
     size = np.sqrt(np.einsum("nii->ni", B).max(axis=0))

@@ -1,6 +1,6 @@
 """One uniform line between an anchor and a fairlead: its forces, its shape, and its pull from slack to taut.
 
-It lies on a bed, level or a plane; lighter than water, it floats in the sea surface instead.
+The line lies on a bed, level or a plane; a line lighter than water floats in the sea surface instead.
 """
 
 from dataclasses import dataclass

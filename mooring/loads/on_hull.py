@@ -4,7 +4,7 @@
 
 Z : height of the centre of pressure above the point that moments are about.  Wind on a box acts at half the exposed
 height, on superstructures at their middle.  The report gives a current no heeling moment (eq. 3.7.1.10), as if it acted
-at the centre of gravity; a uniform one has equal pressure over the draft and acts at half of it.
+at the centre of gravity; a uniform current has equal pressure over the draft and acts at half of it.
 """
 
 from collections.abc import Callable

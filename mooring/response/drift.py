@@ -24,7 +24,7 @@ def drift_slopes(body, omega, heading, fixed=False):
 
     fixed : True for the fixed body, False for the floating one
     Where headings (p,) are steps of the circle, no more than 5°, D is known on all of it and ∂D/∂β is that of its
-    Fourier series, up to the 2kR harmonics of D; else it is a difference quotient.
+    Fourier series, up to the 2kR harmonics of D; else ∂D/∂β is a difference quotient.
     """
     heading = np.atleast_1d(heading)
     found = _round_the_circle(body, omega, heading, fixed) or _by_differences(body, omega, heading, fixed)

@@ -1,6 +1,6 @@
 """The report of a project: one page without external files, and its tables as CSV.
 
-Its content is independent of time and place: the same inputs give the same report.
+The content of the page is independent of time and place: the same inputs give the same report.
 """
 
 import os

@@ -1,6 +1,7 @@
 """The result of a study: quantities, labels of their axes, findings, provenance.
 
-Its views are print and CSV (`tables`), JSON (`documents`), HDF5 (`writing`, `file`), xarray and pandas (`frames`).
+The views of a result are print and CSV (`tables`), JSON (`documents`), HDF5 (`writing`, `file`), xarray and pandas
+(`frames`).
 """
 
 from __future__ import annotations

@@ -2,8 +2,8 @@
 
 Data first, then the mark, as in a database (`bem.database.integrity`): killed at any instant the file opens, and the
 same command runs the seeds without a mark.  A checksum of the file covers all other data (`bem.database.results`).  For
-more seeds a wider file takes over the rows of the old one.  Statistics of all seeds are stored,
-records of the first `keep_series`.
+more seeds a wider file takes over the rows of the old file.  Statistics of all seeds are stored, records of the first
+`keep_series`.
 """
 
 import json

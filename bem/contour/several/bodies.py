@@ -116,7 +116,7 @@ def _distance(one, other):
 class SeveralBodies:
     """Several `body.ContourBody` in one water.
 
-    places : `exterior.Place` of the middle of each; gaps : m, from each to the nearest other one
+    places : `exterior.Place` of the middle of each; gaps : m, from each body to the nearest other body
     """
 
     bodies: tuple

@@ -8,8 +8,8 @@ and of the lid nodes.  Over all frequencies of a band and all symmetry classes, 
 
 where V holds normal velocities: those of the motions and the columns of Z.  `points`, `sources`, `monopoles` and
 `flux_nodes` are interpolation nodes, chosen among the nodes of the mesh, and X, Y, M, Z frequency-independent
-interpolation matrices.  They are computed from snapshots, the matrices themselves at a few frequencies, rows and
-columns weighted as in the L² norm (`bem.kernels.interpolative_decomposition`).
+interpolation matrices.  These matrices are computed from snapshots, the matrices themselves at a few frequencies, rows
+and columns weighted as in the L² norm (`bem.kernels.interpolative_decomposition`).
 """
 
 from typing import NamedTuple

@@ -104,9 +104,9 @@ class StaticSolution:
     def slides(self):
         """Whether a part without tension lies on a bed steeper than friction holds, also in a heap at the anchor.
 
-        It is assumed to remain in place; in reality it would slide to the nearest hollow, and pull there.  Parts that
-        slide towards the anchor, or down the first facet, are solved; not solved are lines with buoys, and lines
-        whose traversal shows that they slide into a hollow beyond their fairlead.
+        Such a part is assumed to remain in place; in reality it would slide to the nearest hollow, and pull there.
+        Parts that slide towards the anchor, or down the first facet, are solved; not solved are lines with buoys, and
+        lines whose traversal shows that they slide into a hollow beyond their fairlead.
         """
         if self.line.bed is None:
             return False

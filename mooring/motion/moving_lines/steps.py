@@ -7,8 +7,9 @@ polynomial of third degree
 
     F(s) = Σ_k c_k P_k(2s − 1),   c_k = (2k + 1) ∫₀¹ F P_k(2s − 1) ds,   s = (t − t₀)/h
 
-with Legendre's P_k.  It keeps the impulse of F and its first three moments, so that jerks of a line that are shorter
-than the body's step have their full effect on the body, while the body's own error estimate sees a smooth force.
+with Legendre's P_k.  The series keeps the impulse of F and the first three moments of F, so that jerks of a line that
+are shorter than the body's step have their full effect on the body, while the body's own error estimate sees a smooth
+force.
 """
 
 import numpy as np

@@ -2,7 +2,7 @@
 the results again.
 
 A stored file names its inputs (texts, databases, results, versions of the libraries, the code version) and has a
-checksum.  With other inputs, other code, or damage, it is computed again.
+checksum.  With other inputs, other code, or damage, a result is computed again.
 """
 
 import base64
