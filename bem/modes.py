@@ -121,7 +121,8 @@ def turning(bodies, modes=()):
 
 
 def transform_of(bodies, rotation_center, modes=()):
-    """(n, n) matrix that turns generalized normals about the origin into those about `rotation_center`, for several
+    """(n, n) matrix from generalized normals about the origin to generalized normals about `rotation_center`, for
+    several
     bodies about the rotation centre of each body"""
     rigid = axes_of(bodies) if bodies else reference_change(rotation_center)
     out = np.eye(len(rigid) + len(modes))
@@ -130,8 +131,8 @@ def transform_of(bodies, rotation_center, modes=()):
 
 
 def axes_of(bodies):
-    """(6N, 6N) matrix that turns generalized normals about the origin into those of each body about its own point in
-    its own axes"""
+    """(6N, 6N) matrix from generalized normals about the origin to generalized normals of each body about its own point
+    in its own axes"""
     out = np.zeros((6 * len(bodies), 6 * len(bodies)))
     for i, body in enumerate(bodies):
         own = slice(6 * i, 6 * i + 6)

@@ -37,7 +37,8 @@ class Problem:
 
     @property
     def transform(self):
-        """(6, 6) from generalized normals about the origin to those about the rotation centre; of several (6N, 6N)"""
+        """(6, 6) from generalized normals about the origin to generalized normals about the rotation centre; for
+        several bodies (6N, 6N)"""
         return transform_of(self.bodies, self.rotation_center, self.modes)
 
     @property

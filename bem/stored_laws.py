@@ -51,7 +51,8 @@ def broken_laws(db, tolerance):
 
 
 def damping_errors(db):
-    """(n,) largest estimated error of stored damping by its own size, `bem.checks.damping_scale`; NaN without any"""
+    """(n,) largest estimated error of stored damping over the size of damping, `bem.checks.damping_scale`; NaN without
+    any"""
     error = db.estimated_errors().get("radiation_damping")
     if error is None:
         return np.full(len(db.omega), np.nan)

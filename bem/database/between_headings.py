@@ -224,7 +224,7 @@ class AtHeadings:
 
     @cached_property
     def weights(self):
-        """(q, u, M); a stored heading has weight only on its own value"""
+        """(q, u, M) weights of ring values; a stored heading has weight only on its own value"""
         weights = self._whitened @ self._root
         found = self.place >= 0
         weights[:, found] = np.eye(len(self.ring.headings))[self.place[found]]

@@ -222,7 +222,8 @@ def _period_kind(path):
 
 
 class Potential(NamedTuple):
-    """Of a .pot: depth in its unit, ≤ 0 for deep water; bodies : [(name of the .gdf, (x, y, z) of XBODY)]"""
+    """Contents of a .pot: depth in the unit of the file, ≤ 0 for deep water; bodies : [(name of the .gdf, (x, y, z) of
+    XBODY)]"""
 
     depth: float
     bodies: list

@@ -148,7 +148,7 @@ class Response(NamedTuple):
     sent: np.ndarray
 
     def turned(self, turn):
-        """The same with partial waves about axes turned by an angle; turn : (q,) exp(im · angle)"""
+        """This Response with partial waves about axes rotated by an angle; turn : (q,) exp(im · angle)"""
         few, back = self.few * turn, turn[:, None]
         return Response(few, self.scattered / back, self.pressed, self.sent / back)
 

@@ -184,7 +184,8 @@ def both_sides(fenders):
 
 
 def by_spectrum(floater, fenders, spectrum, spectrum_ratio=0.05):
-    """`Spectral` reaction to a response spectrum, with the equivalent spring at its own deflection.
+    """`Spectral` reaction to a response spectrum, with the stiffness of the equivalent spring at the deflection of this
+    reaction.
 
     spectrum : function of the period, s → m/s² at a damping ratio of spectrum_ratio
     raises : EarthquakeError where fenders are compressed beyond their table, or no deflection satisfies the equation

@@ -169,7 +169,7 @@ def at_rest(berth, others, start, unit):
 
 
 def balanced(residual, start):
-    """Where a residual is least, as of `scipy.optimize.least_squares`, with the same digits each time
+    """Place at which a residual is least, as by `scipy.optimize.least_squares`, with the same digits each time
 
     Not by method="lm": for a body with a motion that hardly changes the residual, the next place in scipy 1.17 depends
     on uninitialised memory.

@@ -206,7 +206,8 @@ def give_row(links, work, poses, k, m, turns, row):
 
 @kernel(counted=False)
 def bend_ends(links, work, k):
-    """Move both ends of link k by shapes, and turn its axes: work.arms, arm and turn, with work.moved and spun
+    """Move both ends of link k by shapes, and rotate the axes of the link: work.arms, arm and turn, with work.moved and
+    spun
 
     The rotation exp(θ) of θ = Σ ξ w is that of Rodrigues; it turns by w + (1 − cos θ)/θ² θ × w + … for a change of ξ.
     """

@@ -196,7 +196,7 @@ KINDS = {
 
 
 def kind_named(name):
-    """A Kind by its own name or that of a command.  Raises ValueError."""
+    """A Kind by its own name or by the name of a command that reads it.  Raises ValueError."""
     if name in KINDS:
         return KINDS[name]
     found = [kind for kind in KINDS.values() if name in kind.commands.split(", ")]

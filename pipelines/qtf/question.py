@@ -57,7 +57,7 @@ class Question:
         )
 
     def answered_by(self, stored):
-        """Whether `StoredForces` answer the question"""
+        """Whether `StoredForces` contain all that the question asks for"""
         forces = stored.forces
         lacks = (
             stored.asked is not None

@@ -1,4 +1,5 @@
-"""From a scene to panels on its bodies and their lid, a coarser pair of both, and the findings of their check."""
+"""From a scene to panels on its bodies and their lid, a coarser mesh of hull and lid, and the findings of the check of
+the meshes."""
 
 from __future__ import annotations
 

@@ -18,7 +18,7 @@ FIXED, FREE = -1, -2  # owners of points; a body is identified by its number
 
 @kernel()
 def place_points(position, owner, column, place, turn, free):
-    """Where every point is, (p, 3) in space."""
+    """Places of all points, (p, 3) m in space."""
     bodies = place.shape[0]
     points = position.copy()
     for i in range(owner.size):

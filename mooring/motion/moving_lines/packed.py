@@ -50,7 +50,7 @@ class MovingLines(NamedTuple):
 
 @in_memory
 class Room(NamedTuple):
-    """For the place and velocity of a fairlead"""
+    """Room for the place and velocity of a fairlead"""
 
     R: np.ndarray
     unit: np.ndarray
