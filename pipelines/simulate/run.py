@@ -62,7 +62,7 @@ class Input(NamedTuple):
 
 
 def input_of(study):
-    """Input of a path, a dictionary or a `Study`.  Raises StudyError."""
+    """The `Input` from a path, a dictionary or a `Study`.  Raises StudyError."""
     path = Path(study) if isinstance(study, str | os.PathLike) else None
     return Input(
         *given(study, Study, read_study, make_study), "." if path is None else str(path.resolve().parent), path
