@@ -85,7 +85,7 @@ def silhouettes(hull):
     raises : ValueError for a hull with unknown freeboard
     """
     if hull.freeboard is None:
-        raise ValueError("hull.freeboard is missing; wind acts on it; give it, or wind.file")
+        raise ValueError("hull.freeboard is missing; wind acts on the freeboard; give hull.freeboard, or wind.file")
     on_deck = 0.5 * max(hull.front_area / hull.beam, hull.side_area / hull.length)
     middle = hull.freeboard + on_deck if hull.superstructure_z is None else hull.superstructure_z
     boxes = (

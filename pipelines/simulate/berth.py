@@ -99,9 +99,7 @@ def check_windows(length, plan, bodies=()):
     from ..common.quantities import StudyError
 
     if bodies:
-        raise StudyError(
-            "--windows is given, and the database contains several bodies; it is available for one body only"
-        )
+        raise StudyError("--windows is given, and the database contains several bodies; --windows is for one body only")
     step, duration = plan.settings.step, plan.settings.duration
     if not FEWEST_IN_WINDOW * step <= length <= duration:
         raise StudyError(

@@ -221,7 +221,7 @@ def motions_of(study, words=ONE_BODY):
     found = tuple(sorted({known.index(name.lower()) for name in asked})) or tuple(range(len(words)))
     if len(found) < len(words) and study.hinges:
         raise StudyError(
-            "simulation.motions fixes motions that hinges may need; with hinges, name all motions or leave it out"
+            "simulation.motions fixes motions that hinges may need; with hinges, name all motions, or leave out the key"
         )
     return found
 
