@@ -132,7 +132,7 @@ class Reader:
 
     @property
     def knows_drift(self):
-        """Whether mean drift is stored, or the quantities that it follows from"""
+        """Whether the database stores mean drift, or the quantities from which drift follows"""
         return self.rebuilds_drift or "drift_force" in self.between.quantities
 
     @property

@@ -14,7 +14,7 @@ A table has a row for each criterion:
     motion_factor      by which the largest motion is multiplied before the tension is taken
     source, status     read: quoted in a source that was read; secondary; unverified: to be confirmed in the book
 
-The tables beside this module contain the rules quoted by SR179 (1982), chapter 4, and later ones as publicly quoted.
+The tables beside this module contain the rules quoted by SR179 (1982), chapter 4, and later rules as publicly quoted.
 """
 
 import math

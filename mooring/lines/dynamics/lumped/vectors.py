@@ -8,7 +8,7 @@ TINY = 1e-300  # added under a root in a denominator
 
 @kernel(inline=True, counted=False)
 def load_three(rows, w, j):
-    """Columns j … j + 7 of rows (3, w) that a pointer points to"""
+    """Columns j … j + 7 of the rows (3, w) at a pointer"""
     return load_vector(rows, j), load_vector(rows, w + j), load_vector(rows, 2 * w + j)
 
 
