@@ -184,7 +184,7 @@ def of_point(body, motion, point):
 
 
 def shapes_of(body, motion, name=""):
-    """[(`bem.modes.Mode`, its amplitudes (q, p))] of one of the bodies of a `Reader`; motion : (q, p, n) of all bodies"""
+    """[(`bem.modes.Mode`, its amplitudes (q, p))] of one body of a `Reader`; motion : (q, p, n) of all bodies"""
     owner = [one.name for one in body.bodies].index(name) if body.bodies else 0
     return [(mode, motion[..., d]) for d, mode in enumerate(body.modes, body.rigid) if owner in mode.moves]
 
