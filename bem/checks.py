@@ -92,7 +92,7 @@ def share_left(refinement):
 
 
 def at_least_haskind(error, excitation, haskind, dofs):
-    """Errors of excitation (m, 6), in `dofs` at least the difference of two computations of the same force.
+    """Errors of excitation (m, 6); in `dofs` an error is at least the difference of two computations of the same force.
 
     error : errors estimated otherwise; excitation, haskind : (m, 6) of diffraction and of radiation
     """

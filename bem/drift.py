@@ -82,7 +82,7 @@ def harmonics(H, theta):
 
 
 def slope_and_ahead(H, theta, beta):
-    """H′ (…, m, t), and H and H′ (…, m) of each of the m rows of H (…, m, t) at its own beta (m,) rad."""
+    """H′ (…, m, t), and H and H′ (…, m) of the m rows of H (…, m, t), each row at its own beta (m,) rad."""
     order, series = harmonics(H, theta)
     turn = 1j * np.where(np.abs(order) == len(theta) / 2, 0.0, order)  # the highest has no phase of its own
     back = np.fft.ifftshift(turn * series * np.exp(1j * order * theta[0]) * len(theta), axes=-1)
@@ -114,7 +114,8 @@ def about(force, center):
 
 
 def sum_about_origin(drift, bodies):
-    """(…, 3) surge, sway and yaw about the origin of all bodies together, from those of each (…, bodies, 3)"""
+    """(…, 3) surge, sway and yaw about the origin of all bodies together, from the forces on each body (…, bodies,
+    3)"""
     out = np.zeros((*drift.shape[:-2], 3))
     for i, body in enumerate(bodies):
         c, s = np.cos(body.heading), np.sin(body.heading)

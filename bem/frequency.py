@@ -111,9 +111,10 @@ class FrequencyRun:
         return self.froude_krylov + self.diffraction
 
     def within_tolerance(self):
-        """These quantities with estimated errors within the tolerance, errors of damping relative to its own size.
+        """The run with estimated errors within the tolerance, where errors of damping are relative to the size of
+        damping.
 
-        Otherwise those of the `sharper` run of the same frequency, repeated up to `most_sharper` times while the error
+        Otherwise the `sharper` run of the same frequency, repeated up to `most_sharper` times while the error
         falls: on panels a thousand times as long as wide the error remains, while work and memory grow fourfold.
         """
         run = self

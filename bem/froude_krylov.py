@@ -47,7 +47,8 @@ def first_moment(x):
 
 
 def box_incident_force(length, beam, draft, depth, k, headings):
-    """−∬ Z₀ exp(ik(x cosβ + y sinβ)) n dS over a box, n and r × n out of it about the origin; (m, 6) m² and m³
+    """−∬ Z₀ exp(ik(x cosβ + y sinβ)) n dS over a box, with n and r × n about the origin, n out of the box; (m, 6) m²
+    and m³
 
     headings : β (m,) rad.  Per unit of ρg and amplitude this is the Froude–Krylov force.
     """

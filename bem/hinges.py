@@ -25,7 +25,7 @@ SAME = 1e-9  # singular value, relative to the largest, below which a constraint
 
 
 class Link(NamedTuple):
-    """name; bodies : names of the two bodies; position (3,) m and axis (3,) in coordinates of the first
+    """name; bodies : names of the two bodies; position (3,) m and axis (3,) in coordinates of the first body
 
     kind : "hinge" turns about its axis, "ball" about all, "rigid" about none; "slider" slides along it without a turn
     stiffness, damping : N/m, N s/m along the axis of a slider, N m, N m s about that of a hinge
@@ -86,7 +86,8 @@ def driven(reader):
 
 
 def travel_of(reader, link):
-    """(n,) row of the travel of a slider along its axis, m, or of a hinge about it, rad, by the motions of a Reader"""
+    """(n,) row that gives, from the motions of a Reader, the travel of a slider along its axis, m, or the rotation of a
+    hinge about its axis, rad"""
     part = _all_rows(reader, link)[:3] if link.kind == "slider" else _all_rows(reader, link)[3:]
     return np.asarray(link.axis, float) @ part / np.linalg.norm(link.axis)
 

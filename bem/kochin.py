@@ -21,7 +21,7 @@ BLOCK = 32  # directions at a time: four complex numbers each for every point
 
 
 class Folded(NamedTuple):
-    """Directions of one part of the circle; mirror images give the values at all others.
+    """Directions of one part of the circle; mirror images give the values at all other directions.
 
     angles : (u,) rad; place, image : (t,) index of each direction in `angles` and in `images` (i, 2), ±1
     """
@@ -32,7 +32,8 @@ class Folded(NamedTuple):
     images: np.ndarray
 
     def unfolded(self, value, slope, signs):
-        """H and H′ (…, t) of a symmetry class from those at `angles` (…, u); signs : (i,) ±1 of the class there
+        """H and H′ (…, t) of a symmetry class at all angles, from H and H′ at `angles` (…, u); signs : (i,) ±1 of the
+        class in the images
 
         An image has the sign of the class, and its derivative also that of the change of angle.
         """

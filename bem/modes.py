@@ -31,16 +31,16 @@ class Body(NamedTuple):
 
     @property
     def axes(self):
-        """(3, 3) matrix whose columns are its axes in coordinates of the scene"""
+        """(3, 3) matrix whose columns are the axes of the body in coordinates of the scene"""
         return turned(self.heading)[:3, :3].T
 
     @property
     def own_center(self):
-        """(3,) m, its rotation centre in its own coordinates"""
+        """(3,) m, rotation centre of the body in coordinates of the body"""
         return self.axes.T @ (np.asarray(self.rotation_center, float) - (*self.place, 0.0))
 
     def in_scene(self, point):
-        """(…, 3) m in coordinates of the scene, from points (…, 3) in its own coordinates"""
+        """(…, 3) m in coordinates of the scene, from points (…, 3) in coordinates of the body"""
         return np.asarray(point, float) @ self.axes.T + (*self.place, 0.0)
 
 
@@ -121,8 +121,9 @@ def turning(bodies, modes=()):
 
 
 def transform_of(bodies, rotation_center, modes=()):
-    """(n, n) matrix that turns generalized normals about the origin into those about `rotation_center`, for several
-    bodies about the centre of each"""
+    """(n, n) matrix from generalized normals about the origin to generalized normals about `rotation_center`, for
+    several
+    bodies about the rotation centre of each body"""
     rigid = axes_of(bodies) if bodies else reference_change(rotation_center)
     out = np.eye(len(rigid) + len(modes))
     out[: len(rigid), : len(rigid)] = rigid
@@ -130,8 +131,8 @@ def transform_of(bodies, rotation_center, modes=()):
 
 
 def axes_of(bodies):
-    """(6N, 6N) matrix that turns generalized normals about the origin into those of each body about its own point in
-    its own axes"""
+    """(6N, 6N) matrix from generalized normals about the origin to generalized normals of each body about its own point
+    in its own axes"""
     out = np.zeros((6 * len(bodies), 6 * len(bodies)))
     for i, body in enumerate(bodies):
         own = slice(6 * i, 6 * i + 6)
@@ -140,7 +141,7 @@ def axes_of(bodies):
 
 
 def turned(heading):
-    """(6, 6) from generalized normals to those in axes turned by `heading` rad about z"""
+    """(6, 6) from generalized normals to generalized normals in axes turned by `heading` rad about z"""
     c, s = np.cos(heading), np.sin(heading)
     return np.kron(np.eye(2), [[c, s, 0], [-s, c, 0], [0, 0, 1]])
 

@@ -37,7 +37,8 @@ class Problem:
 
     @property
     def transform(self):
-        """(6, 6) from generalized normals about the origin to those about the rotation centre; of several (6N, 6N)"""
+        """(6, 6) from generalized normals about the origin to generalized normals about the rotation centre; for
+        several bodies (6N, 6N)"""
         return transform_of(self.bodies, self.rotation_center, self.modes)
 
     @property
@@ -47,7 +48,7 @@ class Problem:
 
     @property
     def moving(self):
-        """Numbers of those `dofs` that belong to bodies that are not fixed"""
+        """Numbers of the `dofs` of bodies that are not fixed"""
         return moving(self.bodies, self.modes)
 
 

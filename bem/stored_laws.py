@@ -24,7 +24,8 @@ PRINTED = 1e-4  # the same for files of other programs with seven digits, whose 
 
 
 class Broken(NamedTuple):
-    """A law violated by stored numbers: its largest relative violation, at which rad/s, and the limit"""
+    """A law violated by stored numbers: the largest relative violation, the frequency of this violation, rad/s, and the
+    limit"""
 
     law: str
     worst: float
@@ -50,7 +51,8 @@ def broken_laws(db, tolerance):
 
 
 def damping_errors(db):
-    """(n,) largest estimated error of stored damping by its own size, `bem.checks.damping_scale`; NaN without any"""
+    """(n,) largest estimated error of stored damping over the size of damping, `bem.checks.damping_scale`; NaN without
+    any"""
     error = db.estimated_errors().get("radiation_damping")
     if error is None:
         return np.full(len(db.omega), np.nan)

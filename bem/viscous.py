@@ -43,7 +43,8 @@ class Quadratic:
 
 @dataclass(frozen=True)
 class Tabulated:
-    """N = scale ω² b(a): b at rising amplitudes (m, rad), zero at none and constant beyond the last.
+    """N = scale ω² b(a): b at rising amplitudes (m, rad), zero at zero amplitude and constant beyond the last
+    amplitude.
 
     scale : ρBdL √(B/2g) in heave, times (B/2)² in roll
     """

@@ -1,4 +1,4 @@
-"""The table [viscous] of a scene: damping of heave, roll and pitch that depends on their amplitude.
+"""The table [viscous] of a scene: damping of heave, roll and pitch that depends on the amplitude of the motion.
 
     [viscous]
     wave_height = 2.0                                        # m, of the regular waves it is linearised in

@@ -92,7 +92,7 @@ def read_mesh(path):
 
 
 def write_mesh(mesh, path, lid=None, fields=None):
-    """Write a hull and, if given, its lid.
+    """Write a hull and, if given, the lid of the hull.
 
     mesh, lid : PanelMesh with the same mirror planes
     path : .gdf, .pnl store the mirror planes; .nemoh, .dat store y = 0; .msh, .vtu store the whole hull

@@ -34,7 +34,7 @@ def _import_gmsh():
 
 @contextmanager
 def session(name="hakobune"):
-    """Context with the gmsh module and an empty model `name`; it prints nothing and is always closed again.
+    """Context with the gmsh module and an empty model `name`; gmsh prints nothing and is always closed again.
 
     The session works outside the main thread and does not change Ctrl-C (`interruptible=False`: gmsh's own handler
     would replace Python's, and can be set in the main thread only). Raises ImportError, which names the missing system

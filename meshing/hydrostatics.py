@@ -1,4 +1,4 @@
-"""A body at rest in still water: volume, buoyancy, waterplane, metacentres, restoring; and its inertia.
+"""A body at rest in still water: volume, buoyancy, waterplane, metacentres, restoring; and the inertia of the body.
 
 By Gauss's theorem over the wetted surface S, normals into the water,
 

@@ -37,7 +37,8 @@ def _closed_up(panel):
 
 
 def folded(mesh, tolerance=SAME_POINT):
-    """The part of a hull whose images in x = 0 and y = 0 complete the hull; the mesh itself without such symmetry.
+    """The part of a hull whose images in x = 0 and y = 0 complete the hull; for a hull without such symmetry the mesh
+    itself.
 
     Every point, and every panel with its normal, must have an image within `tolerance` times the size of the hull; a
     panel that crosses the plane is its own image and cannot be halved.  The images of the returned mesh are exact.

@@ -64,7 +64,7 @@ class PanelMesh:
         return 1 if self.body is None else int(self.body.max(initial=-1)) + 1
 
     def of_body(self, number):
-        """The panels of one of several bodies, with the points of these panels"""
+        """The panels of one of several bodies, and the points of these panels only"""
         if self.body is None:
             return self
         used, corners = np.unique(self.corners[self.body == number], return_inverse=True)
@@ -242,7 +242,8 @@ class PanelMesh:
         return replace(self, symmetry="".join(sorted(self.symmetry + axis)))
 
     def clipped(self):
-        """The part below z = 0: panels cut by the surface end at it, as quadrilaterals and triangles.
+        """The part of the mesh below z = 0: panels cut by the surface end at the surface, as quadrilaterals and
+        triangles.
 
         Raises ValueError where nothing lies below.
         """
@@ -300,7 +301,8 @@ def with_symmetry(mesh, symmetry):
 
 
 def assembled(hulls):
-    """One mesh of the hulls of several bodies, numbered in this order; all must have the same mirror planes."""
+    """One mesh of the hulls of several bodies, numbered in the order of the bodies; all bodies must have the same
+    mirror planes."""
     hulls = list(hulls)
     number = np.repeat(np.arange(len(hulls)), [len(hull) for hull in hulls])
     starts = np.cumsum([0] + [len(hull.points) for hull in hulls[:-1]])

@@ -68,7 +68,8 @@ def is_number(word):
 
 
 def numbers_of(line):
-    """The numbers at the beginning of a line, as Fortran reads them: 1.D0 and 1, 2 are accepted; a word ends them"""
+    """The numbers at the beginning of a line, as Fortran reads them: 1.D0 and 1, 2 are accepted; a word ends the
+    numbers"""
     found = []
     for word in line.replace(",", " ").split():
         try:

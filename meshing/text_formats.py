@@ -110,8 +110,7 @@ def read_obj(path):
     ignored.
 
     A corner may be point/texture/normal: only the first number is a point. Polygons of more than four corners are cut,
-    which preserves the surface of convex ones.  Coordinates
-    are taken as m.  raises : ValueError naming the line
+    which preserves the surface of convex polygons.  Coordinates are taken as m.  raises : ValueError naming the line
     """
     points, panels = [], []
     for k, line in enumerate(read_text(path, errors="replace").replace("\\\n", " ").splitlines(), 1):

@@ -13,7 +13,7 @@ MOST_NORMALS = 300  # arrows; more hide the hull
 
 
 def scene(mesh, lid=None, field=None, field_name="", normals=True, depth=math.inf, off_screen=False, font=None):
-    """A pyvista Plotter with the whole hull in it.
+    """A pyvista Plotter that shows the whole hull.
 
     mesh, lid : PanelMesh
     field : (n,) one value per panel of `mesh`, or of the whole hull; coloured, with a colour bar `field_name`
@@ -59,7 +59,7 @@ def show(plotter, title, screenshot=None):
 def write_page(plotter, path):
     """Write a Plotter as an HTML page that any browser can turn without a network; close the Plotter.
 
-    Raises ValueError if the packages for it are missing.
+    Raises ValueError if the packages for pictures are missing.
     """
     import asyncio
 

@@ -65,7 +65,7 @@ class OneOfSeveral:
 
     @cached_property
     def mesh(self):
-        """PanelMesh of its hull"""
+        """PanelMesh of the hull of this body"""
         database = self.database
         if not database.bodies:
             return database.mesh
@@ -73,7 +73,7 @@ class OneOfSeveral:
 
     @property
     def reader(self):
-        """None: the motions of one body depend on those of all"""
+        """None: the motions of one body depend on the motions of all bodies"""
         return None
 
     @property

@@ -12,7 +12,7 @@ plan, and `high` = max(g/4, 1)
 
 The median error of each part is thirty times smaller, and the largest part differs from body to body.  The error is
 therefore estimated not by these formulas but with a finer body (`finer`), in which all parts are finer.  In a narrow
-gap one more function of the gap is worth up to six digits; the error is then that of the other parts.
+gap one more function of the gap removes its error by up to six digits; only the error of the other parts remains.
 
 Those bodies were a hundred waves long at most, most of them a few.  With fifty waves or more over a low gap, panels of
 one digit had an error of 10^(−1) and a table of none 10^(−2): the least are three and one digits, at no cost in time.

@@ -101,7 +101,7 @@ class ContourBody:
 
     @cached_property
     def finer(self):
-        """The same body with one more digit, for the error estimate of this one"""
+        """The same body with one more digit, for the error estimate of the body itself"""
         fine = finer(self.accuracy, self.draft, self.depth - self.draft, self.plan.scale)
         return ContourBody(self.plan.to(fine), self.draft, self.depth, fine)
 

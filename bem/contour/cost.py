@@ -24,7 +24,7 @@ class Cost(NamedTuple):
 
 
 def cost(body, k):
-    """`Cost` of a `ContourBody` with its finer one, for waves of up to k rad/m.
+    """`Cost` of a `ContourBody` together with the finer body of the error estimate, for waves of up to k rad/m.
 
     On a circle no table is needed; both together take 8e-8 (ka)³ s within a factor of two, ka 280 … 1100.
     """

@@ -50,7 +50,7 @@ class GapVelocity(NamedTuple):
 
 
 def fixed_terms(profiles, beneath, unit, motions, bottom):
-    """`FixedTerms` from potentials beneath in r = e + 2 rows, those of e profiles and two of ψ.
+    """`FixedTerms` from potentials beneath in r = e + 2 rows, e rows of profiles and two rows of ψ.
 
     beneath : (r, n, r, n) projections of all rows' potentials; unit : (n,) coefficients of 1 on the contour or None
     motions : `Motion` with a first axis of d; bottom : (d,) ∬ ψ w dA

@@ -34,7 +34,8 @@ class ChebyshevNodes:
         return -np.cos(np.pi * np.arange(self.count) / (self.count - 1))
 
     def weights(self, k):
-        """ℓ_c(k), (k, count + 1), the last column of κ → ∞; barycentric (Berrut and Trefethen 2004)"""
+        """ℓ_c(k), (k, count + 1), of which the last column belongs to κ → ∞; in barycentric form (Berrut and Trefethen
+        2004)"""
         x = np.log(np.minimum(k, self.last) ** 2 / (self.first * self.last)) / np.log(self.last / self.first)
         distance = np.subtract.outer(x, self._points)
         hit = distance == 0

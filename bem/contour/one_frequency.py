@@ -22,7 +22,7 @@ def combined(weights, maps, rows, single):
 
 
 def degrees(body, k):
-    """Degrees of the functions on the plan of a `ContourBody`, and of its tables, for waves of k rad/m"""
+    """Degrees of the functions on the plan of a `ContourBody`, and degrees of its tables, for waves of k rad/m"""
     plan, tolerance = body.plan, body.tolerance
     # waves that have decayed at the depth of the keel need no resolution in the gap
     waves = min(k, -np.log(tolerance) / body.draft)
@@ -48,7 +48,7 @@ class ContourFrequency:
 
     @property
     def classes(self):
-        """Symmetry classes to solve: those of the dofs, for a far field all of an incident wave."""
+        """Symmetry classes to solve: the classes of the dofs, or for a far field all classes of an incident wave."""
         own = {class_of(d, "xy") for d in self.dofs}
         return [c for c in CLASSES if c in own or (len(self.theta) and len(self.headings))]
 

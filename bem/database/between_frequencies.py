@@ -85,13 +85,15 @@ class Between:
     def error(self, omega, name):
         """(q, …) estimated error of `value`, about one standard deviation; for complex quantities that of the modulus.
 
-        It covers interpolation and is zero at stored frequencies; the solver's error is stored beside each quantity.
+        The error covers interpolation and is zero at stored frequencies; the solver's error is stored beside each
+        quantity.
         """
         omega = np.atleast_1d(np.asarray(omega, float))
         return self._everywhere(omega, name, self._deviation)
 
     def largest_error(self, omega, names):
-        """(q,) largest estimated error over `names` at omega (q,), relative to the largest stored of the same kind.
+        """(q,) largest estimated error over `names` at omega (q,), relative to the largest stored value of the same
+        kind.
 
         Each diagonal coefficient is one kind, and so is a force over all headings; couplings refer to √(ii · jj).
         """
@@ -249,7 +251,7 @@ class Between:
 
     @cached_property
     def ringing(self):
-        """(p,) poles of water resonances in the variable s of `interpolant`, as the body motions respond to them"""
+        """(p,) poles of water resonances, in the variable s of `interpolant`, to which the body motions respond"""
         if len(self.omega) < FEWEST_RINGING or not set(RADIATION) <= set(self.quantities):
             return np.zeros(0, complex)
         own = np.einsum("nii->ni", self._impedance)

@@ -87,7 +87,7 @@ class Ring:
         return np.where(apart[near, np.arange(len(wanted))] <= SAME, near, -1)
 
     def reflected(self, wanted):
-        """(p,) whether headings beside a wall are computed from −β: those that are not stored and lie on the side with
+        """(p,) whether headings beside a wall are computed from −β: headings that are not stored, on the side with
         fewer stored headings"""
         if self.wall is None:
             return np.zeros(len(wanted), bool)
@@ -138,7 +138,7 @@ class AtHeadings:
         return self.unfolded(values[:, self.place] if one else _joined(self.weights, values), kind)
 
     def unfolded(self, values, kind):
-        """(q, p, …) at the wanted headings from values (q, u, …) at the `folded` ones"""
+        """(q, p, …) at the wanted headings, from values (q, u, …) at the `folded` headings"""
         if self._as_folded:
             return values
         values = values[:, self.source]
@@ -156,7 +156,8 @@ class AtHeadings:
         return values
 
     def deviation(self, values, independent):
-        """(q, u, …) standard deviation of `value`; `independent` (…) ring values do not follow from others"""
+        """(q, u, …) standard deviation of `value`; `independent` (…) ring values do not follow from other ring
+        values"""
         scale = np.sum(np.abs(_joined(self._root, values)) ** 2, axis=1) / np.maximum(independent, 1)
         left = self._left.reshape(*self._left.shape, *[1] * (values.ndim - 2))
         return np.sqrt(left * scale[:, None])
@@ -223,7 +224,7 @@ class AtHeadings:
 
     @cached_property
     def weights(self):
-        """(q, u, M); a stored heading has weight only on its own value"""
+        """(q, u, M) weights of ring values; a stored heading has weight only on its own value"""
         weights = self._whitened @ self._root
         found = self.place >= 0
         weights[:, found] = np.eye(len(self.ring.headings))[self.place[found]]

@@ -16,7 +16,7 @@ DRAWS = 8  # random draws; they estimate a standard deviation to within a quarte
 
 
 def carried(reader, omega, headings, name, names):
-    """(q, p, …) deviation of "rao" or drift, propagated from those of the quantities `names`."""
+    """(q, p, …) deviation of "rao" or drift, propagated from the deviations of the quantities `names`."""
     found = reader.where_stored(omega, headings, name)
     if found is not None and found.complete:
         return np.zeros(found.values.shape)

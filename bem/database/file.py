@@ -78,7 +78,7 @@ class Header:
 
 
 def check_place(path):
-    """Raise DatabaseError if no file can be made under this name; called before the computation."""
+    """Raise DatabaseError if no file can be made at `path`; called before the computation."""
     path = Path(path)
     if path.is_dir():
         raise DatabaseError(f"{path} is a folder")

@@ -288,7 +288,8 @@ def windows(x, real=False, ringing=()):
 
 @dataclass(frozen=True, eq=False)
 class Joined:
-    """An `Interpolant` in each of `windows` of nodes x, arguments as there, from node to node.
+    """An `Interpolant` in each of the `windows` of nodes x, with the arguments of `Interpolant`, joined from node to
+    node.
 
     The residual of a fit at its nodes, due to the nugget, is added back linearly: nodes return their values, and the
     function is continuous from window to window.  The deviation is treated alike and is zero at the nodes: damping of a

@@ -132,7 +132,7 @@ class Reader:
 
     @property
     def knows_drift(self):
-        """Whether mean drift is stored, or the quantities that it follows from"""
+        """Whether the database stores mean drift, or the quantities from which drift follows"""
         return self.rebuilds_drift or "drift_force" in self.between.quantities
 
     @property
@@ -174,7 +174,8 @@ class Reader:
         return np.vstack([rows_of(self, link) for link in self.links])
 
     def link_forces(self, omega, headings, motions):
-        """(q, p, links, 6) force and moment per m, along axes of the first body, exerted by it on the second
+        """(q, p, links, 6) force and moment per m that the first body of a link exerts on the second, along axes of the
+        first
 
         motions : (q, p, n) of these bodies in these waves, with the springs and dampers of links (`hinges.driven`)
         """
@@ -206,7 +207,7 @@ class Reader:
 
     def critical_damping(self, mode):
         """Critical damping 2√(C (M + A)) of one mode alone, with A at its natural frequency, or at the nearest stored
-        one.
+        frequency.
 
         Raises ValueError for a mode without restoring.
         """
@@ -231,11 +232,12 @@ class Reader:
         return 2 * C / omega
 
     def knows_added_mass(self, omega):
-        """(q,) whether added mass is known at omega (q,) rad/s: in the band, or beyond it if its limit is stored"""
+        """(q,) whether added mass is known at omega (q,) rad/s: in the stored band, or beyond the band if the limit of
+        added mass is stored"""
         return np.abs(np.atleast_1d(omega) - self._nearest(omega)) <= 0
 
     def held_added_mass(self, omega):
-        """(q, n, n) at omega (q,) rad/s from 0, with the end value where it is unknown"""
+        """(q, n, n) added mass at omega (q,) rad/s from 0, with the value at the end of the band where it is unknown"""
         return self.between.value(self._nearest(omega), "added_mass")
 
     def coefficients(self, omega, motions=None):
@@ -249,7 +251,7 @@ class Reader:
         return self.between.inside(omega)
 
     def forces(self, omega, headings=None, name="excitation_force"):
-        """(q, p, n) complex, N/m and N m/m, at omega (q,) rad/s and headings (p,) rad, None for the stored ones."""
+        """(q, p, n) complex, N/m and N m/m, at omega (q,) rad/s and headings (p,) rad, None for the stored headings."""
         stored = self.between.value(self.inside(omega), name)
         if headings is None:
             return stored
@@ -309,7 +311,7 @@ class Reader:
         return found[0]
 
     def motions_of(self, motions, body):
-        """(…, 6) motions of one of several bodies from those of all (…, n); zero for a fixed body"""
+        """(…, 6) motions of one of several bodies from the motions of all bodies (…, n); zero for a fixed body"""
         if body.fixed:
             return np.zeros((*np.shape(motions)[:-1], 6), complex)
         return motions[..., self.columns_of(body)]
@@ -322,9 +324,9 @@ class Reader:
         return slice(first, first + 6)
 
     def drift_of_each(self, omega, headings=None, fixed=False):
-        """(q, p, bodies, 3) mean drift per squared wave amplitude of each of several bodies, also of fixed ones, about
-        its own point in its own axes. It is interpolated from stored drift: that with all bodies fixed, or that with
-        the stored motions, even if the motions are restrained here.
+        """(q, p, bodies, 3) mean drift per squared wave amplitude on each of several bodies, fixed bodies included,
+        about the point of the body in the axes of the body. The drift is interpolated from stored drift: with all
+        bodies fixed, or with the stored motions, even if the motions are restrained here.
 
         Raises BetweenError if it is not stored.
         """

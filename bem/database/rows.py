@@ -3,7 +3,7 @@
 Every quantity is a full grid over frequencies and headings, allocated and set to NaN when the file is made, so that an
 append changes numbers in place and never the structure of the file.  The group /stored has one mark per frequency (and
 heading).  Data are written first, then flushed, then marked.  The file is made under another name and renamed, so that
-it is never incomplete; `widening` replaces it by a new one.
+it is never incomplete; `widening` replaces it by a new file.
 """
 
 from __future__ import annotations
@@ -82,7 +82,8 @@ def estimate_of(name):
 
 
 def row_values(file, omega, headings, names):
-    """{name: values, in the shape that `append` needs} of one frequency, or None if one of them is not stored."""
+    """{name: values, in the shape that `append` needs} of one frequency, or None if any of these values is not
+    stored."""
     (i,) = places_on(file, [omega], "omega")
     columns, found = places_on(file, headings, "wave_direction"), {}
     for name in names:
@@ -240,7 +241,7 @@ class Database:
 
     @property
     def bodies(self) -> tuple:
-        """`bem.modes.Body` of each of several bodies, empty for one"""
+        """`bem.modes.Body` of each of several bodies, empty for a single body"""
         return self.header.bodies
 
     @property
@@ -265,14 +266,14 @@ class Database:
 
     @cached_property
     def bodies_reader(self) -> Reader:
-        """`reader`, also for several bodies and for flexible ones"""
+        """`reader`, also for several bodies and for flexible bodies"""
         from .reader import reader
 
         self.require()
         return reader(self)
 
     def at(self, omega: Any, name: str, headings: Any = None) -> tuple[np.ndarray, np.ndarray]:
-        """A quantity at omega (q,) rad/s and headings (p,) rad, None for the stored ones: value (q, …) as stored,
+        """A quantity at omega (q,) rad/s and headings (p,) rad, None for the stored headings: value (q, …) as stored,
         estimated error (q, …).
 
         raises : `bem.database.between_frequencies.BetweenError`, a ValueError, outside the stored range and for unknown
@@ -291,7 +292,8 @@ class Database:
             return {name: file["checks"][name][()][self.rows] for name in CHECKS}
 
     def estimated_errors(self) -> dict[str, np.ndarray]:
-        """{name: (n, …)} of `schema.ESTIMATES` that are here: absolute errors in the unit and on the axes of each.
+        """{name: (n, …)} of the stored `schema.ESTIMATES`: absolute errors, each in the unit and on the axes of its
+        quantity.
 
         NaN where the method gives no estimate, and in files of versions without estimates.
         """
@@ -348,7 +350,8 @@ class Database:
 
     @property
     def sizes(self) -> dict[str, float]:
-        """`dimensions`, m; for a hull that is not a box or ship those of the box about the origin that encloses it"""
+        """`dimensions`, m; for a hull that is neither box nor ship the dimensions of the box about the origin that
+        encloses the hull"""
         if self.mesh is None or not len(self.mesh) or "length" in self.dimensions:
             return self.dimensions
         points = self.mesh.whole().points
@@ -422,12 +425,12 @@ def _first_axis(name):
 
 
 def same_omega(a, b):
-    """Whether two frequencies, rad/s, are one"""
+    """Whether two frequencies, rad/s, are equal but for rounding"""
     return abs(a - b) <= SAME * abs(b)
 
 
 def same_heading(a, b):
-    """Whether two headings, rad, are one"""
+    """Whether two headings, rad, are equal but for rounding"""
     return abs((a - b + np.pi) % (2 * np.pi) - np.pi) <= SAME
 
 

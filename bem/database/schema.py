@@ -80,7 +80,8 @@ LABELS = {"influenced_dof": DOFS, "radiating_dof": DOFS, "drift_dof": DRIFT_DOFS
 
 
 def labels(bodies, modes=()):
-    """{axis: names} of a file of `bem.modes.Body` of several bodies, or none for one, and of `bem.modes.Mode`s"""
+    """{axis: names} of a file of `bem.modes.Body` of several bodies (none for a single body) and of
+    `bem.modes.Mode`s"""
     names = names_of(bodies, modes)
     moved = tuple(names[d] for d in moving(bodies, modes))
     each = {"body": tuple(body.name for body in bodies)} if bodies else {}

@@ -148,7 +148,8 @@ def _append_checks(opened, rows, sealed):
 
 
 def put(dataset, name, rows):
-    """Write (row, value) pairs of a quantity in ascending order; rows without a gap between them need one write"""
+    """Write (row, value) pairs of a quantity in ascending order; rows that follow each other without a gap need one
+    write"""
     every = list(range(dataset.shape[1])) if len(cell_axes(name)) > 1 else None
     if every is not None and any(row.columns != every for row, _ in rows):
         for row, value in rows:

@@ -1,8 +1,8 @@
 """Widening of a database by frequencies, headings and quantities: a new file that copies the rows of the old one.
 
-It is made beside the old one and renamed when complete, so that a run can be killed at any instant.  Groups beside the
-grid over frequencies are written whole, sealed with the file and kept when it is widened; a group has datasets with
-axes of its own, named in their attribute `axes`.
+The new file is made beside the old file and renamed when complete, so that a run can be killed at any instant.  Groups
+beside the grid over frequencies are written whole, sealed with the file and kept when it is widened; a group has
+datasets with axes of its own, named in their attribute `axes`.
 """
 
 import numpy as np
@@ -90,7 +90,8 @@ def take_over(old, new, anew=()):
 def at_angles(values, count):
     """Kochin functions (…, count) at more evenly spaced angles, from values (…, t) at angles that resolve them
 
-    They are trigonometric polynomials to the last digits there, and the series gives their values at any angle.
+    At such angles Kochin functions are trigonometric polynomials to the last digits, and the series gives their values
+    at any angle.
     """
     series = np.fft.fft(values, axis=-1)
     half, out = values.shape[-1] // 2, np.zeros((*values.shape[:-1], count), complex)

@@ -6,7 +6,7 @@
     beneath   cos l_qζ,  l_q = qπ/s
 
 At the keel's edge, with an angle of 270° in the water, the horizontal velocity u(ζ) is singular like distance^(−1/3),
-then ^(+1/3), then regular.  It is expanded in three Gegenbauer families
+then ^(+1/3), then regular.  u(ζ) is expanded in three Gegenbauer families
 
     U = (s² − ζ²)^(ν−½) C₂ₚ^(ν)(ζ/s),   ν = 1/6, 5/6, 1/2,   p = 0 … terms − 1,
 
@@ -36,7 +36,7 @@ CUTOFFS = 0.8 ** np.arange(5)
 
 
 class OuterModes(NamedTuple):
-    """Modes of the water outside at one frequency; their rows are those of `Gap.outer_rows`.
+    """Modes of the water outside at one frequency; the rows are the rows of `Gap.outer_rows`.
 
     k : rad/m, wave_norm : ∫Z₀² dz (m), wave_rows : ⟨·, Z₀⟩ (f + 2,)
     wavenumbers : kₙ (n,) rad/m, norms : ∫Zₙ² dz (n,) m, rows : ⟨·, Zₙ⟩ (f + 2, n)

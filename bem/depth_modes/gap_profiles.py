@@ -2,8 +2,8 @@
 
 The three families are nearly dependent: with nine functions the eigenvalues of ⟨U, Σ cos l_qζ cos l_qζ / l_q U⟩ reach
 down to 1e-13.  Combinations that are small in this norm are dropped, the others are normalised, which magnifies the
-truncation error of the sums over modes.  With 8 T² modes per gap height, T functions in each family, it is 3e-8, with
-24 T² it is 7e-11: at a tolerance of 1e-6 yaw of 100 × 50 × 10 m in 100 m was wrong by 7e-6 with fewer.
+truncation error of the sums over modes.  With 8 T² modes per gap height, T functions in each family, this error is
+3e-8, with 24 T² it is 7e-11: at a tolerance of 1e-6 yaw of 100 × 50 × 10 m in 100 m was wrong by 7e-6 with fewer.
 """
 
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ DEPENDENT = 24  # modes to the gap per T², see above
 
 @dataclass(frozen=True)
 class Profiles:
-    """e orthonormal profiles made of the functions of a `Gap`; rows r = e + 2 as there.
+    """e orthonormal profiles made of the functions of a `Gap`; rows r = e + 2 as in `Gap`.
 
     smallest : smallest eigenvalue that is kept, for functions of unit norm
     """

@@ -1,1 +1,1 @@
-"""Flexible bodies: shapes beyond the six rigid motions, their mass and their stiffness."""
+"""Flexible bodies: shapes beyond the six rigid motions, and the mass and stiffness of shapes."""

@@ -46,7 +46,7 @@ class Beam(NamedTuple):
 
     @property
     def turns(self):
-        """Whether its amplitude is in rad"""
+        """Whether the amplitude of the shape is in rad"""
         return self.kind == "torsion"
 
     @property
@@ -60,7 +60,7 @@ class Beam(NamedTuple):
         return self.mass * self.rigidity / self.per_length * self._wavenumber ** (2 if self.turns else 4)
 
     def along(self, x, slope=0):
-        """w or θ, or a derivative of it along x, at x (…,) m; 1/m for each derivative"""
+        """w or θ, or a derivative of either along x, at x (…,) m; 1/m for each derivative"""
         s = 2 * (np.asarray(x, float) - self.start) / self.length - 1
         if self.turns:
             turn = 0.5 * np.pi * self.number
@@ -129,7 +129,7 @@ def half_turns(number):
 
 
 def bent(number, s, slope=0):
-    """w, or a derivative of it by μs, at s (…,) from −1 to 1"""
+    """w, or a derivative of w by μs, at s (…,) from −1 to 1"""
     mu, s = half_turns(number), np.asarray(s, float)
     even, shift = number % 2 == 1, slope * np.pi / 2
     wave = np.cos(mu * s + shift) / np.cos(mu) if even else np.sin(mu * s + shift) / np.sin(mu)

@@ -24,7 +24,7 @@ POINTS = {"crest": r"Ref\.pt incident wave\s*:\s*\(([^)]*)\)", "about": r"Refere
 
 
 def read(place, known=None):
-    """The Values of a folder, given by its path or by the path of a file in it.  Raises FormatError."""
+    """The Values of a folder, given by its path or by the path of a file in the folder.  Raises FormatError."""
     place = Path(place)
     place = place if place.is_dir() else place.parent
     files = [found for path in sorted(place.iterdir()) if (found := _file(path))]

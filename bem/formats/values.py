@@ -115,8 +115,8 @@ def _about_each(values, points):
 
 
 def of_each(values):
-    """[Values] of each of several bodies: its forces due to the motions of all bodies, and its own data; for a single
-    body [Values] itself"""
+    """[Values] of each of several bodies: the forces on the body due to the motions of all bodies, and the data of the
+    body; for a single body [Values] itself"""
     if not values.bodies:
         return [values]
     return [_of_one(values, number) for number in range(len(values.bodies))]
@@ -247,7 +247,7 @@ def table_of(path, columns, separator=None):
 
 
 def gridded(path, coordinates, values, modes=()):
-    """Rising coordinates and values on their grid.  Raises FormatError for an empty place, or one filled twice.
+    """Rising coordinates and values on their grid.  Raises FormatError for a place that is empty or filled twice.
 
     coordinates : list of (k,); values : (k, …); returns : list of (n_i,), array (n_0, n_1, …, …)
     modes : all possible numbers of each of the last coordinates; those missing from the table are 0, since programs

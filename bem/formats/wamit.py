@@ -195,7 +195,8 @@ class OtherPlaces(FormatError):
 
 
 class Columns(NamedTuple):
-    """given : `wamit_inputs.Inputs`; modes : (6,) numbers of the body's modes, or those of all bodies"""
+    """given : `wamit_inputs.Inputs`; modes : (6,) numbers of the body's modes, or the numbers of the modes of all
+    bodies"""
 
     given: object
     modes: np.ndarray

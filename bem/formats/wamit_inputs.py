@@ -29,7 +29,7 @@ PERIOD_KINDS = {1: "period", 2: "frequency", 3: "deep wavenumber", 4: "wavenumbe
 
 
 def pot_of(values, hulls):
-    """Text of NAME.pot of several bodies, each along the axes of the scene about its own point
+    """Text of NAME.pot of several bodies, each along the axes of the scene about the reference point of the body
 
     values : `values.Values` with bodies; hulls : names of their .gdf files, in these axes
     """
@@ -222,7 +222,8 @@ def _period_kind(path):
 
 
 class Potential(NamedTuple):
-    """Of a .pot: depth in its unit, ≤ 0 for deep water; bodies : [(name of the .gdf, (x, y, z) of XBODY)]"""
+    """Contents of a .pot: depth in the unit of the file, ≤ 0 for deep water; bodies : [(name of the .gdf, (x, y, z) of
+    XBODY)]"""
 
     depth: float
     bodies: list
@@ -241,7 +242,7 @@ def _potential(path, without=False):
             got += numbers_of(line)[: count - len(got)]
             if len(got) == count:
                 return got
-        raise FormatError(f"{path} ends before XBODY; give --about x,y,z and leave the file out, or mend it")
+        raise FormatError(f"{path} ends before XBODY; give --about x,y,z and leave the file out, or mend the file")
 
     try:
         (depth,) = read(1)

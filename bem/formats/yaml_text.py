@@ -2,7 +2,7 @@
 
 
 class YamlFault(ValueError):
-    """A text is not YAML of plain data; line : from 1, or None where it has none."""
+    """A text is not YAML of plain data; line : number from 1, or None where the fault belongs to no line."""
 
     def __init__(self, line, text):
         super().__init__(text)
@@ -10,7 +10,7 @@ class YamlFault(ValueError):
 
 
 def parse(text):
-    """Dictionaries, lists and scalars of a text, in YAML 1.2 unless it declares 1.1.  Raises YamlFault.
+    """Dictionaries, lists and scalars of a text, in YAML 1.2 unless the text declares 1.1.  Raises YamlFault.
 
     In YAML 1.1 a number without a dot, 12e3, is read as text.
     """

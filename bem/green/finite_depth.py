@@ -65,7 +65,7 @@ def depth_variables(z, zeta):
 
 @kernel(inline=True)
 def wave_part(R, depths, wave, slope, view):
-    """g₁ + g₂ and ∂/∂R, ∂/∂ζ of it, with J₀(kR) and its ∂/∂R; all real.
+    """g₁ + g₂ and its ∂/∂R and ∂/∂ζ, with J₀(kR) and its ∂/∂R; all real.
 
     R : m; depths : of `depth_variables`; wave, slope : C Z(z) Z(ζ) and its ∂/∂ζ; view : `TableView`
     """
@@ -123,7 +123,7 @@ def wave_part_at(position, R, depths, wave, slope, view):
 
 @kernel(inline=True)
 def standing_part_at(position, R, depths, wave, slope, slope_back, view):
-    """g₁ + g₂, the real part of G without images, and ∂/∂R, ∂/∂ζ and ∂/∂z of it, at a `table_position`.
+    """g₁ + g₂, the real part of G without images, and its ∂/∂R, ∂/∂ζ and ∂/∂z, at a `table_position`.
 
     slope_back : ∂/∂z of C Z(z) Z(ζ); the other arguments as in `wave_part`.  ∂/∂z is the derivative at the other point.
     """
@@ -208,7 +208,8 @@ def wave_factors(Y, V, upwards, C, k, q):
 
 @kernel(inline=True)
 def decay(x):
-    """e^(−x) for x ≥ 0, at least e^(−700); the compiler vectorises a loop over this function, not over the library's.
+    """e^(−x) for x ≥ 0, at least e^(−700); the compiler vectorises a loop over this function, but not over the exp of
+    the library.
 
     e^(−x) = 2ⁿ eʳ with |r| ≤ ½ ln 2, eʳ by its series
     """

@@ -20,7 +20,7 @@ WORDS = types.Array(types.int64, 1, "C")
 
 
 def laid_out(value):
-    """(n,) int64 words of a marked tuple, that hold as long as this array and the tuple"""
+    """(n,) int64 words of a marked tuple, valid as long as the returned array and the tuple exist"""
     words, inner = [], [value]  # of each of `inner`, one after the other
     begins, places = {}, {}
     for number, one in enumerate(inner):  # grows
@@ -66,7 +66,7 @@ class Address(types.Type):
 
 
 class Row(types.Type):
-    """Numba type of a list of such tuples, whose addresses follow each other"""
+    """Numba type of a list of tuples in memory, whose addresses follow each other"""
 
     def __init__(self, kind):
         self.kind = kind

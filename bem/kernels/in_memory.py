@@ -10,7 +10,7 @@ marked = []  # classes that numba does not know yet
 
 
 def in_memory(kind):
-    """Decorator of a NamedTuple of numbers, arrays, further tuples of them, and lists of marked ones of one kind"""
+    """Decorator of a NamedTuple of numbers, arrays, further such tuples, and lists of marked tuples of one kind"""
     marked.append(kind)
     kind.in_memory = True
     return kind

@@ -34,7 +34,7 @@ class Sketch:
         return (self.transposed * self.row_scale).T
 
     def add(self, *parts, scale=1.0):
-        """Append columns to A: those of each of several blocks, times `scale`.
+        """Append columns to A: the columns of each of several blocks, times `scale`.
 
         parts : (…, nᵢ, m) rows of the blocks, on top of each other Σ nᵢ = n; of a complex one real and imaginary part
             count as a column each; m may be 0
@@ -116,7 +116,7 @@ def _by_qr(matrix, tolerance):
 
 
 def truncated_least_squares(A, b, cutoff):
-    """x of least norm with A x ≈ b by singular values, without those below `cutoff` times the largest
+    """x of least norm with A x ≈ b by singular values, without singular values below `cutoff` times the largest
 
     A (n, m), n ≥ m, and b (n, k), real.  The singular values are the roots of the eigenvalues of Aᵀ A, in a fifth of
     the time for n = 14 m, unless the square of `cutoff` is lost in rounding.

@@ -48,7 +48,7 @@ _before_first = [_collect_nothing_meanwhile]
 
 
 def before_first_kernel(call):
-    """Have something called once numba is loaded, before it compiles or loads the first kernel of this process"""
+    """Have a function called once numba is loaded, before numba compiles or loads the first kernel of this process"""
     _before_first.append(call)
 
 
@@ -71,7 +71,7 @@ def kernel(inline=False, counted=True):
     """Decorator: compile to machine code on the first call and keep the result on disk.
 
     Kernels of `bem` write to given arrays: an allocation, or a direct array assignment, takes a second to compile, for
-    its error message.  They start no threads themselves (`bem.kernels.threads.parallel_rows` does).
+    its error message.  Kernels start no threads themselves (`bem.kernels.threads.parallel_rows` does).
     inline : always inlined into the kernels that call it; by default as the compiler decides
     counted : whether it counts who refers to arrays, as it must where it makes or returns one.  Where arrays are cut in
     loops, counting took two thirds of the time of two bodies moored to each other
@@ -97,7 +97,7 @@ class Kernel:
 
     @property
     def called(self):
-        """Numba's dispatcher for kernels that call this one"""
+        """Numba's dispatcher of this kernel, for other kernels that call it"""
         return self._called or self._made("_called", self._for_kernels)
 
     def _made(self, name, make):

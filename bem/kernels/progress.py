@@ -1,4 +1,4 @@
-"""Progress callback of long preparations, called after every part; its display is separate."""
+"""Progress callback of long preparations, called after every part; other modules display the progress."""
 
 from contextlib import contextmanager
 from contextvars import ContextVar

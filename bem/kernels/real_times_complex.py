@@ -1,4 +1,5 @@
-"""Products of a real and a complex matrix as one real product: half the work of numpy, which makes both complex."""
+"""Products of a real and a complex matrix as one real product: half the work of numpy, which makes both matrices
+complex."""
 
 import numpy as np
 

@@ -1,6 +1,6 @@
 """The operations of `bem.kernels.simd` on numpy arrays, for kernels that run with the compiler off.
 
-A pointer is the flat view of its array, a vector an array of 8, 4 or 2 doubles.
+A pointer is the flat view of an array, and a vector is an array of 8, 4 or 2 doubles.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The sources that a source imports, directly or through others, and a digest of them all.
+"""The sources that a source imports, directly or through other sources, and a digest of all of these.
 
 Comments, docstrings and the shape of lines are no part of it: a kernel is not compiled again for them.
 What a file imports and its own digest are kept beside the compiled kernels, by its time of change and size: reading all
@@ -76,7 +76,8 @@ class Sources:
             self._before = {}
 
     def of(self, file):
-        """The set of paths, as strings, of a source and of all sources that it imports, directly or through others"""
+        """The set of paths, as strings, of a source and of all sources that it imports, directly or through other
+        sources"""
         source = str(file)
         if source not in self._of:
             found, waiting = set(), [source]

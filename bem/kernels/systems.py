@@ -1,4 +1,4 @@
-"""Linear systems of several symmetry classes: those of few unknowns side by side, each on one thread."""
+"""Linear systems of several symmetry classes: systems of few unknowns are solved side by side, each on one thread."""
 
 import numpy as np
 

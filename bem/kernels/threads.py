@@ -23,7 +23,7 @@ _own = local()  # .shares: whether this thread is one of several that share rows
 
 
 def blas_threads(unknowns):
-    """Context in which BLAS uses one thread for systems of few unknowns, and its own setting for others"""
+    """Context in which BLAS uses one thread for systems of few unknowns, and its own setting for larger systems"""
     return _controller().limit(limits=1, user_api="blas") if unknowns < UNKNOWNS_WORTH_THREADS else nullcontext()
 
 

@@ -32,7 +32,8 @@ def near_field_drift(run, moving):
 
 
 def near_field_error(run, moving):
-    """(m, 3) N/m², N m/m²: estimated bound of the difference between near and far field, both as in `near_field_drift`.
+    """(m, 3) N/m², N m/m²: estimated bound of the difference between drift from the near field and from the far field,
+    in the form of `near_field_drift`.
 
     Per metre of breadth and wave amplitude squared the terms are up to ρg(1 + v)² at the waterline, water standing up
     to twice the wave at a wall, and ρω²d a² on the sides, v the vertical motion there and a that of any point of the

@@ -66,7 +66,8 @@ class PanelProblem(Problem):
         return replace(self, mesh=mesh, lid=lid, coarse=None, **changes)
 
     def refined(self):
-        """The same problem on more panels, each frequency alone, or None; without a lid if it has none"""
+        """The same problem on more panels, each frequency solved alone, or None; without a lid if this problem has no
+        lid"""
         found = None if self.finer is None else self.finer(self.mesh, self.lid)
         return None if found is None else self._on(*found, band=None)
 
@@ -127,7 +128,7 @@ class PreparedPanelProblem:
 
     @cached_property
     def finer(self):
-        """The same problem on more panels, with this one as its coarser one; or None"""
+        """The same problem on more panels, with this problem as its coarser problem; or None"""
         problem = self.problem.refined()
         if problem is None:
             return None

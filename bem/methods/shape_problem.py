@@ -81,7 +81,7 @@ class PreparedShapeProblem:
 
     @property
     def draft(self):
-        """m, of the hull, or of the deepest of several"""
+        """m, draft of the hull, or of the deepest of several hulls"""
         return max(sizes[-1] for _, sizes in self.shapes)
 
     @property

@@ -11,7 +11,7 @@ RESOLVED = ("contour", "transfer")  # methods that have finer bodies
 
 
 class ShapeRun(FrequencyRun):
-    """One frequency of a method without panels, by the prepared solver or a sharper one.
+    """One frequency of a method without panels, by the prepared solver or by a more accurate solver.
 
     Few problems need one: gap heights and drafts for which radiation of keel and sides nearly cancels.
     """
@@ -104,7 +104,8 @@ class ShapeRun(FrequencyRun):
         return self.first_order.residual
 
     def drift_of_each(self, moving):
-        """(m, bodies, 3) mean surge, sway and yaw of each, about its own point in its own axes, `bem.transfer.drift`"""
+        """(m, bodies, 3) mean surge, sway and yaw drift of each body, about the point of the body in its own axes, by
+        `bem.transfer.drift`"""
         problem = self.problem
         motions = np.zeros((len(self.headings), self.count), complex)
         if moving:

@@ -51,7 +51,7 @@ class Sectors(NamedTuple):
 
     @property
     def first(self):
-        """(r,) mesh nodes of `rows`, none of them a mirror image"""
+        """(r,) mesh nodes of `rows`, without mirror images"""
         return self.node[0, self.rows]
 
 

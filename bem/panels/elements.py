@@ -25,7 +25,7 @@ class Elements(NamedTuple):
 
 
 class Quadrature(NamedTuple):
-    """Points on the panels and the shape functions there."""
+    """Points on the panels, and the shape functions at these points."""
 
     points: np.ndarray  # (n, q, 3) m
     weights: np.ndarray  # (n, q) m²

@@ -81,7 +81,7 @@ class Geometry:
 
     @cached_property
     def lid_from(self):
-        """K in 1/m above which the lid is needed, `bem.panels.irregular_frequencies`; infinite without one"""
+        """K in 1/m above which the lid is needed, `bem.panels.irregular_frequencies`; infinite without a lid"""
         mesh, lid, *_ = self.given
         return np.inf if lid is None else lid_needed_from(mesh)
 
@@ -154,7 +154,7 @@ class Geometry:
         return self.rankine_rows(self.elements.nodes)
 
     def rankine_of(self, nodes):
-        """`rankine_rows` at some nodes, from `rankine` if a frequency has computed it"""
+        """`rankine_rows` at some nodes, taken from `rankine` if an earlier frequency has computed `rankine`"""
         if "rankine" in vars(self.larger or self):
             return tuple(a[:, nodes] for a in self.rankine)
         return self.rankine_rows(self.elements.nodes[nodes])

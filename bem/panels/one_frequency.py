@@ -73,7 +73,7 @@ class PanelRun(FrequencyRun):
 
     @property
     def sharper(self):
-        """Extrapolated from both meshes or, if this is not accurate enough, on the next finer one
+        """Extrapolated from both meshes or, if the extrapolation is not accurate enough, solved on the next finer mesh
 
         None if no estimate requires it, and for a requested number of panels
         """
@@ -134,7 +134,8 @@ class PanelRun(FrequencyRun):
 
     @cached_property
     def columns(self):
-        """{class: (its radiating dofs, its headings)}, the right-hand sides; classes without any are omitted."""
+        """{class: (radiating dofs, headings) of the class}, the right-hand sides; classes without right-hand sides are
+        omitted."""
         table, incident_headings = {}, self.incident_headings if self.diffracts else {}
         for cls in self.geometry.classes:
             own = self.geometry.members(cls)

@@ -42,7 +42,7 @@ def standing_waves(geometry, classes, table, depth_values):
 
 
 def directions(phase):
-    """Directions of a quarter circle, so that four times as many have an error of 1e-13 in J₀ up to this phase kR
+    """Number of directions on a quarter circle; four times as many give J₀ with an error of 1e-13 up to the phase kR
 
     Jₙ(x) decays like Airy's function from n = x on: to 1e-13 within a further 10 x^(1/3).
     """

@@ -1,4 +1,5 @@
-"""First-order waves on the free surface around a vertical cylinder, outwards from its side, by the contour method.
+"""First-order waves on the free surface around a vertical cylinder, from the side of the cylinder outwards, by the
+contour method.
 
     φ = −(ig/ω) exp(ikr cos(θ − β)) + Σ_m e^{imθ} {c_m H_m(kr) + Σₙ Zₙ(0) Kₘ(kₙr) / kₙKₘ'(kₙR) ⟨∂φ/∂r, Zₙ⟩_m / ⟨Zₙ, Zₙ⟩}
 

@@ -51,7 +51,7 @@ class ContourWaves(FirstOrderWaves):
         if (moving or surface) and not self.points.whole:
             raise ValueError(
                 "the contour method has wave pairs of a box only if it is fixed, and without the free-surface "
-                "forcing; use panels for others"
+                "forcing; use panels for other bodies"
             )
         first = self._frequency(omega[-1], [])
         self.surfaces = self.points.surfaces(first)

@@ -44,7 +44,7 @@ class LongWaveBody:
 
 
 def lowest(problem):
-    """rad/s, the lowest frequency at which a body is solved: below it the result is constant"""
+    """rad/s, the lowest frequency at which a body is solved: below this frequency the result is constant"""
     scale = problem.depth if np.isfinite(problem.depth) else problem.mesh.draft
     return LOWEST * np.sqrt(problem.gravity / scale)
 

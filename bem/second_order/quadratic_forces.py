@@ -1,4 +1,5 @@
-"""Force of pairs of waves on a body at the difference of their frequencies, or at their sum (`kinds`), part by part.
+"""Force of pairs of waves on a body at the difference of the frequencies of the waves, or at the sum (`kinds`), part by
+part.
 
     F(t) = Re Σᵢ Σⱼ aᵢ āⱼ T_ij exp{−i(ωᵢ − ωⱼ)t},        T = squares + bound wave + body + surface
 

@@ -50,7 +50,7 @@ class Held:
 
 @dataclass(frozen=True, eq=False)
 class StoredForces:
-    """Forces of wave pairs in a database, with the body they belong to and their errors.
+    """Forces of wave pairs in a database, with the body on which they act and the errors of the forces.
 
     method : "panel" or "contour"; share : of the surface's forcing in them, estimated where it is left out, or None
     errors : (d, n, m, m, 6) estimated, of the whole, or None; coarser : (d, n, m, m, 6) the whole at a coarser

@@ -171,7 +171,7 @@ def _downwards(count, start, z):
 
 
 def both_signs(values):
-    """(2M + 1, …) of orders −M … M from those of 0 … M"""
+    """(2M + 1, …) values of orders −M … M from the values of orders 0 … M"""
     sign = np.where(np.arange(len(values) - 1, 0, -1) % 2, -1.0, 1.0)
     return np.concatenate([values[:0:-1] * sign.reshape(-1, *[1] * (values.ndim - 1)), values])
 

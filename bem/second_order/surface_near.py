@@ -1,10 +1,10 @@
-"""Quadrature points on the free surface between a hull and the circle about it, and the potential there.
+"""Quadrature points on the free surface between a hull and the circle about the hull, and the potential at these
+points.
 
-Each panel side on the waterline begins a strip that ends on the circle.  Its points are Radau points from waterline to
-circle, the first on the hull, and Gauss points along the side; derivatives are those of the polynomials through them.
-Potentials at points on the hull are interpolated (`hull_interpolation`); potentials off the hull follow from the solved
-φ and its
-normal derivative V on the panels,
+Each panel side on the waterline begins a strip that ends on the circle.  The points of a strip are Radau points from
+waterline to circle, the first on the hull, and Gauss points along the side; derivatives are those of the polynomials
+through them.  Potentials at points on the hull are interpolated (`hull_interpolation`); potentials off the hull follow
+from the solved φ and its normal derivative V on the panels,
 
     4πφ = ∬ (φ ∂G/∂n − V G) dS.
 """
@@ -205,7 +205,8 @@ def _derivative(x):
 
 
 class SurfaceInfluence:
-    """Potentials at points (p, 3) of the water off the hull from those on the hull of a `Geometry` without lid"""
+    """Potentials at points (p, 3) of the water off the hull, from the potentials on the hull of a `Geometry` without
+    lid"""
 
     def __init__(self, geometry, points):
         self.geometry, self.points = geometry, points

@@ -35,7 +35,7 @@ NEGLIGIBLE = 1e-11  # size relative to the largest order at the start of a path,
 
 @dataclass(frozen=True, eq=False)
 class Path:
-    """Radii in columns: along r − ix, the first one three times, real ones, along r + ix.
+    """Radii in columns: along r − ix, the first radius three times, real radii, along r + ix.
 
     edges : (w,) m, of real intervals; highest : rad/m, a third of that of the fastest product
     least_down, least_up : rad/m, the least with which products decay along r − ix (infinite where none does), r + ix
@@ -111,8 +111,8 @@ class Path:
         return np.concatenate([values[:-1, : self.first], three, values[:-1, self.first + 1 :]], axis=1)
 
     def weights(self, up, down, C, sides):
-        """(c,) of columns; up, down : rad/m, as products decay along r + ix, r − ix; sides : of the three at the first
-        radius, over it"""
+        """(c,) weights of columns; up, down : rad/m, rates at which products decay along r + ix, r − ix; sides :
+        weights of the three columns at the first radius, over this radius"""
         (y, v), (r, u), (x, w) = self.down, self.real, self.up
         below, above = self.edges[-1] - 1j * y, self.edges[-1] + 1j * x
         parts = (

@@ -1,4 +1,5 @@
-"""First-order waves on the free surface around a hull: from its panels near it, by orders beyond a circle."""
+"""First-order waves on the free surface around a hull: from the panels near the hull, by angular orders beyond a
+circle."""
 
 from typing import NamedTuple
 
@@ -19,7 +20,7 @@ class Field(NamedTuple):
         return Field(self.value[which], self.slope[:, which])
 
     def second(self, kind):
-        """The field as the second of a pair in products of a `kinds.Kind`"""
+        """The field as the second factor in products of a `kinds.Kind`"""
         return Field(kind.second(self.value), kind.second(self.slope))
 
     def __add__(self, other):
@@ -115,7 +116,8 @@ class SurfaceWaves:
         return [incident_wave(at, beta, run.omega, run.k, problem.depth, problem.gravity) for beta in run.headings]
 
     def joined(self):
-        """(T, I) `Field` (f, p) near the body, of all waves together: the whole, and the incident ones"""
+        """(T, I) `Field` (f, p) near the body, of all waves together: the total field, and the field of the incident
+        waves"""
         parts = zip(*self.near, strict=True)
         return [
             Field(np.concatenate([f.value for f in part]), np.concatenate([f.slope for f in part], axis=1))

@@ -1,1 +1,2 @@
-"""Two-dimensional sections in water of any depth: rectangles, tables of them, any outline by panels; strips, a quay."""
+"""Two-dimensional sections in water of any depth: rectangles, tables of rectangles, any outline by panels; strips, a
+quay."""

@@ -149,7 +149,7 @@ def _under(l, b, symmetric):
 
 
 class FiniteDepthFlow:
-    """The three radiated flows and the diffracted ones at one frequency.
+    """The three radiated flows and the diffracted flows at one frequency.
 
     beam, draft, depth : m; omega : rad/s; gravity : m/s²; terms, modes : see `shape`; sine : of the waves' angle θ
     with the normal; Haskind's integrals are of flows without waves along the body

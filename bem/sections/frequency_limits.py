@@ -4,8 +4,8 @@
             heave sends away what it displaces, φ ~ |y| − b, and B/ω grows like 1/k
     ω → ∞   φ = 0 on z = 0:     kₙ = (n − ½)π/h
 
-They are the limits of `coefficients.section`: at ω → 0 the wave's part 1/ik of the potential is imaginary, so that the
-added mass of heave stays finite, other than in deep water.
+The results are the limits of `coefficients.section`: at ω → 0 the wave's part 1/ik of the potential is imaginary, so
+that the added mass of heave stays finite, other than in deep water.
 """
 
 import numpy as np

@@ -34,7 +34,7 @@ class Floating(NamedTuple):
 
 
 class Hinge(NamedTuple):
-    """Between two sections, by their numbers, at (y, z) m; kind : one of KINDS"""
+    """A hinge between two sections, by their numbers, at (y, z) m; kind : one of KINDS"""
 
     sections: tuple[int, int]
     y: float

@@ -63,7 +63,7 @@ class Edge(NamedTuple):
         return Edge(start, end, float(np.tan(np.arctan(self.bulge) * (u1 - u0))))
 
     def at_height(self, z):
-        """u, ascending, strictly within the edge, where its height is z"""
+        """Ascending places u, strictly within the edge, at which the edge has the height z"""
         if self.bulge == 0:
             rise = self.end.imag - self.start.imag
             found = [] if rise == 0 else [(z - self.start.imag) / rise]

@@ -1,4 +1,4 @@
-"""A section before a reflecting wall, from its results in open water: propagating waves only, no local ones.
+"""A section before a reflecting wall, from its results in open water: propagating waves only, no local waves.
 
 A wave of unit amplitude travels towards the wall at y = P; c is the amplitude, referred to y = 0, of the wave returned
 to the body.  With the transmission T and reflection R of the body, fixed or moving,

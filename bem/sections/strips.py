@@ -14,8 +14,8 @@ wave,
     fⱼ = iρω ∮ φⱼ ∂φ_I/∂n dl,  φ_I = −(ig/ω) Z₀ exp(iky′ sinβ′),    Fⱼ = ∫ fⱼ exp(ikx′ cosβ′) dx′
 
 for sway, heave, roll; pitch is the moment of heave, −∫x′f₃, and yaw that of sway, ∫x′f₂.  Surge along the row is no
-sectional motion: it is the sway of the row in the other direction, whose sides are the ends.  It is not coupled to
-pitch, which comes from other sections: the damping matrix would not remain positive.  Waves around the ends are
+sectional motion: it is the sway of the row in the other direction, whose sides are the ends.  This surge is not coupled
+to pitch, which comes from other sections: the damping matrix would not remain positive.  Waves around the ends are
 neglected, and with them drift and the far field.
 
 Against a panel method in water of twice the draft, B/d = 5, L/B = 2, 4, 8, waves on the beam: the error of the
@@ -101,7 +101,8 @@ class Row(NamedTuple):
 
     @property
     def turn(self):
-        """(6, 6) from the frame of the row to that of the box, zero for motions that are not of this row"""
+        """(6, 6) from the frame of the row of strips to the frame of the box, zero for motions that do not belong to
+        the row"""
         turn = TURN.copy() if self.across else np.eye(6)
         turn[[i for i in range(6) if i not in self.mine]] = 0
         return turn

@@ -14,7 +14,7 @@ from .memory import MemoryArrays
 
 
 class SlowMemory(NamedTuple):
-    """arrays : `MemoryArrays` of the remaining states; damping, inertia : (6, 6) of the replaced ones"""
+    """arrays : `MemoryArrays` of the remaining states; damping, inertia : (6, 6) that replace the other states"""
 
     arrays: MemoryArrays
     damping: np.ndarray

@@ -1,6 +1,6 @@
 """Fits of the memory from earlier runs, kept with the compiled kernels.
 
-A fit takes seconds, and every study of a database needs the same one.  It depends on arrays alone: a digest of them, of
+A fit takes seconds, and every study of a database needs the same fit.  It depends on arrays alone: a digest of them, of
 the source files and of the versions of numpy and scipy names its file, so that any change leads to a new fit.
 """
 

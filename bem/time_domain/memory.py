@@ -147,7 +147,7 @@ class _Goal(NamedTuple):
 
 
 class FitError(ValueError):
-    """A tolerance that is not met; within : tolerances below this are not met either"""
+    """A tolerance that is not met; within : tolerance below which no tolerance is met either"""
 
     def __init__(self, message, within):
         super().__init__(message)

@@ -1,4 +1,4 @@
-"""Poles, inputs and losses of a passive system, adjusted together until its largest error is small.
+"""Poles, inputs and losses of a passive system, adjusted together until the largest error of the system is small.
 
 With rows b_k of B and l_k of L in the modes of `passive_fit`,
 
@@ -21,7 +21,7 @@ STEADY = 1e6  # weight of the last condition relative to that of its unknowns; i
 
 
 class Moving(NamedTuple):
-    """λ (n,) with those of pairs and then their conjugates last, B (n, m) and L (n, m) in modes, pairs p"""
+    """λ (n,), last the poles of the p pairs and then the conjugates of these poles; B (n, m) and L (n, m) in modes"""
 
     rate: np.ndarray
     input: np.ndarray
@@ -30,7 +30,8 @@ class Moving(NamedTuple):
 
 
 def real_basis(alone, pairs):
-    """(n, n) unitary, from real states to modes: single ones, first of each pair, second of each pair"""
+    """(n, n) unitary, from real states to modes: the single modes, the first mode of each pair, the second mode of each
+    pair"""
     basis = np.eye(alone + 2 * pairs, dtype=complex)
     one = np.sqrt(0.5) * np.eye(pairs)
     basis[alone:, alone:] = np.block([[one, -1j * one], [one, 1j * one]])

@@ -31,7 +31,7 @@ REAL = 1e-10  # relative imaginary part below which a mode is real
 
 
 class Passive(NamedTuple):
-    """A passive system in real modes: first those that only decay, then pairs that also oscillate.
+    """A passive system in real modes: first the modes that only decay, then pairs of modes that also oscillate.
 
     decay : (n,) 1/s; turn : (p,) rad/s of pairs k, whose two states are r + k and r + p + k with r = n − 2p
     input, output : (m, n); storage P : (n, n); loss L : (n, m)

@@ -74,7 +74,7 @@ def fitted(s, H, count, weight):
 def balanced(system):
     """`Balanced` of a stable system, as a function of 1/s: removed states are replaced by their instantaneous response
 
-    Their direct path from input to output, a constant, is neglected.
+    The direct path of the removed states from input to output, a constant, is neglected.
     """
     from scipy.linalg import solve_continuous_lyapunov
 

@@ -6,8 +6,9 @@ damping that every moored body has besides waves,
 
     Y = [H − iω (M + A∞) + iC/ω + 2ζω (M + A)]⁻¹,        its diagonal times that of the largest H.
 
-Springs of moorings are unknown here.  They restrain surge, sway and yaw, more softly than hydrostatics restrains heave:
-below the natural frequency of heave these count as resonant at every frequency, if that gives a larger sensitivity.
+Springs of moorings are unknown here.  Moorings restrain surge, sway and yaw, more softly than hydrostatics restrains
+heave: below the natural frequency of heave these count as resonant at every frequency, if that gives a larger
+sensitivity.
 """
 
 import numpy as np

@@ -1,8 +1,9 @@
-"""Damping at every frequency, and the added mass that follows from it by causality.
+"""Damping at every frequency, and the added mass that follows from the damping by causality.
 
     A(ω) = A(∞) + (2/π) ⨍₀^∞ B(x) / (x² − ω²) dx        (Kramers and Kronig)
 
-Damping is linear between the frequencies of the band.  Beyond its ends ω₁ and Ω it follows powers,
+Damping is taken as linear in frequency between the frequencies of the band.  Beyond its ends ω₁ and Ω it follows
+powers,
 
     Bᵢⱼ = Mᵢⱼ(ω) + [Bᵢⱼ(ω₁) − Mᵢⱼ(ω₁)] (ω/ω₁)^{(pᵢ + pⱼ)/2} below,    Bᵢⱼ = Bᵢⱼ(Ω) (Ω/ω)^{(rᵢ + rⱼ)/2} above,
 
@@ -55,7 +56,7 @@ class WholeAxis:
     added_mass_infinity: np.ndarray
 
     def transform(self, omega):
-        """B + iω [A(∞) − A] (q, 6, 6) at omega (q,) rad/s, none of them one of `self.omega`"""
+        """B + iω [A(∞) − A] (q, 6, 6) at omega (q,) rad/s, no value of which is among `self.omega`"""
         omega = np.atleast_1d(omega)
         at, share = self._gap(omega)
         share = share[:, None, None]
@@ -133,7 +134,8 @@ def monopole_damping(flux, density, depth, gravity):
 
 
 def kramers_kronig(omega, points):
-    """w (q, n) with Σ w B = ⨍ B(x) / (x² − ω²) dx for B straight between points (n,), none of them at omega (q,)."""
+    """w (q, n) with Σ w B = ⨍ B(x) / (x² − ω²) dx for B straight between points (n,), of which no point is at omega
+    (q,)."""
     a, b = points[:-1], points[1:]
     w = np.atleast_1d(omega)[:, None]
 

@@ -1,1 +1,2 @@
-"""Bodies far from each other: the answers of each shape to partial waves, coupled by what the bodies send."""
+"""Bodies far from each other: the response of each shape to partial waves, coupled by the waves that the bodies
+send."""

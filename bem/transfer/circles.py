@@ -11,7 +11,8 @@ SHARE_OF_DEPTH = 0.02  # least water between two circles; of a tolerance of 1e-2
 
 
 def nearest_circles(axes, radii):
-    """(i, j, m) the two circles with least water between them, below 0 where they overlap
+    """(i, j, m) the two circles with the least water between them, and the width of this water, below 0 where the
+    circles overlap
 
     axes : (N,) complex m; radii : (N,) m
     """

@@ -23,7 +23,7 @@ from ..modes import class_of
 
 
 class Answers(NamedTuple):
-    """Answers of one body alone, about its vertical axis and in its own axes.
+    """Response of one body alone to partial waves, about the vertical axis of the body and in its own axes.
 
     Partial waves are ordered mode by mode, cos 0 … M and then sin 1 … M.
 

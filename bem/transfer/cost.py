@@ -10,7 +10,7 @@ from ..contour.cost import Cost
 
 
 def cost(bodies, omega, gravity):
-    """`Cost` of `far_bodies.FarBodies` with the finer ones beside them at omega rad/s"""
+    """`Cost` of `far_bodies.FarBodies` together with the finer bodies of the error estimate, at omega rad/s"""
     return Cost(0.0, *map(sum, zip(*(_alone(one, omega, gravity) for one in (bodies, bodies.finer)), strict=True)))
 
 

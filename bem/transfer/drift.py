@@ -1,4 +1,4 @@
-"""Mean drift of each of several bodies from the partial waves about it.
+"""Mean drift of each of several bodies from the partial waves about the body.
 
 What waves of one depth mode n carry through a circle around one body is the momentum of a plane problem: with
 N = ∫Zₙ² dz and g = ∂f/∂x, ∂f/∂y or ∂f/∂θ for the force along x, along y and the moment about the axis,

@@ -68,7 +68,7 @@ class FarBodies(SeveralBodies):
         return self.at(omega, gravity).first_order(headings, theta, density)
 
     def at(self, omega, gravity=9.80665):
-        """`Coupled` at one frequency; the last one is kept"""
+        """`Coupled` at one frequency; the last result is kept"""
         if not 0 < omega < np.inf:
             raise ValueError(f"omega is {omega} rad/s; allowed: positive and finite (limits: added_mass_limit)")
         if self.cache.get("frequency") != (omega, gravity):
@@ -148,13 +148,13 @@ class Response(NamedTuple):
     sent: np.ndarray
 
     def turned(self, turn):
-        """The same with partial waves about axes turned by an angle; turn : (q,) exp(im · angle)"""
+        """This Response with partial waves about axes rotated by an angle; turn : (q,) exp(im · angle)"""
         few, back = self.few * turn, turn[:, None]
         return Response(few, self.scattered / back, self.pressed, self.sent / back)
 
 
 class Coupled:
-    """Bodies coupled at one frequency, or in a limit of it.
+    """Bodies coupled at one frequency, or in a limit of the frequency.
 
     modes : {body: `OuterModes`}; kind : of the first partial waves
     """
@@ -265,7 +265,7 @@ class Coupled:
         return self._solved(self.equations[1])
 
     def diffracted(self, headings):
-        """(y, m) of plane waves of unit amplitude, with what all others send"""
+        """(y, m) of plane waves of unit amplitude, with the waves that all other bodies send"""
         incident = self.incident(headings)
         return self._solved(np.vstack([one.few @ wave for one, wave in zip(self.each, incident, strict=True)]))
 

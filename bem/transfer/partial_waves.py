@@ -1,4 +1,4 @@
-"""Partial waves about a vertical axis, and those of one axis seen from another.
+"""Partial waves about a vertical axis, and the partial waves of one axis seen from another axis.
 
 A body in a circle of radius a sends Σ Zₙ(z) bₙₘ Sₙₘ(r) exp(imθ), all others send Σ Zₙ(z) aₙₘ Rₙₘ(r) exp(imθ):
 
@@ -8,7 +8,8 @@ A body in a circle of radius a sends Σ Zₙ(z) bₙₘ Sₙₘ(r) exp(imθ), al
     laplace     (r/a)ᵐ                     (a/r)ᵐ, log r             κ → 0
 
 with |m| for m, scaled so that neither overflows.  Graf's addition theorem (DLMF 10.23.7) turns what an axis sends into
-regular waves of another, at points nearer to that one than the first is: with R, α of the second from the first,
+regular waves of a second axis, at points nearer to the second axis than the first axis is: with R, α of the second axis
+from the first,
 
     Hₘ e^{imθ} = Σ_q Hₘ₋q(kR) e^{i(m−q)α} J_q e^{iqθ′},    Kₘ e^{imθ} = Σ_q (−1)^q Kₘ₋q(κR) e^{i(m−q)α} I_q e^{iqθ′}
 """
@@ -37,7 +38,7 @@ class PartialWaves(NamedTuple):
         return np.arange(-self.last, self.last + 1)
 
     def size(self, a):
-        """(last + 1,) |Hₘ(ka)| of radiating waves, 1 of others"""
+        """(last + 1,) |Hₘ(ka)| of radiating waves, 1 of other partial waves"""
         m = np.arange(self.last + 1)
         return np.abs(hankel1(m, self.k * a)) if self.kind == "radiating" else np.ones(len(m))
 
@@ -63,9 +64,10 @@ class PartialWaves(NamedTuple):
         return np.full(len(m), -2j / np.pi if self.kind == "radiating" else 1.0)
 
     def seen_from(self, there, a, there_a):
-        """(2 last + 1,) squared: regular waves about an axis at `there` (complex m, from this one) of what this sends
+        """(2 last + 1,) squared: from the waves that this axis sends to regular waves about a second axis at `there`,
+        complex m, from this axis
 
-        a, there_a : m, radii of the circles of this axis and of that
+        a, there_a : m, radii of the circles about this axis and about the second axis
         """
         m, R, turn = self.orders, abs(there), there / abs(there)
         if self.kind == "laplace":
@@ -123,7 +125,7 @@ def _finite(kind, k, a, apart, most):
 
 
 def to_real(orders):
-    """(2M + 1, 2M + 1) from coefficients of exp(imθ) to those of cos 0 … M and sin 1 … M"""
+    """(2M + 1, 2M + 1) from coefficients of exp(imθ) to coefficients of cos 0 … M and sin 1 … M"""
     last = orders[-1]
     m = np.arange(last + 1)
     cos = (np.abs(orders) == m[:, None]).astype(complex)

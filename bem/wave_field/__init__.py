@@ -1,1 +1,1 @@
-"""The waves around bodies, from their far field."""
+"""The waves around bodies, from the far field of the bodies."""

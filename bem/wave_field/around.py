@@ -84,7 +84,7 @@ def beside_incident(reader, omega, headings, motions, places):
 
 
 def at_waterline(mesh, places):
-    """(n, 2) m, places (n, 2) in plan; those inside a hull are moved to the nearest point of its waterline"""
+    """(n, 2) m, places (n, 2) in plan; places inside a hull are moved to the nearest point of its waterline"""
     plan, pierces = plan_of(mesh)
     places = np.array(places, float).reshape(-1, 2)
     over = covers(plan, places) if pierces else np.zeros(len(places), bool)
@@ -104,7 +104,8 @@ def far_field(reader, motion, omega, beta):
 
 
 def plan_of(mesh):
-    """(n, 2) m, corners anticlockwise of the convex hull of a PanelMesh's waterline, and whether it has one
+    """(n, 2) m, corners anticlockwise of the convex hull of a PanelMesh's waterline, and whether the mesh has a
+    waterline
 
     A submerged body has the plan of all its panels.  A curved plan is represented by CORNERS corners.
     """

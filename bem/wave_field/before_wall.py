@@ -1,4 +1,5 @@
-"""A body before a reflecting wall, from its results in open water: its waves and its image's, with all reflections.
+"""A body before a reflecting wall, from its results in open water: the waves of the body and of its image, with all
+reflections.
 
 The wall is at y = w; ′ mirrors a point in it.  Sources s of a body's waves (`sources`) respond to the incident waves:
 the wave towards β, its reflection, and the waves of the image's equal sources:
@@ -44,7 +45,7 @@ class WallError(ValueError):
 
 
 def neglected(body, wall):
-    """Local wave at the hull after its way to the image and back, as a share of its height at the start
+    """Height of a local wave at the hull after the way to the image and back, as a share of the height at the start
 
     exp(−2πg/b), g the gap from hull to wall, b the depth or, in deeper water, the breadth of the hull: sway of the box
     of the module is off by 0.04 and 0.30 where it says 0.04 and 0.28 in 100 m, forces by 0.004, 0.02, 0.6 for 0.0004,
@@ -55,7 +56,7 @@ def neglected(body, wall):
 
 
 def least_gap(share, depth, breadth):
-    """m, from hull to wall, at which the share `neglected` has this value"""
+    """m, distance from hull to wall at which `neglected` is equal to `share`"""
     return -float(np.log(share)) * _decay(depth, breadth)
 
 
@@ -93,8 +94,8 @@ def before_wall(body, wall):
 def given_back(body):
     """Negative radiated energy, 0 or more: minus the lowest eigenvalue of damping over the largest of each motion
 
-    It is an error of the result: 1e-4 for the box of the module at 25 m with headings stored every 15°, for 50 m 0.02,
-    and 0.12 with every 30°: sharp resonances between hull and wall are sensitive to errors.
+    Negative energy is an error of the result: 1e-4 for the box of the module at 25 m with headings stored every 15°,
+    for 50 m 0.02, and 0.12 with every 30°: sharp resonances between hull and wall are sensitive to errors.
     """
     B = body.between.quantities["radiation_damping"]
     size = np.sqrt(np.einsum("nii->ni", B).max(axis=0))

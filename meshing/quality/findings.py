@@ -114,7 +114,8 @@ class _Edges:
         return _where(self.points[self.ends[np.flatnonzero(which)[0]]].mean(axis=0))
 
     def half(self, which):
-        """Axis, "x" or "y", of the plane x = 0 or y = 0 in which edges lie, all of the mesh on one side; else None"""
+        """Axis, "x" or "y", of the plane x = 0 or y = 0 in which edges lie, if the whole mesh is on one side of the
+        plane; else None"""
         reach = DRAWN * float(np.median(np.linalg.norm(np.diff(self.points[self.ends], axis=1), axis=2)))
         for axis in "xy":
             place, side = self.points[self.ends[which]][..., "xy".index(axis)], self.points[:, "xy".index(axis)]
@@ -145,7 +146,7 @@ class _Edges:
 
     @property
     def on_bed_length(self):
-        """m, length of the edges on the sea bed, without those of images"""
+        """m, length of the edges on the sea bed, without the edges of mirror images"""
         ends = self.points[self.ends[self.at_bed & ~self.on_plane & (self.uses == 1)]]
         return float(np.linalg.norm(np.diff(ends, axis=1), axis=2).sum())
 

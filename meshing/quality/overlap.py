@@ -20,7 +20,8 @@ BLOCK = 1 << 20  # places times panels at once
 
 
 def overlaps(welded, depth=np.inf):
-    """[(panels of one part inside another, panels tested, (3,) m place of the first)] of parts of a hull.
+    """[(panels of one part inside another, panels tested, (3,) m place of the first of these panels)] of parts of a
+    hull.
 
     welded : whole PanelMesh whose panels share their points; depth : m of water, whose bed closes walls that end on it
     """

@@ -20,7 +20,7 @@ def pretension_needed(front, tide_part):
 
 
 def goes_slack(pretension, tide_part, amplitude):
-    """Whether a line of `pretension` is slack at low tide in a wave of this tension amplitude; arrays broadcast"""
+    """Whether a line of `pretension` is slack at low tide in a wave of the given tension amplitude; arrays broadcast"""
     return np.asarray(pretension) - tide_part < np.asarray(amplitude)
 
 
@@ -33,7 +33,7 @@ def sinker(tension, angle, friction, lifted=False):
 def common_sinker(horizontal, vertical, friction):
     """Submerged weight W (…), N/m, of one sinker under both lines with the wave forces P_H, P_U, complex (…)
 
-    W is the greatest value of ±P_H(t)/μ + P_U(t) over a period; the sum of both is one harmonic.
+    W is the greatest value of ±P_H(t)/μ + P_U(t) over a period; the sum of the two terms is one harmonic.
     """
     pull = np.asarray(horizontal) / _at_least("friction", friction, 1e-3, "")
     return np.maximum(abs(pull + vertical), abs(pull - vertical))

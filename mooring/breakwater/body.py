@@ -1,4 +1,4 @@
-"""A floating body of symmetric section, per metre of its length: buoyancy, and the lines that hold it taut.
+"""A floating body of symmetric section, per metre of its length: buoyancy, and the taut lines that hold the body.
 
     heave ρg B_w,    roll about the centre of gravity ρg {B_w³/12 + A (z_B − z₀)},    2P₀ sin α = g (ρA − M₀)
 

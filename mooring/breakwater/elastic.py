@@ -2,8 +2,9 @@
 
     K = Σ Jᵀ {(EA/S) u uᵀ + (P₀/S) (1 − u uᵀ)} J + P₀ u·r e_θ e_θᵀ,      δP = −(EA/S) u · J x
 
-u from a line's end on the body to its anchor, r that end from the centre of gravity, J its motion.  The second term is
-P₀ on a line that turns, the last one the end's way round the centre of gravity.  EA/S → ∞ is the constraint of `taut`.
+with u from a line's end on the body to its anchor, r from the centre of gravity to that end, J the motion of that end.
+The second term is P₀ on a line that rotates, the last term the path of the line's end about the centre of gravity.
+EA/S → ∞ is the constraint of `taut`.
 """
 
 from typing import NamedTuple
@@ -56,7 +57,8 @@ def _lines(body):
 
 
 def stiffness_of(body, axial_stiffness):
-    """Of water and lines about the centre of gravity, (3, 3), and δP of both lines, front first, of motions, (2, 3)"""
+    """Stiffness of water and lines about the centre of gravity, (3, 3), and δP of the front and back lines by motions,
+    (2, 3)"""
     stiffness, stretch = np.diag([0.0, body.heave_stiffness, body.roll_stiffness]), []
     for u, r, moved in _lines(body):
         along, across = u @ moved, np.array([-u[1], u[0]]) @ moved

@@ -72,7 +72,7 @@ def about_gravity(section, to_origin):
 
 
 def moved_to_origin(z):
-    """Motions of the origin from those of a point at z: the origin sways by +zθ more"""
+    """Motions of the origin from the motions of a point at z: the origin sways by zθ more than the point"""
     matrix = np.eye(3)
     matrix[SWAY, ROLL] = z
     return matrix
@@ -84,7 +84,7 @@ def far_field(section, motion):
 
 
 def check_section(body, section):
-    """Raises ValueError unless a `Section` has the body's width and draft, and its water"""
+    """Raises ValueError unless a `Section` has the width and draft of the body and the water of the body"""
     there = (section.beam, section.draft, section.depth, section.density, section.gravity)
     asked = (body.waterline, body.draft, body.depth, body.density, body.gravity)
     if not np.allclose(there, asked, rtol=1e-12, atol=0):

@@ -40,7 +40,7 @@ def mean_drift(response, omega, depth, *, density, gravity, obliquity=0.0):
 
 
 def fixed_response(body, angle=None):
-    """`Response` of a `FixedBody`; angle : of lines that hold it, rad, below π/2, or None"""
+    """`Response` of a `FixedBody`; angle : of the lines that hold the body, rad, below π/2, or None"""
     still, without = np.zeros_like(body.transmission), np.full_like(body.transmission, np.nan + 0j)
     lines = (without, without) if angle is None else line_tensions(body.horizontal, body.vertical, angle)
     return Response(body.transmission, body.reflection, still, still, still, *lines)

@@ -1,4 +1,5 @@
-"""A breakwater whose lines go slack, in regular waves, in time: one metre of it as a body of `mooring.motion`.
+"""A breakwater whose lines go slack, in regular waves, in time: one metre of the breakwater as a body of
+`mooring.motion`.
 
 Lines are hawsers: straight, T = (EA/S) e of their elongation, zero when slack, wherever the body moves.  The memory of
 the water is that of the section over a band of frequencies; without lines the body floats Δ = 2P₀ sin α / ρgB_w above
@@ -37,8 +38,9 @@ MOST = 0.3  # largest elongation in the table of tensions, over the line length
 
 
 class Snap(NamedTuple):
-    """time : (n,) s, of the last cycles; front, back : tensions (n,) N/m; peaks : (front, back) means of the largest of
-    every cycle, N/m; largest : (front, back); slack : (front, back) shares of the time; findings : one line each"""
+    """time : (n,) s, of the last cycles; front, back : tensions (n,) N/m; peaks : (front, back) means of the largest
+    tension of every cycle, N/m; largest : (front, back); slack : (front, back) shares of the time; findings : one line
+    each"""
 
     time: np.ndarray
     front: np.ndarray
@@ -50,7 +52,8 @@ class Snap(NamedTuple):
 
 
 def frequencies(body, omega):
-    """(n,) rad/s of the sections that `snap` needs in waves of omega, rad/s, which is among them"""
+    """(n,) rad/s, frequencies of the sections that `snap` needs in waves of omega, rad/s, with omega among the
+    frequencies"""
     most = max(np.sqrt(SHORT * body.gravity / min(body.draft, body.waterline / 2)), 3 * omega)
     return np.union1d(np.linspace(LOWEST * omega, most, COUNT), omega)
 

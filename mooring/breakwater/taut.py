@@ -1,4 +1,4 @@
-"""A rectangle on inextensible taut lines: it can only turn about the point Q where the lines meet.
+"""A rectangle on inextensible taut lines: the rectangle can only rotate about the point Q where the lines meet.
 
 With q the coordinate along which the lines allow motion, for lines at angle α fixed at ±l₁ on the bottom,
 

@@ -1,4 +1,4 @@
-"""A sea at a breakwater: S_t = K_T² S_i behind it, and tensions in its lines.
+"""A sea at a breakwater: S_t = K_T² S_i behind the breakwater, and tensions in its lines.
 
     σ_P² = ∫ |P|² S_i dω,    slack in a cycle  exp(−½ ((P₀ − ΔP₀)/σ_P)²),    greatest of N  σ_P √(2 ln N)
 

@@ -81,7 +81,7 @@ def pairs(length, spacing):
 
 
 def ends(body, x, center):
-    """Of the front and the back line at x: u (3,), r (3,) from (0, 0, center), and J (3, 6)"""
+    """Ends of the front and the back line at x: u (3,), r (3,) from (0, 0, center), and J (3, 6)"""
     s, c, below = np.sin(body.angle), np.cos(body.angle), body.attachment_z - center
     for side in (-1.0, 1.0):
         u, r = np.array([0.0, side * c, -s]), np.array([x, side * body.attachment, below])

@@ -34,7 +34,7 @@ class Chart(NamedTuple):
 
 
 class Anchor(NamedTuple):
-    """An anchor, nan for unknown values: it is then sized, and its utilisation is nan.
+    """An anchor, nan for unknown values: an unknown anchor is sized, and its utilisation is nan.
 
     holding, uplift : N, along and up, of a drag anchor and a pile; weight : N in water, friction : of a sinker
     chart : of a drag anchor whose mass is wanted, else None; safety : s
@@ -53,7 +53,7 @@ class Anchor(NamedTuple):
         return self.friction * (self.weight - np.maximum(up, 0.0)) if self.kind == "sinker" else self.holding
 
     def used(self, along, up):
-        """Utilisation of its capacity, with the factor, at pulls of N"""
+        """Utilisation of the capacity of the anchor, with the safety factor, at pulls `along` and `up`, N"""
         up = np.maximum(up, 0.0)
         if self.kind == "sinker":
             return self.safety * (along / self.friction + up) / self.weight
@@ -61,7 +61,7 @@ class Anchor(NamedTuple):
         return self.safety * np.maximum(along / self.holding, lifted)
 
     def needed(self, along, up):
-        """Required size: kg of a drag anchor in a chart, N in water of a sinker; nan of others"""
+        """Required size: kg of a drag anchor in a chart, weight in water, N, of a sinker; nan of other anchors"""
         if self.kind == "sinker":
             return self.safety * (along / self.friction + np.maximum(up, 0.0))
         if self.chart is None:

@@ -1,4 +1,4 @@
-"""Fatigue of a line: cycles of its tension, the number of cycles to failure, Miner's sum.
+"""Fatigue of a line: cycles of tension, the number of cycles to failure, Miner's sum.
 
     N(s) = a s^(−m)                  cycles to failure at range s (of stress, or of tension over the breaking load)
     D = Σ nᵢ / N(sᵢ)                 Miner's sum; failure is expected at 1

@@ -1,4 +1,4 @@
-"""Criteria of rule sets as data: a quantity, its limit, the state it applies to, its source.
+"""Criteria of rule sets as data: a quantity, its limit, the state to which the limit applies, the source of the limit.
 
 A table has a row for each criterion:
 
@@ -14,7 +14,7 @@ A table has a row for each criterion:
     motion_factor      by which the largest motion is multiplied before the tension is taken
     source, status     read: quoted in a source that was read; secondary; unverified: to be confirmed in the book
 
-The tables beside this module contain the rules quoted by SR179 (1982), chapter 4, and later ones as publicly quoted.
+The tables beside this module contain the rules quoted by SR179 (1982), chapter 4, and later rules as publicly quoted.
 """
 
 import math
@@ -71,7 +71,7 @@ class Criterion(NamedTuple):
         return f"{self.rule} ({self.edition})" if self.edition else self.rule
 
     def holds(self, state, lines, analysis):
-        """Whether the criterion applies to a load case of this state, these lines and this kind of analysis"""
+        """Whether the criterion applies to a load case of the given state, lines and kind of analysis"""
         pairs = (self.state, state), (self.lines, lines), (self.analysis, analysis)
         return all(own in ("any", asked) for own, asked in pairs)
 
@@ -83,7 +83,7 @@ class Criterion(NamedTuple):
 
 
 def read_rules(path=None):
-    """All criteria of the tables, or those of a user's file.  Raises RuleError."""
+    """All criteria of the tables, or all criteria of a user's file.  Raises RuleError."""
     if path is None:
         tables = {name: files(__package__).joinpath("tables", name).read_text(encoding="utf-8") for name in TABLES}
     else:
@@ -94,7 +94,7 @@ def read_rules(path=None):
 
 
 def unit_of(where, quantity, unit):
-    """The unit of values of a quantity, if `unit` is this unit or missing; `unit` for an unknown quantity
+    """The unit of a known quantity, if `unit` is the same or missing; `unit` for an unknown quantity
 
     Nothing is converted: another unit raises RuleError that begins with `where`.  A ratio, "… / …", has the unit -.
     """
@@ -110,7 +110,7 @@ def rule_names(criteria):
 
 
 def of_rule(criteria, rule, subject=None):
-    """Criteria of one rule set, and of one `subject` of it if given.  Raises RuleError if there are none."""
+    """Criteria of one rule set, or only of its `subject` if given.  Raises RuleError if there are none."""
     found = [criterion for criterion in criteria if criterion.rule.lower() == rule.lower()]
     if not found:
         raise RuleError(f"rule set {rule!r} is unknown; allowed: {', '.join(rule_names(criteria))}")

@@ -68,7 +68,7 @@ class Case(NamedTuple):
 
 class Use(NamedTuple):
     """Utilisation of a criterion by a load case: value in the unit of the criterion, utilisation, and the line or
-    motion it belongs to"""
+    motion that has this utilisation"""
 
     case: str
     item: str
@@ -78,7 +78,8 @@ class Use(NamedTuple):
 
 @dataclass(frozen=True)
 class Judged:
-    """A criterion with the Use of each case that it applies to, the largest first; empty if none can be judged"""
+    """A criterion with the Use in each case to which the criterion applies, the largest first; empty if no case can be
+    judged"""
 
     criterion: Criterion
     uses: tuple[Use, ...]
@@ -91,7 +92,7 @@ class Judged:
 
     @property
     def met(self):
-        """True, False, or None if it cannot be judged"""
+        """True, False, or None if the criterion cannot be judged"""
         return None if not self.uses else bool(self.uses[0].utilisation <= 1.0)
 
 

@@ -36,7 +36,8 @@ class EarthquakeError(ValueError):
 
 
 class Ground(NamedTuple):
-    """time (n,) s, equally spaced; acceleration, velocity, displacement (n,) in m; 0 at both ends except the first
+    """time (n,) s, equally spaced; acceleration, velocity, displacement (n,) in m; velocity and displacement are 0 at
+    both ends
 
     base_line : m/s², of the first and the last acceleration, added to a record and straight between them
     """
@@ -183,7 +184,8 @@ def both_sides(fenders):
 
 
 def by_spectrum(floater, fenders, spectrum, spectrum_ratio=0.05):
-    """`Spectral` reaction to a response spectrum, with the equivalent spring at its own deflection.
+    """`Spectral` reaction to a response spectrum, with the stiffness of the equivalent spring at the deflection of this
+    reaction.
 
     spectrum : function of the period, s → m/s² at a damping ratio of spectrum_ratio
     raises : EarthquakeError where fenders are compressed beyond their table, or no deflection satisfies the equation

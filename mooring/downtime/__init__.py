@@ -1,1 +1,2 @@
-"""Hours of a multi-year record in which a berth or an operation cannot be used, and the windows between them."""
+"""Hours of a multi-year record in which a berth or an operation cannot be used, and the weather windows between these
+hours."""

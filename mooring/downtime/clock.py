@@ -18,7 +18,7 @@ ALLOWED = "UTC, an offset such as +09:00, or a name such as Europe/Berlin"
 
 
 def times(texts, zone, where):
-    """(n,) datetime64[s] in UTC of ISO texts; zone : for texts without their own offset.
+    """(n,) datetime64[s] in UTC of ISO texts; zone : for texts without an offset of their own from UTC.
 
     where : name of the file, for messages.  Raises TableError.
     """

@@ -134,7 +134,7 @@ def response_of(body, points, wanted):
 
 
 def moments_of_hours(response, shape, waves, orders=(0, 2)):
-    """(len(orders), n, c) moments m_n in hours of a `hindcast.WaveHours`; nan where these are unknown"""
+    """(len(orders), n, c) moments m_n in hours of a `hindcast.WaveHours`; nan where the waves are unknown"""
     if shape.changes:
         return _by_periods(response, shape, waves, orders)
     omega, count = response.omega, len(response.names)

@@ -91,7 +91,8 @@ def fitted(x, height, used):
 
 
 def where_it_may_change(x, mean, error, scatter, free, count, taken):
-    """Numbers (≤ count,) of hours at which a state would move the verdicts most, no two of them near each other
+    """Numbers (≤ count,) of the hours at which a further state would change the verdicts most, no two hours near each
+    other
 
     taken : (s, d) features of the existing states
     """

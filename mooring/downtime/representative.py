@@ -21,7 +21,7 @@ def features(numbers, directions=()):
 
 
 def most_dissimilar(x, count, first):
-    """Indices (count,) of rows of x (n, d), fewer if no others differ; first : the first index"""
+    """Indices (count,) of rows of x (n, d), fewer if no further rows differ; first : the first index"""
     chosen = [int(first)]
     nearest = np.sum((x - x[first]) ** 2, axis=1)
     while len(chosen) < count:

@@ -1,4 +1,4 @@
-"""Weather windows: runs of usable hours, their length, and the waiting time for one.
+"""Weather windows: runs of usable hours, the length of a window, and the waiting time for a window.
 
 A ship that arrives at any hour waits until the first hour at which a window of n hours remains.  Gaps of the record and
 unknown hours end a window, and waits across them are excluded.
@@ -10,7 +10,7 @@ import numpy as np
 
 
 class Windows(NamedTuple):
-    """first : (w,) number of the row a window begins with; steps : (w,) rows of it
+    """first : (w,) number of the row with which a window begins; steps : (w,) number of rows of the window
 
     whole : (w,) whether known rows, without gaps, precede and follow it: otherwise it may have been longer
     """
@@ -42,7 +42,8 @@ def in_windows(found, count, steps):
 
 
 def waiting(found, known, slot, steps):
-    """(n,) rows of waiting from each row for a window of `steps` rows; nan where the record does not determine it
+    """(n,) rows of waiting from each row for a window of `steps` rows; nan where the record does not determine the
+    waiting
 
     The wait from a row inside a window is 0 if at least `steps` rows of the window remain.
     """

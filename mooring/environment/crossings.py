@@ -75,7 +75,7 @@ class Crossings:
 
     @property
     def mean_period(self):
-        """s, between crossings; for a spectrum it is T02"""
+        """s, mean period between crossings in the same direction; for a spectrum this is T02"""
         return float(self.periods.mean())
 
 

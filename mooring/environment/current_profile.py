@@ -91,7 +91,8 @@ def power_law(speed, direction, depth, exponent):
 
 
 def wind_drift(speed_10, direction, depth):
-    """Current driven by a wind of `speed_10` m/s towards `direction`: 1 % of it at the surface, linear to the bed"""
+    """Current driven by a wind of `speed_10` m/s towards `direction`: 1 % of the wind speed at the surface, linear to
+    zero at the bed"""
     within("wind speed at 10 m", speed_10, 0.0, 200.0, "m/s")
     return power_law(WIND_DRIFT * speed_10, direction, depth, 1.0)
 

@@ -1,4 +1,4 @@
-"""Spectra of gusts and records of them.
+"""Spectra of gusts, and records of gusts.
 
 Each spectrum is a variance, a time scale T and a dimensionless shape over X = T f, f in Hz, with ∫ s dX = 1:
 
@@ -102,7 +102,8 @@ def npd(hourly_speed, height=10.0):
 
 
 def kaimal(speed, height, intensity):
-    """Kaimal's spectrum of IEC 61400-1; speed : m/s mean at `height` m; intensity : standard deviation over it"""
+    """Kaimal's spectrum of IEC 61400-1; speed : m/s, mean at `height` m; intensity : standard deviation over the mean
+    speed"""
     positive("wind speed", speed, "m/s")
     positive("height", height, "m")
     within("turbulence intensity", intensity, 1e-4, 1.0)
@@ -154,7 +155,7 @@ def _tell_missing(spectrum, low, high):
         warnings.warn(
             f"the gust band {low:.3g} to {high:.3g} rad/s contains {100 * held:.1f} % of the variance of "
             f"{spectrum.name} at {spectrum.speed:g} m/s, at least {100 * (1 - MISSED):g} % is needed; "
-            "widen it, or scale the record",
+            "widen the band, or scale the record",
             MissingVariance,
             stacklevel=4,
         )

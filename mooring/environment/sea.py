@@ -1,4 +1,5 @@
-"""A sea state: a spectrum, its mean direction and spreading; divided into shares per heading or into wave components.
+"""A sea state: a spectrum, its mean direction and spreading; divided into shares of energy per heading, or into wave
+components.
 
     η(x, y, t) = Σ aᵢ cos{ωᵢ t − kᵢ (x cos βᵢ + y sin βᵢ) − εᵢ}
 

@@ -20,7 +20,8 @@ WINDOWS = ("hann", "none")
 
 
 class Estimate(NamedTuple):
-    """omega (n,) rad/s, without 0 and the last, which have half the degrees of freedom; density (n,) m² s/rad."""
+    """omega (n,) rad/s, without 0 and the highest frequency, at which estimates have half the degrees of freedom;
+    density (n,) m² s/rad."""
 
     omega: np.ndarray
     density: np.ndarray

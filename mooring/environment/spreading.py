@@ -30,7 +30,7 @@ class Spreading:
     depends_on_frequency = False
 
     def density(self, angle, omega=None):
-        """(...,) rad → (...,) 1/rad; omega (rad/s) only if the spreading depends on it, broadcast with angle"""
+        """(...,) rad → (...,) 1/rad; omega (rad/s), broadcast with angle, only if the spreading depends on frequency"""
         raise NotImplementedError
 
     def shares(self, omega=None):

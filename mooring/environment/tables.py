@@ -96,8 +96,8 @@ def column_of(path, names, wanted):
 
 
 def without_rounding(time):
-    """The evenly spaced times (n,) s from which these differ only by rounding in the file; if there are none, these
-    times
+    """The evenly spaced times (n,) s from which the given times differ only by rounding in the file; if there are none,
+    the given times
 
     0, 0.8, 1.6, 2.4, 3.3, … are steps of 0.814 s.  The last digit is at most a quarter of a step: no row is lost.
     """

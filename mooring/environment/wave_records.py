@@ -70,7 +70,7 @@ def _on_equal_steps(amplitude, omega, start, step, n):
 
 
 def write_record(path, record, comment=""):
-    """Write time_s,elevation_m as CSV; `comment` precedes them in # lines."""
+    """Write time_s,elevation_m as CSV; `comment` precedes the rows in # lines."""
     rows = [f"# {line}" for line in comment.splitlines()] + ["time_s,elevation_m"]
     rows += [f"{t:.6f},{value:.6g}" for t, value in zip(record.time, record.elevation, strict=True)]
     write_sealed(path, "\n".join(rows) + "\n")

@@ -90,7 +90,7 @@ def froya_speed_at(height, hourly_speed, averaging=HOUR):
 
 
 def mean_over(speed, given, wanted, height=10.0):
-    """Mean wind over `wanted` s from that over `given` s, both in m/s at `height` m, by the Frøya formula.
+    """Mean wind over `wanted` s from the mean wind over `given` s, both in m/s at `height` m, by the Frøya formula.
 
     raises : ValueError for averaging times outside 1 s to one hour, speeds outside 0 to 200 m/s, and speeds beyond the
     range of the formula at the height: near the sea its mean decreases in very strong wind

@@ -71,7 +71,7 @@ def straight(x, y):
 
 
 def smooth(x, y):
-    """`Curve` of monotone cubics through points (n,), (n,), the first at 0, 0; of two points a straight line"""
+    """`Curve` of monotone cubics through points (n,), (n,), the first at 0, 0; for two points a straight line"""
     if len(x) < 3:
         return straight(x, y)
     from scipy.interpolate import PchipInterpolator

@@ -17,7 +17,8 @@ from .fender import Fender, FenderError
 
 @dataclass(frozen=True, eq=False, repr=False)
 class OnDolphin(Fender):
-    """A fender and its dolphin as one; deflections and strains are of both together, over the fender's height.
+    """A fender and its dolphin as one fender; deflections are of both together, and strains are these deflections over
+    the height of the fender.
 
     strains : (2, n), of both together and of the fender, on loading; own_allowable : strain, of the fender itself
     """
@@ -26,11 +27,12 @@ class OnDolphin(Fender):
     own_allowable: float = 0.0
 
     def own(self, deflection):
-        """m, the fender's part of a deflection of both, m, piecewise linear, extended beyond the last point"""
+        """m, the fender's part of a deflection of fender and dolphin together, m, piecewise linear, extended beyond the
+        last point"""
         return self.height * led_on(deflection / self.height, *self.strains)
 
     def whole(self, own):
-        """m, deflection of both for a fender deflection of `own` m"""
+        """m, deflection of fender and dolphin together for a fender deflection of `own` m"""
         return self.height * led_on(own / self.height, *self.strains[::-1])
 
 
@@ -59,7 +61,7 @@ def bilinear(stiffness, yield_force=np.inf, stiffness_beyond=None):
 
 def in_series(fender, deflection_of, points=400):
     """`OnDolphin` of a fender and a dolphin whose deflection at a force is `deflection_of` (`bilinear`), in straight
-    lines between `points` and the fender's own.  Raises FenderError where it snaps through."""
+    lines between `points` and the points of the fender.  Raises FenderError where it snaps through."""
     y2 = _grid(fender, points)
     up, down = fender.loading(y2), fender.unloading(y2)
     y, back = (y2 + deflection_of(force) for force in (up, down))

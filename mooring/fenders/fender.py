@@ -101,7 +101,7 @@ class Fender:
         return float(self.loading(self._grid(deflection)).max())
 
     def own(self, deflection):
-        """m, the fender's own part of a deflection, m: all of it with a rigid support"""
+        """m, the part of a deflection, m, that the fender itself takes: all of the deflection with a rigid support"""
         return float(deflection)
 
     def whole(self, own):

@@ -1,4 +1,4 @@
-"""Effect of an energy on fenders: the deflection of each, and its largest reaction on the way."""
+"""Effect of an energy on fenders: the deflection of each fender, and the largest reaction up to this deflection."""
 
 import numpy as np
 
@@ -6,7 +6,8 @@ from .fender import FenderError
 
 
 def deflection_of(fender, energy):
-    """m, deflection at which a fender has absorbed an energy, J; nan if its table ends before"""
+    """m, deflection at which a fender has absorbed an energy, J; nan if the table of the fender ends at a smaller
+    energy"""
     try:
         return fender.deflection_at_energy(energy)
     except FenderError:

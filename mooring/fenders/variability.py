@@ -23,7 +23,8 @@ def bands():
 
 
 def chosen(causes=None, **own):
-    """Bands of the named causes, all if None, with those in `own` instead of the table's.  Raises FenderError."""
+    """Bands of the named causes, of all causes if None; a band in `own` replaces the band of the table.  Raises
+    FenderError."""
     table = bands() | own
     unknown = [cause for cause in causes or () if cause not in table]
     if unknown:

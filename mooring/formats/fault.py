@@ -1,4 +1,4 @@
-"""The error of all readers: file, line and section, and the fault there."""
+"""The error of all readers: file, line and section of the fault, and the fault itself."""
 
 
 class FormatError(ValueError):

@@ -21,7 +21,8 @@ DIPS = 1e-3  # part of the length that may enter the water while a line still co
 
 
 def in_air(lines, points, bodies, water):
-    """The lines, where those that cannot reach the water have a type with weight in air; their names"""
+    """The lines, of which lines that cannot reach the water get a type with weight in air; the names of these dry
+    lines"""
     lowest = _lowest(lines, points, bodies)
     dry = [_is_dry(line, lowest) for line in lines] if water.density > 0 else [False] * len(lines)
     wet = {line.type.name for line, out in zip(lines, dry, strict=True) if not out and isinstance(line, UniformLine)}

@@ -38,7 +38,8 @@ class WorkingCurves(NamedTuple):
     k2: float
 
     def after(self, largest):
-        """(k, 2) strain and tension, N, at rest, of a rope whose mean tension has been `largest`, N, its first 0"""
+        """(k, 2) strain and tension, N, at rest, of a rope whose mean tension has been `largest`, N; the first tension
+        is 0"""
         strain, tension = self.original.T
         if not 0 <= largest <= tension[-1]:
             raise ValueError(

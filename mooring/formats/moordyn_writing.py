@@ -162,7 +162,7 @@ def _type_row(kind):
     if kind.mass is None or kind.diameter is None:
         raise FormatError(f"line type {kind.name!r} has no mass or no diameter, which MoorDyn needs; give both")
     if not np.isfinite(kind.axial_stiffness):
-        raise FormatError(f"line type {kind.name!r} is inextensible, and a MoorDyn file needs EA; give it")
+        raise FormatError(f"line type {kind.name!r} is inextensible, and a MoorDyn file needs EA; give EA")
     felt = kind.dynamics or LineDynamics()
     texts = (repr(float(value)) for value in (kind.axial_stiffness, felt.damping, felt.bending_stiffness))
     coefficients = felt.drag_normal, felt.added_mass_normal, felt.drag_tangential, felt.added_mass_tangential

@@ -7,7 +7,8 @@ by least squares of the whole record, or with − B₃ ẋ³ in place of the squ
     B₁ = (−F₁ sin ε₁ + 5 F₃ sin ε₃)/(ωX),    B₂ = −15π F₃ sin ε₃/(8 ω²X²)
 
 (Shiraishi et al., Port and Airport Research Institute, eq. 1, 2; ẋ|ẋ| = V² [(8/3π) cos ωt + (8/15π) cos 3ωt − …]).  One
-coefficient with the same energy in a cycle is B₁ + (8/3π) ωX B₂; that with the same largest force is B₁ + ωX B₂.
+coefficient with the same energy in a cycle is B₁ + (8/3π) ωX B₂; one coefficient with the same largest force is B₁ + ωX
+B₂.
 
 Noise without memory on the force perturbs B₁ and B₂ by the covariance of least squares, s² (MᵀM)⁻¹, M the columns of
 the fit and s its residual: no unbiased estimate has less (Cramér and Rao).  Noise on the motion shifts its phase, and
@@ -22,7 +23,7 @@ from .record import RecordError, Sine, checked, sine_of
 
 
 class Forced(NamedTuple):
-    """added_mass : kg; linear, quadratic : B₁ N s/m, B₂ N s²/m²; by_harmonics : the same two by the paper's formulas
+    """added_mass : kg; linear, quadratic : B₁ N s/m, B₂ N s²/m²; by_harmonics : B₁ and B₂ by the formulas of the paper
 
     motion : `record.Sine`; off : deviation from the force over the force's own
     error : standard errors of B₁ and B₂ by noise without memory

@@ -1,1 +1,1 @@
-"""Mooring lines in detail: static lines of many parts, their dynamics, and the loads on them."""
+"""Mooring lines in detail: static lines of many parts, the dynamics of lines, and the loads on lines."""

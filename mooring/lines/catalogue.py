@@ -98,7 +98,7 @@ FORMS = (
 
 
 def unread(name):
-    """Properties of a catalogue name that were not checked against its standard, '' for none"""
+    """Properties of a catalogue name that were not checked against its standard, '' if all were checked"""
     if not name or "6x24" not in name.lower().split():
         return ""
     return (

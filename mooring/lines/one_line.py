@@ -1,6 +1,6 @@
 """One uniform line between an anchor and a fairlead: its forces, its shape, and its pull from slack to taut.
 
-It lies on a bed, level or a plane; lighter than water, it floats in the sea surface instead.
+The line lies on a bed, level or a plane; a line lighter than water floats in the sea surface instead.
 """
 
 from dataclasses import dataclass
@@ -14,7 +14,8 @@ NEAR_SHORE = 1e-3  # how near curves go to where the bed is as high as the fairl
 
 @dataclass(frozen=True)
 class OneLine:
-    """A line and where it hangs, SI; type : LineType; height, depth : m, fairlead and sea surface above anchor
+    """A line and the place where the line hangs, SI; type : LineType; height, depth : m, fairlead and sea surface above
+    anchor
 
     slope : rad, of the bed
     """

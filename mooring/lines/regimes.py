@@ -58,7 +58,7 @@ class HarmonicTension(NamedTuple):
 
     @property
     def regime(self):
-        """Regime; beyond HARMONIC the tensions of this value do not apply to the line"""
+        """Regime of a line; beyond HARMONIC the tensions of this HarmonicTension do not apply to the line"""
         return Regime(
             1 + sum(self.acceleration >= a for a in (self.harmonic, max(self.harmonic, self.slack), self.fall))
         )

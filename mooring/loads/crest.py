@@ -24,7 +24,7 @@ from .smooth import parabolic, smooth
 
 
 class Point(NamedTuple):
-    """beam/draft, depth/draft, coefficient, and whether it lies on the crest"""
+    """beam/draft, depth/draft, coefficient, and whether the point lies on the crest"""
 
     b: float
     h: float

@@ -4,7 +4,7 @@
 
 Z : height of the centre of pressure above the point that moments are about.  Wind on a box acts at half the exposed
 height, on superstructures at their middle.  The report gives a current no heeling moment (eq. 3.7.1.10), as if it acted
-at the centre of gravity; a uniform one has equal pressure over the draft and acts at half of it.
+at the centre of gravity; a uniform current has equal pressure over the draft and acts at half of it.
 """
 
 from collections.abc import Callable
@@ -20,7 +20,7 @@ from .coefficients import HullCoefficients, hull_force
 
 @dataclass(frozen=True, eq=False)
 class StreamOnHull:
-    """Force of a stream over the angle it travels to, rad from the bow.
+    """Force of a stream over the angle to which the stream travels, rad from the bow.
 
     unit : (…) rad → (…, 3) N s²/m², N s²/m², N s² amidships, at 1 m/s; height : (2,) m above still water, of F_x, F_y
     notes : on the origin of the numbers, one line each
@@ -85,7 +85,7 @@ def silhouettes(hull):
     raises : ValueError for a hull with unknown freeboard
     """
     if hull.freeboard is None:
-        raise ValueError("hull.freeboard is missing; wind acts on it; give it, or wind.file")
+        raise ValueError("hull.freeboard is missing; wind acts on the freeboard; give hull.freeboard, or wind.file")
     on_deck = 0.5 * max(hull.front_area / hull.beam, hull.side_area / hull.length)
     middle = hull.freeboard + on_deck if hull.superstructure_z is None else hull.superstructure_z
     boxes = (

@@ -22,7 +22,7 @@ class Member(NamedTuple):
 
 
 def over_wave(member, wave, phases, density):
-    """(p, 6) N and N m about its foot on a Member in a RegularWave, at phases (p,) rad"""
+    """(p, 6) N and N m on a Member in a RegularWave, about the foot of the Member, at phases (p,) rad"""
     force = np.zeros((len(phases), 6))
     for row, phase in zip(force, phases, strict=True):
         wet = wet_part(member.start, member.end, wave, phase)
@@ -33,7 +33,7 @@ def over_wave(member, wave, phases, density):
 
 
 def wet_part(start, end, wave, phase):
-    """Two ends (3,) m of the part of a straight member below the surface, None if it is dry.
+    """Two ends (3,) m of the part of a straight member below the surface, None if the member is dry.
 
     A member is cut once: the method does not apply to one longer than half a wave that lies in the surface.
     """

@@ -1,4 +1,4 @@
-"""Curves through tabulated points: cubic between them, slope continuous.
+"""Curves through tabulated points: cubic between the points, slope continuous.
 
 `smooth` does not overshoot: its slopes are those of Fritsch and Butland (1984), the weighted harmonic mean of the
 neighbouring secants, 0 where these differ in sign.  `parabolic` uses the slope of the parabola through a point and its
@@ -10,7 +10,8 @@ import numpy as np
 
 
 def smooth(x, y, flat=()):
-    """Callable curve through x (n,) rising and y (n, …); `flat` are places in x where its slope is set to 0."""
+    """Callable curve through x (n,) rising and y (n, …); `flat` : places in x where the slope of the curve is set to
+    0."""
     x, y = np.asarray(x, float), np.asarray(y, float)
     if len(x) == 1:
         return lambda at: np.broadcast_to(y[0], np.shape(at) + y.shape[1:])

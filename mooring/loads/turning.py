@@ -14,7 +14,7 @@ discontinuous there.  A box with symmetry fore and aft and port and starboard ha
     (C_x, C_y, C_m)(β + 180°, r') = (−C_x, −C_y, C_m)(β, r')
     (C_x, C_y, C_m)(−β, −r') = (C_x, −C_y, −C_m)(β, r')
 
-so that each term A βⁿ r'ᵏ is even or odd about β = 90°.  It is used as printed up to 60°; from there a parabola
+so that each term A βⁿ r'ᵏ is even or odd about β = 90°.  The term is used as printed up to 60°; from there a parabola
 continues its value and slope to 90°, where an odd term is 0 and an even one has zero slope.  Slopes are continuous at
 all angles. For H/d = 1.2 C_x falls to −0.02 near 80°. A₀ of C_y and C_m, 0 for such a box, is omitted.
 
@@ -98,7 +98,7 @@ class TurningCoefficients:
         return out
 
     def tested(self, beta, turn):
-        """(…) whether the tests cover these: within 60° of straight ahead or astern and |r'| ≤ 0.5"""
+        """(…) whether the tests cover this motion: within 60° of straight ahead or astern and |r'| ≤ 0.5"""
         acute = np.abs(np.arctan(np.tan(beta)))
         return (acute <= FITTED * (1 + 1e-9)) & (np.abs(turn) <= LARGEST_TURN)
 

@@ -103,7 +103,7 @@ class BuoyOnLines:
 
     @property
     def damping(self):
-        """(k,) N s/m of each hawser, DAMPING of critical of the buoy alone on it"""
+        """(k,) N s/m of each hawser: the share DAMPING of the critical damping of the buoy alone on that hawser"""
         return 2 * DAMPING * np.sqrt(self.stiffness * self.body.mass)
 
 
@@ -383,7 +383,8 @@ def open_water(table, buoy, work, place, number, start):
 
 @kernel()
 def keep_pulls(work, first, last):
-    """Store the pulls of an accepted step; it contains samples `first` to `last` − 1; their maximum restarts"""
+    """Store the pulls of an accepted step, which contains samples `first` to `last` − 1; the maximum of the pulls
+    starts again"""
     k = work.rope.size
     for i in range(k):
         work.most[i] = max(work.most[i], work.rope[i])

@@ -1,4 +1,4 @@
-"""Fenders compressed by a body, and ropes from it to a fixed point or to another body, compiled.
+"""Fenders compressed by a body, and ropes from the body to a fixed point or to another body, compiled.
 
 The face of a fender is at a in space.  A flat side of the body touches it, with outward normal m (unit, axes of the
 body) at the distance s from their origin x₀ + η; q = Rᵀ(a − x₀ − η) is the face in those axes:
@@ -13,7 +13,7 @@ of the body:
 
 On another body a moves with that body, which receives the opposite force there; u then turns with the touched body.
 Quantities with a history (`mooring.fenders.hysteresis`, u) keep their value from the start of a step; `settle` stores
-that of its end.
+the value at the end of the step.
 """
 
 from __future__ import annotations
@@ -87,7 +87,7 @@ def contact_work(contacts):
 
 @kernel(inline=True, counted=False)
 def pressed(contacts, work, i, depth):
-    """Force N of a deflection or elongation, m, which is stored with its state"""
+    """Force N of a deflection or elongation, m; stores the deflection or elongation and its state"""
     state = advanced(work.start[i, STATE], work.start[i, DEPTH], depth, contacts.table.marks[i, 0])
     force = reaction(contacts.table, i, depth, state)
     work.now[i, DEPTH], work.now[i, STATE], work.now[i, FORCE] = depth, state, force
@@ -96,7 +96,8 @@ def pressed(contacts, work, i, depth):
 
 @kernel(counted=False)
 def from_the_body(contacts, work, i, positions, R, v):
-    """v (3,) m, from the origin of the axes of its body to a of contact i; work.arm is that from the other body's"""
+    """v (3,) m, from the origin of the body's axes to end a of contact i; work.arm is the arm from the origin of the
+    other body"""
     b, other = contacts.body[i], contacts.other[i]
     c, bent = contacts.numbers, contacts.bent
     for j in range(3):
@@ -153,7 +154,8 @@ def fender_force(contacts, work, i, R, v, f):
 
 @kernel(counted=False)
 def rope_force(contacts, work, i, R, v, f):
-    """f (3,) N in space of rope i on its body, at the arm v (3,) m, where it was that to the other end"""
+    """f (3,) N in space of rope i on its body, at the arm v (3,) m; before the call v is the arm to the other end of
+    the rope"""
     c, span, w = contacts.numbers, 0.0, work.shift
     for j in range(3):
         arm = R[j, 0] * (c[i, ARM] + w[0]) + R[j, 1] * (c[i, ARM + 1] + w[1]) + R[j, 2] * (c[i, ARM + 2] + w[2])
@@ -174,7 +176,7 @@ def fender_on(contacts, work, i, b, R, v, f):
 
 @kernel(inline=True, counted=False)
 def rope_on(contacts, work, i, b, R, v, f):
-    """`rope_force` on body b, with R (N, 3, 3) of all"""
+    """`rope_force` on body b, with the rotations R (N, 3, 3) of all bodies"""
     rope_force(contacts, work, i, R[b], v, f)
 
 

@@ -1,4 +1,5 @@
-"""Fenders and ropes of bodies at a berth or side by side, as values, and where bodies rest between them, or hinged."""
+"""Fenders and ropes of bodies at a berth or side by side, as values, and the places of rest of bodies between fenders
+and ropes, or hinged."""
 
 from dataclasses import dataclass, replace
 
@@ -20,8 +21,8 @@ TOGETHER = 1e-12  # m, rad: apart by less is rounding
 
 @dataclass(frozen=True, eq=False)
 class QuayFender:
-    """fender : with its dolphin; face : (3,) m in space; normal : (3,) outward of the body's flat side that meets it,
-    at `side` m from the origin of the hull's coordinates; friction : μ; shear : N/m along the face
+    """fender : with its dolphin; face : (3,) m in space; normal : (3,) outward of the body's flat side that meets the
+    fender, at `side` m from the origin of the hull's coordinates; friction : μ; shear : N/m along the face
 
     face : with the bodies at rest; normal : in the body's axes
     """
@@ -168,7 +169,7 @@ def at_rest(berth, others, start, unit):
 
 
 def balanced(residual, start):
-    """Where a residual is least, as of `scipy.optimize.least_squares`, with the same digits each time
+    """Place at which a residual is least, as by `scipy.optimize.least_squares`, with the same digits each time
 
     Not by method="lm": for a body with a motion that hardly changes the residual, the next place in scipy 1.17 depends
     on uninitialised memory.
@@ -263,13 +264,14 @@ def poses_at(place, headings):
 
 
 def bent_poses_at(place, headings):
-    """(N, 6) of displacements in space (6N + f,), and after them (f,) amplitudes of shapes, for bodies that bend"""
+    """(N, 6) poses of displacements in space (6N + f,), of which the last (f,) are amplitudes of shapes, for bodies
+    that bend"""
     rigid = 6 * len(headings)
     return (poses_at(place[:rigid], headings), *([place[rigid:]] if len(place) > rigid else []))
 
 
 def contact_forces(berth, position):
-    """(m,) N of fenders and ropes with the bodies at a displacement (n,) that they are put to"""
+    """(m,) N of fenders and ropes with the bodies put to a displacement (n,)"""
     rigid = 6 * len(berth.heading)
     poses = np.array(position[:rigid], float).reshape(1, -1, 6)
     poses[:, :, 5] += berth.heading

@@ -200,7 +200,8 @@ def add_horizontal(force, y, rate, x, y_force, moment, number):
 
 @kernel(counted=False)
 def restore(body, b, y, rate, force, work):
-    """Hydrostatic and spring forces on body b and those of the turning axes, whose work is that of the current, if any
+    """Hydrostatic and spring forces on body b, and the forces of the turning axes, whose work is the work of the
+    current, if any
 
     y, rate : (BLOCK,), force : (6,) of it
     """
@@ -340,7 +341,7 @@ def move(body, b, y, rate, force):
 
 @kernel(counted=False)
 def of_shapes_on_body(body, b, y, rate, force, work):
-    """Restoring forces and damping that shapes exert on body b; y, rate : (n,) of all, force : (6,) of it"""
+    """Restoring forces and damping that shapes exert on body b; y, rate : (n,) of all bodies, force : (6,) on body b"""
     count, first = body.heading.size, BLOCK * b
     K, B = body.shapes.stiffness, body.damping
     for i in range(6):
@@ -406,7 +407,7 @@ def of_shapes(scene, t, y, rate):
 
 @kernel(counted=False)
 def of_moorings_on_shapes(scene, y, rate, met):
-    """What lines, and fenders and ropes if they are `met`, do to shapes, into the forces and the rates of their work"""
+    """Add the forces of lines on shapes, and of fenders and ropes if `met`, to the forces and to the rates of work"""
     shapes, count = scene.body.shapes, scene.body.heading.size
     for k in range(shapes.place.size):
         g, i = shapes.place[k] // 6, shapes.place[k] % 6

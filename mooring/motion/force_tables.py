@@ -202,7 +202,8 @@ def _tautest(composite, breaking_load, chord, height):
 
 @in_memory
 class Packed(NamedTuple):
-    """Tables in arrays, as in `ForceTable`; ends (k, 2, 2), first (k, 2) and root (k,), the first cell, of each."""
+    """Tables in arrays, as in `ForceTable`; ends (k, 2, 2), first (k, 2) and root (k,), the first cell, of each
+    table."""
 
     ends: np.ndarray
     first: np.ndarray
@@ -259,7 +260,7 @@ def cell_pull(values, dc, dz, s, t):
 
 @kernel(counted=False)
 def packed_pull(tables, number, x, z):
-    """(H, V) N of a table of a `Packed` at a span x and height z; nan above and below it.
+    """(H, V) N of a table of a `Packed` at a span x and height z; nan above and below the heights of the table.
 
     Below the least chord the value is that of the least chord; beyond the greatest it is extrapolated along the chord.
     """

@@ -1,11 +1,12 @@
-"""Integration in time: Runge and Kutta's method of Dormand and Prince (1980), orders 5 and 4, step by its own error.
+"""Integration in time: Runge and Kutta's method of Dormand and Prince (1980), orders 5 and 4, with the step chosen by
+the error of the step.
 
-The error of a step is the difference of the two orders.  Its limit is a share of the tolerance, of the scale of each
-motion, times the step over the time in which an error decays; positions and velocities count.  Where a line becomes
-taut or a fender is touched the force has a corner, and the error of a step over it falls only like h²: such a step may
-have the error of a share of the usual step, which is the mean of steps over time.  Steps end where a window of wave
-forces ends and where a line breaks, so that no step contains a jump.  Samples between steps are Hermite polynomials, of
-fifth degree for quantities with known velocity and acceleration.
+The error of a step is the difference of the two orders.  The limit of this error is a share of the tolerance, of the
+scale of each motion, times the step over the time in which an error decays; positions and velocities count.  Where a
+line becomes taut or a fender is touched the force has a corner, and the error of a step over it falls only like h²:
+such a step may have the error of a share of the usual step, which is the mean of steps over time.  Steps end where a
+window of wave forces ends and where a line breaks, so that no step contains a jump.  Samples between steps are Hermite
+polynomials, of fifth degree for quantities with known velocity and acceleration.
 
 Lines with a motion of their own (`moving_lines`) follow a step that is computed with their predicted pull; the step is
 then repeated with their computed pull.
@@ -155,7 +156,8 @@ def take_step(scene, buoy, links, clock, t, h):
 
 @kernel(counted=False)
 def take_step_with_lines(scene, buoy, links, clock, moving, t, h):
-    """`take_step` with moving lines: with the predicted pull, then lines along that course, then again with their pull.
+    """`take_step` with moving lines: first with the predicted pull, then the lines along the course so found, then
+    again with the pull of the lines.
 
     The error includes the deviation of the body from its predicted course, which the lines followed.
     """
@@ -286,7 +288,8 @@ def next_break(lines, t):
 
 @kernel(counted=False)
 def open_window(waves, clock, work, owner):
-    """Forces of the next window, whose slow pose passes from the one foreseen for now to that foreseen for its end.
+    """Forces of the next window, whose slow pose passes from the pose foreseen for its start to the pose foreseen for
+    its end.
 
     owner : (G,) bodies of groups of shapes, which meet the waves at the poses of these
     """
@@ -396,7 +399,7 @@ def advance(scene, waves, clock, samples, most, buoy, links, moving):
 
 @kernel(counted=False)
 def put_samples(clock, t, h, later, samples):
-    """Samples of the step from t to `later`, s, into their rows; the last one may lie beyond it by rounding."""
+    """Samples of the step from t to `later`, s, into their rows; the last sample may lie beyond `later` by rounding."""
     counts = clock.counts
     while counts[SAMPLES] < samples.shape[0]:
         at = counts[SAMPLES] * clock.sample_step

@@ -375,7 +375,7 @@ def place_end(lines, work, i, positions, R):
 
 @kernel(inline=True, counted=False)
 def follow_on_bed(lines, work):
-    """H and V into work.ends of the lines that lay on the bed a moment before, nan of others"""
+    """H and V into work.ends of the lines that lay on the bed a moment before; nan for all other lines"""
     for n in range(0, work.on_bed.size, WIDTH):
         some = False
         for i in range(n, n + WIDTH):
@@ -448,7 +448,7 @@ def line_loads(lines, work, positions, R, out):
 
 @kernel(counted=False)
 def loads_at(lines, work, positions, R, out):
-    """`line_loads`, for calls from Python, where it would be compiled a second time"""
+    """`line_loads` for calls from Python, without which `line_loads` would be compiled a second time"""
     return line_loads(lines, work, positions, R, out)
 
 

@@ -141,7 +141,8 @@ def links_of(reader):
 
 
 def link_work(links, states=0, samples=0, groups=0):
-    """`LinkWork` of Links, for so many numbers of a state, samples, and groups of shapes of bodies that bend"""
+    """`LinkWork` of Links; states, samples, groups : how many numbers of a state, samples and groups of shapes of
+    bodies that bend"""
     r, n, k = int(links.first[-1]), len(links.place), len(links.ends)
     motions, f = max(6 * (n + groups), 1 + int(links.shapes.max(initial=-1))), len(links.shapes)
     return LinkWork(
@@ -190,7 +191,8 @@ def springs_at(links, poses, bent=0.0):
 
 @kernel(counted=False)
 def give_row(links, work, poses, k, m, turns, row):
-    """row (12,) of a unit force or moment along m (3,) in space on the second body of link k, and less on the first"""
+    """row (12,) of a unit force or moment along m (3,) in space on the second body of link k, and its opposite on the
+    first body"""
     f = work.push
     for e in range(2):
         b, sign = links.ends[k, e], 2.0 * e - 1.0
@@ -204,7 +206,8 @@ def give_row(links, work, poses, k, m, turns, row):
 
 @kernel(counted=False)
 def bend_ends(links, work, k):
-    """Move both ends of link k by shapes, and turn its axes: work.arms, arm and turn, with work.moved and spun
+    """Move both ends of link k by shapes, and rotate the axes of the link: work.arms, arm and turn, with work.moved and
+    spun
 
     The rotation exp(θ) of θ = Σ ξ w is that of Rodrigues; it turns by w + (1 − cos θ)/θ² θ × w + … for a change of ξ.
     """

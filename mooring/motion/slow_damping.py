@@ -2,8 +2,8 @@
 
 Each is a share ζ = B/2√(CM) of critical damping at the natural period.  Radiated waves damp slow motion very little
 (B → 0 with ω), so that σ of slow motion, which goes like 1/√ζ, depends on the other parts.  With coefficients of one
-wave frequency, as in the SR179 report (1982), the damping at that frequency replaces it: a box of 100 m in 20 m of
-water has 5e6 N s/m at 0.6 rad/s and 2e4 at 0.05.
+wave frequency, as in the SR179 report (1982), the damping at that wave frequency replaces the damping at low frequency:
+a box of 100 m in 20 m of water has 5e6 N s/m at 0.6 rad/s and 2e4 at 0.05.
 """
 
 import numpy as np

@@ -74,7 +74,8 @@ def frequencies_in(record):
 
 
 def without_rounding(found, still):
-    """`RecordStatistics` of a record whose σ is at most `still`: it counts as constant, and such small ends as zero"""
+    """`RecordStatistics` of a record whose σ is at most `still`: such a record counts as constant, and ends that small
+    count as zero"""
     if not found.sigma <= still:
         return found
     mean, *ends = (0.0 if abs(value) <= 3 * still else value for value in (found.mean, found.largest, found.smallest))
@@ -91,7 +92,8 @@ def record_statistics(record, step, split, duration=None):
 
 
 def statistics_of_records(records, step, split, duration=None):
-    """(q,) `record_statistics` of records (q, n), whose spectra are computed together: in half the time of one by one
+    """(q,) `record_statistics` of records (q, n), whose spectra are computed together, in half the time that single
+    records take
 
     raises : ValueError as there
     """
@@ -147,7 +149,7 @@ def periods(record, step):
 
 
 def highest_mean(falling, share):
-    """Mean of the highest `share` of values (n,) in falling order, at least one of them; nan of none"""
+    """Mean of the highest `share` of values (n,) in falling order, of at least one value; nan without values"""
     return float(falling[: max(1, round(share * len(falling)))].mean()) if len(falling) else np.nan
 
 

@@ -45,7 +45,7 @@ def calm(bodies=1):
 
 
 def on_all(streams):
-    """The Stream of one wind or current on several bodies, from those of each"""
+    """The Stream of one wind or current on several bodies, from the Streams on each body"""
     return streams[0]._replace(table=np.concatenate([one.table for one in streams]))
 
 
@@ -56,7 +56,8 @@ def wind_stream(wind, hull, center, gusts=None, seed=0, start=0.0, end=0.0):
 
 
 def stream_of(unit, speed, direction, gusts=None, seed=0, start=0.0, end=0.0):
-    """The Stream of forces (n, 3) N, N m at unit speed over the angle it blows to, about the centre of the motion"""
+    """The Stream of forces (n, 3) N, N m at unit speed over the angle to which the stream flows, about the centre of
+    the motion"""
     record, first = np.zeros((1, 1)), start
     if gusts is not None:
         first = start - 4 * GUST_STEP
@@ -82,7 +83,7 @@ def _around():
 
 @kernel(counted=False)
 def stream_force(stream, body, t, share, moving, weights, out, value):
-    """out (6,) N, N m in its axes, on one of the bodies, of a stream that has grown to `share` of its speed.
+    """out (6,) N, N m on one of the bodies, in axes of the body, of a stream that has grown to `share` of its speed.
 
     moving : (3,) heading, velocities along and across it, rad and m/s
     weights (6,), value (1,) : room for work

@@ -46,7 +46,7 @@ OF_WAVE = 19  # six forces, the elevation, and four roots of each of three drift
 
 @in_memory
 class WaveTable(NamedTuple):
-    """Components and the forces of each on a ring of headings, as the kernels read them.
+    """Wave components, and the forces of each component on a ring of headings, as the kernels read them.
 
     omega : (c,) rad/s at which a place at rest meets them; own : (c,) rad/s, in the water, which a current moves along
     amplitude, phase, direction : (c,); number : (2, c) wavenumber along x and y
@@ -325,7 +325,8 @@ def fill_rows(waves, pose, start, body=0):
 
 @kernel(inline=True, counted=False)
 def put_rows(by_cos, by_sin, a, b, parts):
-    """Rows of a wave of amplitude a + ib m there: parts (16,) are its forces and drift as in a `WaveTable`"""
+    """Rows of a wave of amplitude a + ib m at the body: parts (16,) are the forces and drift of the wave as in a
+    `WaveTable`"""
     for j in range(6):
         by_cos[j], by_sin[j] = a * parts[j] - b * parts[6 + j], b * parts[j] + a * parts[6 + j]
     by_cos[6], by_sin[6] = a, b
@@ -342,7 +343,8 @@ def put_rows(by_cos, by_sin, a, b, parts):
 
 @kernel(counted=False)
 def meet(waves, place, pose, start, body=0):
-    """Sums of `Waves` around `start` s into a place of them, 0 or 1, of a body then at the slow pose (3,)"""
+    """Sums of `Waves` around `start` s, put into place 0 or 1 of the sums, for a body that is then at the slow pose
+    (3,)"""
     fill_rows(waves, pose, start, body)
     sum_waves(waves.rows, waves.table.factor, waves.sums[body, place])
     for j in range(3):

@@ -1,4 +1,4 @@
-"""A database body in waves on a current: it moves at the frequency at which it meets the waves.
+"""A database body in waves on a current: the body moves at the frequency at which it meets the waves.
 
     {−ω²[M + A(ω)] − iω[B(ω) + B′] + [C + C′]} X = F(σ),    ω = σ + k·V
 
@@ -22,8 +22,8 @@ STEPS = 8  # spline steps of added mass and damping between stored frequencies
 
 @dataclass(frozen=True, eq=False)
 class OnCurrent(Reader):
-    """A `Reader` whose `motions` are those on the current of a `Carrier`; all other quantities, including drift, are
-    those in still water.
+    """A `Reader` whose `motions` are the motions on the current of a `Carrier`; all other quantities, including drift,
+    are as in still water.
 
     omega of its functions is the frequency in which waves are given, absolute or intrinsic (`waves.Carrier`); forces,
     drift and far field use the intrinsic one
@@ -45,7 +45,7 @@ class OnCurrent(Reader):
         return self.carrier.own(*self._pairs(omega, headings), self.depth, self.gravity)
 
     def motions(self, omega, headings=None):
-        """(q, p, n) as `Reader.motions`; those of still water if the database lacks the coefficients"""
+        """(q, p, n) as `Reader.motions`; the motions in still water if the database lacks the coefficients"""
         if self.lacks_motions:
             return self.still.motions(omega, headings)
         self._check_inertia()

@@ -56,7 +56,7 @@ def carrier_of(current):
 
 
 def in_water(components, carrier, depth, gravity):
-    """Wave components (`environment.sea.Components`) with intrinsic frequencies in place of those given"""
+    """Wave components (`environment.sea.Components`) with intrinsic frequencies in place of the given frequencies"""
     if carrier is None or not carrier.absolute:
         return components
     return components._replace(omega=carrier.own(components.omega, components.direction, depth, gravity))

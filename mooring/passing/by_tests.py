@@ -27,7 +27,7 @@ NEAREST, LENGTHS = 0.1, (0.5, 2.0)  # range of distance/L₁ and of L₂/L₁ of
 
 
 def depth_factors(draft, depth, gap, beam):
-    """(3,) of surge, sway, yaw.  draft : m, of the moored ship; gap : m between sides; beam : m, mean of both"""
+    """(3,) of surge, sway, yaw.  draft : m, of the moored ship; gap : m between sides; beam : m, mean of both ships"""
     if not 0 < draft < depth or not gap > 0:
         raise ValueError(
             f"draft {draft:g} m in {depth:g} m, gap {gap:g} m; allowed: water under the keel and between the ships"

@@ -5,8 +5,8 @@ where they lie, and Lagrange's equations (Lamb, art. 137) give the force on the 
 
     Fⱼ = −d/dt (a_js U) + ½ U² ∂a_ss/∂qⱼ,     s the surge of the passing ship, d/dt = U d/dξ
 
-The first part is the force of the unsteady pressure, the second that of the squares of the flow. The second part is
-smaller by an order of the ship's slenderness; it is computed for surge, sway and yaw only, and at fewer places.
+The first part is the force of the unsteady pressure, the second part the force of the squares of the flow. The second
+part is smaller by an order of the ship's slenderness; it is computed for surge, sway and yaw only, and at fewer places.
 """
 
 from __future__ import annotations

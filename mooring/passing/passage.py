@@ -1,7 +1,7 @@
 """A ship that passes a moored one on a parallel track, and the resulting forces as a table over time.
 
 Axes are those of the moored ship: x to the bow, y to port, from its middle in the water surface.  ξ is the distance by
-which the middle of the passing ship is ahead of that of the moored one, η the distance to port.
+which the middle of the passing ship is ahead of the middle of the moored ship, η the distance to port.
 """
 
 import math
@@ -86,7 +86,7 @@ class Passage:
 
     @property
     def force(self):
-        """(n, 6) N, N m of both parts"""
+        """(n, 6) N, N m, sum of both parts of the force"""
         return self.changing + self.steady
 
     def about(self, place):

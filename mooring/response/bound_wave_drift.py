@@ -56,13 +56,14 @@ class BoundWaveForces:
 
     @property
     def error(self):
-        """(6,) size of the last coefficients, of the largest force"""
+        """(6,) size of the last coefficients, as shares of the largest force"""
         size = np.abs(self.coefficients)
         last = size[-2:].sum(axis=(0, 1)) + size[:, -2:].sum(axis=(0, 1))
         return last / np.maximum(size.sum(axis=(0, 1)), 1e-300)
 
     def of_components(self, components, drift=None):
-        """(n, n, 6) T of all pairs of wave `components`, all of the one direction; half of them by T_ji = conj T_ij"""
+        """(n, n, 6) T of all pairs of wave `components`, all of one direction; half of the pairs follow from T_ji =
+        conj T_ij"""
         omega = np.asarray(components.omega, float)
         T = np.zeros((len(omega), len(omega), 6), complex)
         apart = omega[:, None] - omega
@@ -91,7 +92,8 @@ class BoundWaveForces:
 
 
 def slow_share(x):
-    """1 below SLOW[0]/SLOW[1] of the highest difference, 0 from it on, with a continuous slope between"""
+    """1 below SLOW[0]/SLOW[1] of the highest difference frequency, 0 from the highest difference frequency on, with a
+    continuous slope between"""
     s = np.clip((1 - np.abs(x)) / (1 - SLOW[0] / SLOW[1]), 0.0, 1.0)
     return s * s * (3 - 2 * s)
 

@@ -24,7 +24,7 @@ def drift_slopes(body, omega, heading, fixed=False):
 
     fixed : True for the fixed body, False for the floating one
     Where headings (p,) are steps of the circle, no more than 5°, D is known on all of it and ∂D/∂β is that of its
-    Fourier series, up to the 2kR harmonics of D; else it is a difference quotient.
+    Fourier series, up to the 2kR harmonics of D; else ∂D/∂β is a difference quotient.
     """
     heading = np.atleast_1d(heading)
     found = _round_the_circle(body, omega, heading, fixed) or _by_differences(body, omega, heading, fixed)
@@ -63,7 +63,8 @@ def mean_in_sea(omega, drift, density, weights=(1.0,)):
 
 
 def mean_in_sea_beyond(body, spectrum, ends, weights=(1.0,)):
-    """(2, 3) the part of the mean force in waves below and above the stored band, D held at its ends (2, p, 3).
+    """(2, 3) the part of the mean force in waves below and above the stored band, with D beyond the band equal to its
+    value at the end, (2, p, 3).
 
     In short waves D tends to that of total reflection, a constant; in long waves it falls, and the end is an upper
     bound.  weights : (p,) or (2, p)

@@ -42,13 +42,14 @@ def _solve_to(spectrum, end, share):
 
 
 def missed_response(body, spectrum, transfer, weights):
-    """(c,) m0 of responses to the waves beyond the stored frequencies, transfer functions held at their ends"""
+    """(c,) m0 of responses to the waves beyond the stored frequencies, with transfer functions equal to the last stored
+    ones"""
     ends = over_headings(np.abs(transfer.value[[0, -1]]) ** 2, weights if weights.ndim == 1 else weights[[0, -1]])
     return np.array(energy_outside(body.omega, spectrum)) @ ends * spectrum.moment(0)
 
 
 def responses_outside(body, spectrum, transfer, weights, m0):
-    """Contribution of those waves to responses with m0 (c,)"""
+    """Contribution of the waves outside the stored frequencies to responses with m0 (c,)"""
     missed = missed_response(body, spectrum, transfer, weights)
     said = named_shares(transfer.names, np.where(m0 > 0, missed / np.maximum(m0 + missed, 1e-300), 0.0))
     if said:
@@ -137,7 +138,7 @@ def errors_between(body, sea, omega, m0, drift, damping):
 
 
 def between_waves(body, errors):
-    """Warnings on those of `Errors` that are large enough"""
+    """Warnings on the `Errors` that are large enough to matter"""
     named = errors.named(UNSURE)
     if named:
         advice = "" if errors.drift is None or body.rebuilds_drift else ", or Kochin functions (--only kochin,drift)"
@@ -151,7 +152,7 @@ def between_waves(body, errors):
 
 
 def drift_outside(body, spectrum, inside, beyond):
-    """Part of the mean drift from waves beyond the stored band, whose drift coefficient is that at its end"""
+    """Part of the mean drift from waves beyond the stored band, with the drift coefficient at the end of the band"""
     total = np.abs(inside) + np.abs(beyond).sum(axis=0)
     share = np.abs(beyond).sum(axis=0)[:2].max() / max(total[:2].max(), 1e-300)
     if share > MISSED:
@@ -164,7 +165,8 @@ def drift_outside(body, spectrum, inside, beyond):
 
 
 def drift_of_each(body, slow):
-    """Difference between the summed drift of several bodies and that of the whole by its far field, of `SlowForces`"""
+    """Difference in `SlowForces` between the sum of the drift of several bodies and the drift of all together by the
+    far field"""
     if slow.of_each is None:
         if body.bodies:
             yield "drift of each body is left out: the database has none, or the waves travel on a current"
@@ -201,7 +203,7 @@ def current_along_waves(carrier, heading, weights, damping):
 
 
 def some(named, most=6):
-    """`named` as a list in words, with only the number of those beyond `most`"""
+    """`named` as a list in words: at most `most` names, then only the number of further names"""
     rest = f" and {len(named) - most} more" if len(named) > most else ""
     return ", ".join(named[:most]) + rest
 

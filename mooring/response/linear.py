@@ -39,7 +39,8 @@ class Moments(NamedTuple):
 
 
 def frequencies(body, density=None, headings=None):
-    """(q,) rad/s from the lowest to the highest stored frequency, close enough for every resonance between them.
+    """(q,) rad/s from the lowest to the highest stored frequency, close enough together for every resonance in this
+    range.
 
     body : `bem.database.reader.Reader`; density : function of omega (q,), the waves that matter; None for all alike
     headings : (p,) rad of the waves, for a body on a current, whose resonances depend on the heading

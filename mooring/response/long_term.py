@@ -50,7 +50,7 @@ class LongTerm(NamedTuple):
 def long_term(m0, m2, probability) -> LongTerm:
     """The LongTerm of responses with moments m0, m2 (s,) in sea states with shares `probability` (s,) of the time.
 
-    The shares may sum to less than 1, the rest is calm; raises ValueError above 1 or for a negative one.
+    The shares may sum to less than 1, the rest is calm; raises ValueError for a sum above 1 or a negative share.
     """
     m0, m2, p = (np.asarray(v, float).ravel() for v in (m0, m2, probability))
     if not len(m0) == len(m2) == len(p) > 0:

@@ -146,7 +146,8 @@ class SpreadPairForces:
 
 
 def between_headings(headings, directions):
-    """(n, m) weights of headings (m,) for linear interpolation at directions (n,) rad; beyond them, of the nearest"""
+    """(n, m) weights of headings (m,) for linear interpolation at directions (n,) rad; beyond the headings, weight 1 of
+    the nearest heading"""
     weights = linear_weights(headings, np.asarray(directions, float))
     outside = ~weights.any(axis=1)
     apart = np.abs(np.angle(np.exp(1j * (directions[outside, None] - headings))))

@@ -47,14 +47,15 @@ class Point(NamedTuple):
 
 
 class Pair(NamedTuple):
-    """name; points : two Points of two bodies, a gangway or a manifold between them"""
+    """name; points : two Points of two bodies, such as the ends of a gangway or of a hose between manifolds"""
 
     name: str
     points: tuple[Point, Point]
 
 
 class KeelPoint(NamedTuple):
-    """name; position (3,) m at rest, of the bottom of the body; gap m, water under it at rest; body : as in Point"""
+    """name; position (3,) m at rest, of the bottom of the body; gap m, water under the point at rest; body : as in
+    Point"""
 
     name: str
     position: tuple[float, float, float]
@@ -183,7 +184,7 @@ def of_point(body, motion, point):
 
 
 def shapes_of(body, motion, name=""):
-    """[(`bem.modes.Mode`, its amplitudes (q, p))] of one of the bodies of a `Reader`; motion : (q, p, n) of all"""
+    """[(`bem.modes.Mode`, its amplitudes (q, p))] of one body of a `Reader`; motion : (q, p, n) of all bodies"""
     owner = [one.name for one in body.bodies].index(name) if body.bodies else 0
     return [(mode, motion[..., d]) for d, mode in enumerate(body.modes, body.rigid) if owner in mode.moves]
 

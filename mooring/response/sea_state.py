@@ -1,7 +1,7 @@
 """A body in one sea state: standard deviations, extremes and drift, with warnings on their limits.
 
-The spectrum is integrated over the stored frequencies only.  The part outside is estimated with constant transfer
-functions, and reported if above 1 %.
+The spectrum is integrated over the stored frequencies only.  The part of a response outside the stored frequencies is
+estimated with constant transfer functions, and reported if above 1 %.
 """
 
 from __future__ import annotations
@@ -212,14 +212,16 @@ def linear_response(sea, transfer, weights):
 
 
 def mean_drift(body, sea, omega, drift, weights):
-    """(3,) N, N, N m by waves within the stored band, (2, 3) below and above it; drift (q, p, 3) at omega"""
+    """(3,) N, N, N m by waves within the stored band, (2, 3) by waves below and above the band; drift (q, p, 3) at
+    omega"""
     ends = weights if weights.ndim == 1 else weights[[0, -1]]
     inside = drifts.mean_in_sea(omega, drift, sea.spectrum.density(omega), weights)
     return inside, drifts.mean_in_sea_beyond(body, sea.spectrum, drift[[0, -1]], ends)
 
 
 def slow_forces(body, sea, omega, heading, weights, bound=None) -> SlowForces:
-    """Mean drift, spectrum of slow drift and wave drift damping; omega (q,) rad/s, heading (p,), weights of it.
+    """Mean drift, spectrum of slow drift and wave drift damping; omega (q,) rad/s, heading (p,) rad, weights (p,) of
+    the headings.
 
     bound : of `pair_levels.beside_newman`, in a spread sea with its `spectrum`
     """

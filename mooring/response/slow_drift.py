@@ -7,10 +7,10 @@ Newman (1974) approximates the transfer function of a pair of waves by the mean 
 which is one sum over the components, |Σ aᵢ √Dᵢ exp(iεᵢ − iωᵢt)|², for D > 0, minus one of √−Dᵢ for D < 0. It contains
 no sum frequencies and its mean is Σ aᵢ² Dᵢ = 2∫SD dω.  Every component has its own direction, and the same T serves
 pairs of one heading and of two: each wave of a pair enters separately, so that a force that changes sign over the
-headings varies although its mean may vanish.  It holds for small ωᵢ − ωⱼ: the force of the bound long wave, which
-increases with the difference and in shallow water, is neglected.  The body is fixed at its mean place and heading: wave
-phases and D do not follow its slow motion (for its effect on damping see `wave_drift_damping`). Over differences Δω the
-spectrum of the force is, after Pinkster (1980),
+headings varies although its mean may vanish.  The approximation holds for small ωᵢ − ωⱼ: the force of the bound long
+wave, which increases with the difference and in shallow water, is neglected.  The body is fixed at its mean place and
+heading: wave phases and D do not follow its slow motion (for its effect on damping see `wave_drift_damping`). Over
+differences Δω the spectrum of the force is, after Pinkster (1980),
 
     S_F(Δω) = 8 ∫ S(ω) S(ω + Δω) Σ_a Σ_b w_a w_b T²(ω, β_a; ω + Δω, β_b) dω
 

@@ -264,7 +264,7 @@ def _measured(path, frequency, density, time):
     if gaps:
         raise TableError(
             f"{path}: {row} has {gaps} densities of {MISSING:g}, which means no value, from {frequency[first]:g} to "
-            f"{frequency[last]:g} Hz; choose another time, or fill them"
+            f"{frequency[last]:g} Hz; choose another time, or fill these densities"
         )
     return np.where(missing, 0.0, density)
 

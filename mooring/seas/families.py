@@ -1,4 +1,5 @@
-"""All families of spectra by name: those of `environment.spectra`, and those that need a depth or have two peaks."""
+"""All families of spectra by name: the families of `environment.spectra`, and families that need a depth or have two
+peaks."""
 
 from functools import partial
 
@@ -12,7 +13,7 @@ PEAKED = ("jonswap", "tma")  # spectra with a gamma
 
 
 def families(depth):
-    """{name: function of height, period by kind, gamma if it has one}; depth : m, None if unknown
+    """{name: function of height, period by kind, and gamma if the family has a gamma}; depth : m, None if unknown
 
     Raises ValueError from "tma" without a finite depth.
     """
@@ -26,5 +27,5 @@ def families(depth):
 
 def _tma(height, depth, **words):
     if depth is None or not np.isfinite(depth):
-        raise ValueError("tma needs a finite water depth; give it, or use jonswap")
+        raise ValueError("tma needs a finite water depth; give the depth, or use jonswap")
     return tma(height, depth, **words)

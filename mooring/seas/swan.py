@@ -89,7 +89,7 @@ class Swan:
         return self.made(head, self.block(head), x_axis)
 
     def none_follows(self):
-        """Whether the file states 0 directions and lists none, as a 1-D file does; then its line is read"""
+        """Whether the file states 0 directions and lists none, as a 1-D file does; then that line has been read"""
         said = [line.split()[0] for _, line in self.lines[self.at : self.at + 2]]
         none = said[:1] == ["0"] and not numbers_of(said[-1])
         self.at += none
@@ -103,7 +103,7 @@ class Swan:
         return name.upper(), unit, none
 
     def to_time(self, time, head, places):
-        """Move to the wanted time; by default the only one"""
+        """Move to the wanted time; by default the file must have a single time"""
         seen = []
         while self.at < len(self.lines):
             found = self.words()[0]

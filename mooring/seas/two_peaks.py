@@ -77,7 +77,7 @@ class OneSystem(Spectrum):
 
 @dataclass(frozen=True, repr=False)
 class Enhanced(Spectrum):
-    """`system` times level γ^r: its peak is raised as that of JONSWAP"""
+    """`system` times level γ^r: the peak is raised as in JONSWAP"""
 
     system: OneSystem
     gamma: float
@@ -154,8 +154,8 @@ def six_parameters(swell, sea):
 def ochi_hubble(height, **period):
     """The most probable sea of a significant height (m): the first row of the eleven of table 2b.
 
-    Periods follow from the height: ValueError if one is given.  The printed heights, 0.84 and 0.54 of it, have 0.9972
-    of its energy; they are scaled to the whole.
+    Periods follow from the height: ValueError if one is given.  The printed heights, 0.84 and 0.54 of the significant
+    height, have 0.9972 of the energy; both are scaled to the whole energy.
     """
     given = [kind for kind, value in period.items() if value is not None]
     if given:

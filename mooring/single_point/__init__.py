@@ -1,4 +1,5 @@
 """A body moored at one point: with its bow to a buoy, through a hawser to a buoy, or by a turret.
 
-Its equilibrium, its slewing (fishtailing), and its mooring loads.  SR179 report (1982), section 3.6 and appendix 2.
+The equilibrium of this body, its slewing (fishtailing), and its mooring loads.  SR179 report (1982), section 3.6 and
+appendix 2.
 """

@@ -36,7 +36,7 @@ class NotFollowedError(SinglePointError):
 
 
 class Pull(NamedTuple):
-    """Force of its lines on a buoy.
+    """Force on a buoy by its lines.
 
     force : (2,) N; stiffness : (2, 2) N/m, with the buoy free to rise and sink; height : m of the attachment
     """

@@ -61,7 +61,7 @@ def moored_quartic(m: Lateral):
 
 
 def undamped(quartic):
-    """The same quartic with A = C = 0: the body oscillates without decay, or it slews (3.6.19)"""
+    """The quartic with A = C = 0, without damping: the body oscillates without decay, or slews (3.6.19)"""
     return np.asarray(quartic) * np.array([1.0, 0.0, 1.0, 0.0, 1.0])
 
 
@@ -116,7 +116,8 @@ class Proportions(NamedTuple):
 
 
 class Discriminant(NamedTuple):
-    """B̂ and B̂² − 4D̂ of 3.6.22 and 3.6.23, and their parts as table 3.6.4.1 lists them: B̂ = i − ii, 4D̂ = iii·iv"""
+    """B̂ and B̂² − 4D̂ of 3.6.22 and 3.6.23, and the parts of both as table 3.6.4.1 lists them: B̂ = i − ii, 4D̂ =
+    iii·iv"""
 
     i: float
     ii: float

@@ -186,7 +186,7 @@ def _derivatives(point, heading):
 
 
 def preferred(found):
-    """The stable Equilibrium of fastest decay; without one, that of slowest growth"""
+    """The stable Equilibrium of fastest decay; without a stable Equilibrium the Equilibrium of slowest growth"""
     return min(found, key=lambda one: one.slewing.growth)
 
 

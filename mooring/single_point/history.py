@@ -44,7 +44,8 @@ class Cycle(NamedTuple):
 
 
 def line_tensions(point: SinglePoint, buoy, height=None):
-    """(n, lines) N, the larger of both ends, with the buoy at (n, 2) m; height : (n,) m, None to compute it"""
+    """(n, lines) N, the larger of both ends, with the buoy at (n, 2) m; height : (n,) m of the buoy, None to compute
+    the height"""
     system, turn = point.system, point.system.pose.turn
     z = np.full(len(buoy), system.bodies[0].position[2]) if height is None else np.asarray(height, float)
     if height is None and "Heave" in system.bodies[0].freedom:
@@ -102,7 +103,7 @@ def wave_deviations(record, after):
 
 
 def settled_after(time, heading, final):
-    """s after which a heading remains within SETTLED of its final value, rad; nan if it does not"""
+    """s after which a heading remains within SETTLED of its final value, rad; nan if the heading never settles"""
     away = np.abs(heading - final) > SETTLED
     if not away.any():
         return float(time[0])

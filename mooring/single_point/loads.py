@@ -48,7 +48,7 @@ class WindLoad:
 
 @dataclass(frozen=True, eq=False)
 class WaterLoad:
-    """Force of the water, and the current that causes it.
+    """Force of the water on the hull, and the current that causes this force.
 
     table : (count, 5, 3) N over V^(2−k) (rL)ᵏ, over the angle that the water flows to, from the bow
     length : m, of r'; turning : whether the table is from turning tests, and then includes inertia

@@ -60,5 +60,5 @@ def highest_third(record):
 
 
 def peak(static, significant_value):
-    """Largest value of a record from its value by `significant`, of which this is the inverse"""
+    """Largest value of a record from its significant value, the inverse of `significant`"""
     return static + (significant_value - static) / SIGNIFICANT

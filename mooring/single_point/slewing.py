@@ -69,7 +69,8 @@ def at_rest_state(point: SinglePoint, place, heading):
 
 
 def linearised(point: SinglePoint, state, held: Hold | None = None):
-    """(6, 6) derivatives of the `rates` by displacements (m, m, rad) at an equilibrium and by their rates.
+    """(6, 6) derivatives of the `rates` at an equilibrium, by displacements (m, m, rad) and by the rates of
+    displacements.
 
     Unknowns are the place, the heading and the velocity over the ground in axes that do not turn, so that all rates are
     zero at rest.  The mooring reacts by its stiffness, loads by differences of fourth order.

@@ -1,4 +1,4 @@
-"""Design values of a site: extremes of yearly maxima with their scatter, water levels, seismic coefficients.
+"""Design values of a site: extremes of yearly maxima with the scatter of extremes, water levels, seismic coefficients.
 
 extremes  Gumbel, Weibull and generalised extreme value fits, return values and their intervals
 seismic   coefficients of the rules quoted by the SR179 report

@@ -163,7 +163,7 @@ def _checked(period):
 
 
 class Extreme(NamedTuple):
-    """value, and low and high of its interval (all equal if the user gives the value); fit : ExtremeFit, or None"""
+    """value; low and high : interval of the value (all equal if the user gives the value); fit : ExtremeFit, or None"""
 
     value: float
     low: float
@@ -172,7 +172,7 @@ class Extreme(NamedTuple):
 
 
 def extreme(maxima, family, years, confidence):
-    """Extreme of a return period, of yearly maxima (n,), and findings on it, one line each.
+    """Extreme of a return period, of yearly maxima (n,), and findings on this extreme, one line each.
 
     Raises ValueError for maxima that are none, and where the value is not above 0.
     """

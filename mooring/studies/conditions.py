@@ -49,7 +49,7 @@ class Wind:
 
 @dataclass(frozen=True)
 class Current:
-    """speed m/s, direction rad that it flows to
+    """speed m/s, direction rad to which the current flows
 
     table : coefficients as of a Wind, None for the SR179 box tests
     height : m above still water of its point of action, None for half the draft below it
@@ -120,7 +120,7 @@ class Afloat(NamedTuple):
 
     @property
     def axes(self):
-        """(3, 3) matrix whose columns are its axes in space"""
+        """(3, 3) matrix whose columns are the axes of the body in space"""
         return rotation(0.0, 0.0, self.heading)
 
     @property

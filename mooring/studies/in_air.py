@@ -1,4 +1,4 @@
-"""Lines partly above the water at rest, whose weight is computed there as if submerged."""
+"""Lines partly above the water at rest, where their weight is computed as if submerged."""
 
 import numpy as np
 

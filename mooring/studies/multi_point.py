@@ -8,7 +8,7 @@ in phase, with the signs, per line, that pull the fairlead outward and up; stati
 are small throughout: loads and motions are those of its heading at rest. Motions of slow drift are not included.
 
 Several bodies are held by lines to anchors and to each other: forces and motions are six per moving body, one body
-after another, with one equilibrium and one set of natural periods.  A line between two of them is tightened by the
+after another, with one equilibrium and one set of natural periods.  A line between two bodies is tightened by the
 largest motions of both.  Fenders and ropes at a berth or between bodies, and hinges, are included in the state of rest,
 the equilibrium and the periods; in waves hinges alone change the motions of the free bodies.
 """

@@ -12,7 +12,8 @@ NEAR = 0.01  # the same, above which a fairlead outside, or a line inside the hu
 
 
 def check_places(system, hulls):
-    """Raise ValueError for a fairlead off its hull, and for a line too short for its ends with any material.
+    """Raise ValueError for a fairlead off its hull, and for a line that is too short for its ends, whatever its
+    material.
 
     system : at rest; hulls : (`conditions.Afloat`, …)
     """

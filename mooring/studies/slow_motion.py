@@ -1,4 +1,4 @@
-"""A moored body in a sea, in the frequency domain: its slow motion, its wave motion, and both together.
+"""A moored body in a sea, in the frequency domain: slow motion, wave motion, and both motions together.
 
     {−Ω²[M + A(Ω)] − iΩ[B_D + B′] + C + K} x(Ω) = F(Ω),    S_x = H S_F H*,    σ² = ∫ S_x dΩ
 
@@ -15,9 +15,9 @@ from Gaussian: with independent complex normal z_j
     x = Σ_j λ_j |z_j|²,    λ the eigenvalues of  Q_il = H(ω_i − ω_l) √(D_i D_l) 2√(S_i S_l) Δω
 
 (Kac and Siegert 1947, Naess 1986), to which gusts and waves add a Gaussian.  The characteristic function of the sum
-gives its density f, and a level x is crossed f(x) σ_ẋ/√2π times a second.  Its largest value in head seas is a third
-above that of a Gaussian of the same variance.  The rule for comparison (DNV-OS-E301, chapter 2, section 2) is the
-larger of slow significant + fast largest and slow largest + fast significant, both Gaussian.
+gives its density f, and a level x is crossed f(x) σ_ẋ/√2π times a second.  The largest value of slow motion in head
+seas is a third above that of a Gaussian of the same variance.  The rule for comparison (DNV-OS-E301, chapter 2, section
+2) is the larger of slow significant + fast largest and slow largest + fast significant, both Gaussian.
 """
 
 from __future__ import annotations

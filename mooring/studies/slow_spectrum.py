@@ -39,7 +39,7 @@ class DriftOfSea(NamedTuple):
         return np.stack(columns, axis=-1).reshape(-1, 3, 3)
 
     def mean_parts(self):
-        """Spectrum, omega (q,) to where the waves end, and `signed_means` (q, 2, 3) of the drift there"""
+        """Spectrum, omega (q,) up to the end of the waves, and `signed_means` (q, 2, 3) of the drift at omega"""
         return slow_parts(self.body, self.spectrum, self.omega, self.heading, signed(self.drift), self.weights)
 
 

@@ -26,8 +26,8 @@ def steady_loads(db, hull, conditions, depth, drift=None, heading=0.0):
 
 
 def with_coefficients(conditions, hull, depth):
-    """The same conditions; a current without coefficients gets those of the box tests, as far as these can be
-    extrapolated"""
+    """The same conditions; a current without coefficients gets the coefficients of the box tests, as far as the tests
+    can be extrapolated"""
     current = conditions.current
     if current is None or callable(current.table) or current.table is not None:
         return conditions

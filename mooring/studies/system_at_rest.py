@@ -95,8 +95,8 @@ def _following(inner, pulled):
 def offset_curve(state: SystemEquilibrium, body, direction, offsets, progress=None) -> OffsetCurve:
     """Forces and tensions with a body held at offsets from its place at rest, its attitude unchanged.
 
-    direction : rad; offsets : (m,) m; everything else comes to rest anew at each, after which `progress` is called
-    raises : EquilibriumError where no equilibrium is found at any of them
+    direction : rad; offsets : (m,) m; at each offset everything else comes to rest again, then `progress` is called
+    raises : EquilibriumError where no equilibrium is found at any offset
     """
     i = body_number(state.system, body)
     at_rest = state.position[i]
@@ -152,7 +152,8 @@ def one_line_broken(state: SystemEquilibrium, progress=None):
 
 
 def about_body_axes(stiffness, force, R, center):
-    """(6, 6) stiffness about space axes and the origin, taken to the body's axes and the point `center` in them.
+    """(6, 6) stiffness about space axes and the origin, changed to the body's axes and the point `center` in these
+    axes.
 
     force : (3,) N in space, which turns with the change of the lever
     """

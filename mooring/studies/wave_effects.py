@@ -4,8 +4,8 @@ Irregular waves: drift is 2∫SD dω, motions the largest expected in a duration
 
 Regular wave: the SR179 report (1982), section 5.1.1, replaces irregular waves by a regular wave with the significant
 height as its height and the mean period as its period.  Such a wave has twice the energy of the sea, all of it at one
-frequency. Its drift may be several times that of the sea, and its motions a quarter to twice the largest motions in the
-sea.
+frequency. The drift in this wave may be several times the drift in the sea, and the motions a quarter to twice the
+largest motions in the sea.
 """
 
 from contextlib import suppress
@@ -47,8 +47,8 @@ class WaveEffects(NamedTuple):
 
 
 def wave_effects(db, conditions, body=None):
-    """{method: WaveEffects} of a database in the waves of `Conditions`: by the chosen method, and by the other one if
-    the database has its quantities.
+    """{method: WaveEffects} of a database in the waves of `Conditions`: by the chosen method, and by the other method
+    if the database has the quantities for it.
 
     body : its `Reader`, by default as stored
     raises : ValueError or BetweenError where the method of the conditions is not possible

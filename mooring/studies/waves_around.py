@@ -68,7 +68,7 @@ def mapped(around, half, points):
 
 
 def sides(around):
-    """{name: (2,) m}, places half a body length before and behind it, along the direction of the waves"""
+    """{name: (2,) m}, places half a body length before and behind the body, along the direction of the waves"""
     way = np.array([math.cos(around.beta), math.sin(around.beta)])
     plan = around.sources.plan
     reach = 0.5 * float(np.ptp(plan, axis=0).max())

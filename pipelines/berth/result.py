@@ -41,7 +41,8 @@ TAKEN = "the same energy, with a fender that differs from its catalogue"
 
 
 def berth(study: File | Tables | BerthStudy, database: File | Database | None = None) -> Result:
-    """Energy of a berthing ship, compression of the fender that it meets first, and its course in time.
+    """Energy of a berthing ship, compression of the fender that the ship meets first, and the course of the berthing in
+    time.
 
     study : path of a berthing, its tables as a dictionary, or a `study.BerthStudy`
     database : path of the ship's database, or an open one, for the memory of the water

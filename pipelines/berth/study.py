@@ -1,4 +1,4 @@
-"""A berthing as typed TOML: a ship, its approach, and the fenders that it meets.
+"""A berthing as typed TOML: a ship, its approach, and the fenders that the ship meets.
 
 [ship]                    [approach]                 [[fender]]            # keys of `hakobune fender` and
 length = 337.5  # over    speed = 0.15               family = "v"
@@ -138,7 +138,7 @@ class Approach(msgspec.Struct, frozen=True):
 
 
 def read_berth(path):
-    """The BerthStudy of a TOML file and its text.  Raises StudyError."""
+    """The BerthStudy of a TOML file, and the text of the file.  Raises StudyError."""
     raw, text = read_study_at_site(Path(path), "a berthing", BERTHING)
     return typed(raw, BerthStudy, StudyError), text
 

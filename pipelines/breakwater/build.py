@@ -43,7 +43,7 @@ def ranges_of(asked):
 
 
 def changing(breakwater):
-    """Values named as in `ranges_of` → the `Breakwater` with these values"""
+    """Function from values, named as in `ranges_of`, to the `Breakwater` with these values"""
 
     def changed(angle_deg=None, **sizes):
         return breakwater.changed(**sizes, angle=None if angle_deg is None else math.radians(angle_deg))

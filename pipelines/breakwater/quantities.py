@@ -92,7 +92,7 @@ def _pretension(asked, held):
 
 
 def anchors_of(asked, found):
-    """Required sizes of anchors, and those provided"""
+    """Required sizes of anchors, and the sizes provided"""
     if not found.anchors:
         return {}, {}
     units = tuple(one.unit for one in found.anchors)
@@ -109,7 +109,7 @@ def anchors_of(asked, found):
 
 
 def behind_of(asked, found):
-    """The sea behind, and tensions in it"""
+    """The sea behind the breakwater, and tensions in that sea"""
     sea = found.sea
     if sea is None:
         return {}, {}

@@ -36,7 +36,8 @@ class Found(NamedTuple):
 
 
 def breakwater(study: File | Tables | BreakwaterStudy, database: File | Database | None = None) -> Result:
-    """Transmission of a floating breakwater, a sea behind it, tensions, pretension over the tide, anchors.
+    """Transmission of a floating breakwater, the sea behind the breakwater, tensions, pretension over the tide,
+    anchors.
 
     study : path of a study, its tables as a dictionary, or a `pipelines.breakwater.study.BreakwaterStudy`
     database : path of the database of a unit of finite length along x, or an open one, for [map]

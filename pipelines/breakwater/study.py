@@ -20,7 +20,7 @@ MOST_UNITS = 30
 
 
 def read_breakwater(path):
-    """The BreakwaterStudy of a TOML file and its text.  Raises StudyError."""
+    """The BreakwaterStudy of a TOML file, and the text of the file.  Raises StudyError."""
     raw, text = read_study_at_site(Path(path), "a study of a breakwater", BREAKWATER)
     return make_breakwater(raw), text
 

@@ -114,7 +114,7 @@ class SeaTable(SpectrumTable):
 
     @property
     def is_normal(self):
-        """Whether all of it comes along the normal"""
+        """Whether the whole sea comes along the normal of the breakwater"""
         return self.spreading is None and self.obliquity_deg == 0
 
 

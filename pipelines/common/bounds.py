@@ -1,5 +1,5 @@
-"""Memory and time that a command needs, compared with those available. Too much is refused before the computation, in
-one line with a remedy.
+"""Memory and time that a command needs, compared with the memory and time available. Too much is refused before the
+computation, in one line with a remedy.
 
 Estimates are within a factor of about three; refused work would exceed any available machine.
 """
@@ -62,7 +62,7 @@ def whole_number(flag, text, least=0, otherwise=None):
 
 
 class Pace:
-    """Estimates the total time of equal pieces of work from the first ones, and refuses work that is too long."""
+    """Estimates the total time of equal pieces of work from the first pieces, and refuses work that is too long."""
 
     FIRST, EVERY = 1.0, 10.0  # s
 

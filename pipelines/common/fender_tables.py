@@ -114,7 +114,8 @@ def _inclined(table, where, fender):
 
 
 def pair_of(table, fender, where="fender"):
-    """The fender in series with the dolphin of a FenderTable; the fender without one.  Raises ValueError."""
+    """The fender of a FenderTable in series with its dolphin; without a dolphin the fender alone.  Raises
+    ValueError."""
     if table.dolphin is None:
         if table.dolphin_yield is not None or table.dolphin_beyond is not None:
             raise StudyError(
@@ -193,7 +194,7 @@ def _of_family(table, where):
 def _of_file(table, where):
     for key in ("length", "rated_reaction", "pressure"):
         if getattr(table, key) is not None:
-            raise StudyError(f"{where}.{key} is given with a table of the manufacturer; it is for a family")
+            raise StudyError(f"{where}.{key} is given with a table of the manufacturer; this key is for a family")
     return fender_of_file(
         table.table,
         table.height,

@@ -7,7 +7,8 @@ from ..printing import timing
 
 
 def tell_first_use():
-    """Announce the compilation of the next kernel on a terminal, and time all of them; returns numba's listener."""
+    """Announce the compilation of the next kernel on a terminal, and time all compilations; returns numba's
+    listener."""
     from numba.core import event
 
     class Teller(event.Listener):

@@ -20,7 +20,8 @@ class Gaps(NamedTuple):
 
     @property
     def spans(self):
-        """[(low, high) rad/s] between solved frequencies, or the ends, that contain unsolved ones"""
+        """[(low, high) rad/s] between solved frequencies, or the ends of the range, that contain unsolved
+        frequencies"""
         out, w, whole = [], self.asked, self.solved
         for i in np.flatnonzero(~whole):
             before, after = np.flatnonzero(whole[:i]), np.flatnonzero(whole[i:])

@@ -84,7 +84,7 @@ class TypeTable(MaterialTable):
 
     @property
     def straight(self):
-        """Whether it is a hawser or spring"""
+        """Whether the line is a hawser or a spring"""
         return self.elongation_percent is not None or self.spring_kN_per_m is not None
 
 
@@ -207,7 +207,7 @@ def _strength_left(where, table):
         return left
     if table.catalogue is None or of_catalogue(table.catalogue).proof_load is None:
         raise StudyError(
-            f'{where}.corrosion_mm is given without a chain; it needs a chain of the catalogue, such as "R3 '
+            f'{where}.corrosion_mm is given without a chain; this key needs a chain of the catalogue, such as "R3 '
             f'studless 76 mm"'
         )
     try:
@@ -341,7 +341,7 @@ def _pull(place, name, kind, length):
 
 
 def attached(where, bodies, joints):
-    """The AttachedTable at each of the joints between segments, or None there"""
+    """The AttachedTable at each of the joints between segments, or None at a joint without a body"""
     found = [None] * joints
     for i, body in enumerate(bodies):
         place, at = f"{where}bodies[{i}]", body.after_segment

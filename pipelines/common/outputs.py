@@ -17,7 +17,8 @@ def check_ending(path, endings):
 
 
 def check_output(path, kind, is_one, endings, inputs=()):
-    """Raise ValueError unless a file can be made under this name and no other is lost; before any work for it.
+    """Raise ValueError unless a file can be made under this name and no other file is lost; called before any work for
+    the file.
 
     kind : replaceable content, "the result of a study"; is_one : whether a path has such a file
     endings : allowed endings of the name; inputs : paths of files that are read; path : None for no output
@@ -45,7 +46,8 @@ def check_folder(path):
 
 
 def opening(path):
-    """First line of a text file and its first line without # before it, the column names; "" for other files"""
+    """First line of a text file, and the first line that does not begin with #, which has the column names; "" for
+    other files"""
     try:
         with Path(path).open(encoding="utf-8") as file:
             first = line = file.readline()

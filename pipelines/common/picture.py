@@ -16,7 +16,7 @@ VIEWS = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff")
 
 
 def check_picture(path, kinds):
-    """Raise ValueError if no picture can be written there, before the computation; None for no picture."""
+    """Raise ValueError if no picture can be written to the path; called before the computation; None for no picture."""
     if path is None:
         return
     from hakobune.bem.database.file import check_place
@@ -40,7 +40,7 @@ def save(figure, path, dpi):
 
 
 def draw_streams(axes, towards):
-    """Draw an arrow for each of {name: rad that it travels to}, one below the other, left of the matplotlib axes"""
+    """Draw an arrow for each of {name: rad to which it travels}, one below the other, left of the matplotlib axes"""
     import numpy as np
 
     (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()

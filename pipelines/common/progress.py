@@ -9,7 +9,7 @@ ONCE = "reduction", "rankine"  # parts of a frequency's time that only the first
 
 
 class Progress:
-    """Prints one line per frequency, with the remaining time estimated from the previous ones."""
+    """Prints one line per frequency, with the remaining time estimated from the previous frequencies."""
 
     def __init__(self, console, total):
         self.console, self.total, self.done, self.started = console, total, 0, time.perf_counter()

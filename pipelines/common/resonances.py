@@ -1,4 +1,4 @@
-"""Resonances of a body in words: period, mode, peak, damping ratio, and the causes of its uncertainty."""
+"""Resonances of a body in words: period, mode, peak, damping ratio, and the causes of uncertainty of the peak."""
 
 import numpy as np
 

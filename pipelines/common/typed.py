@@ -1,4 +1,4 @@
-"""Tables of TOML as typed values, and one line on the first fault in them."""
+"""Tables of TOML as typed values, and one line on the first fault in the tables."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ WORDS = {
 
 
 def read_toml(path, what, error):
-    """Nested dictionaries of a TOML file, and its text.
+    """Nested dictionaries of a TOML file, and the text of the file.
 
     what : "a study", for messages; error : class raised with one line
     """

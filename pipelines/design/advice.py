@@ -24,7 +24,8 @@ NOTHING = (
 
 
 class Tried(NamedTuple):
-    """way : of `changes.ways`; words : the change; utilisation : the largest with it; passes : whether all are met then
+    """way : of `changes.ways`; words : the change; utilisation : the largest with the change; passes : whether the
+    change makes all criteria met
 
     criterion : that governs then
     """

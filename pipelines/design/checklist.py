@@ -9,7 +9,8 @@ from typing import NamedTuple
 
 
 class Requirement(NamedTuple):
-    """text : the requirement; met : True, False, or None where it does not apply; how : how it is met"""
+    """text : the requirement; met : True, False, or None where the requirement does not apply; how : how the
+    requirement is met"""
 
     text: str
     met: bool | None

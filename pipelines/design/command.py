@@ -18,7 +18,7 @@ def design(
         bool, Parameter(help="try other sizes, pretensions and numbers of lines where the design fails")
     ] = True,
 ):
-    """Run a mooring through all load cases of a site, judge it by rule sets, and write one page.
+    """Run a mooring through all load cases of a site, judge the mooring by rule sets, and write one page.
 
     Status 1 if a criterion is not met or not judged, a line parts, or a case could not be run.
     """

@@ -60,7 +60,7 @@ def fatigue(read, ran):
 
 
 def curve_of(table):
-    """The Curve of a FatigueTable: of the table of curves, or the user's own"""
+    """The Curve of a FatigueTable: from the table of curves, or as given by the user"""
     if table.curve is not None:
         return curves()[table.curve]
     name = f"{table.constant:.4g} s^−{table.exponent:g}"

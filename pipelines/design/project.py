@@ -1,4 +1,4 @@
-"""A design project as typed TOML: a study, its states of weather, and the rules that judge it.
+"""A design project as typed TOML: a study, its states of weather, and the rules that judge the study.
 
 ```toml
 [project]
@@ -63,7 +63,8 @@ STATISTICS = ("largest", "amplitude", "peak to peak")
 
 
 class Read(msgspec.Struct, frozen=True):
-    """A project with the files it names: raw, nested dictionaries of the project; study, raw tables of its study
+    """A project with the files that the project names: raw, nested dictionaries of the project; study, raw tables of
+    its study
 
     kind : module of `kinds` for studies of this kind; study_text, text : text of the study and of the project
     criteria : chosen from the rules; folder : start of relative paths

@@ -281,6 +281,6 @@ def _check_earthquakes(project, study, folder):
 
 
 def check_among(key, value, allowed):
-    """Raises StudyError for a value that is not among the allowed ones."""
+    """Raises StudyError for a value that is not among the allowed values."""
     if value not in allowed:
         raise StudyError(f"{key} is {value!r}; allowed: {', '.join(allowed)}")

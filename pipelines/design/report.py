@@ -1,6 +1,6 @@
 """The report of a project: one page without external files, and its tables as CSV.
 
-Its content is independent of time and place: the same inputs give the same report.
+The content of the page is independent of time and place: the same inputs give the same report.
 """
 
 import os
@@ -24,7 +24,7 @@ CSS = {PASSES: "passes", FAILS: "fails", OPEN: "open"}
 
 
 def write_report(read, verdict, advice, paths, folder):
-    """Write report.html, cases.csv, criteria.csv and parts.csv into a folder; returns the names of those written.
+    """Write report.html, cases.csv, criteria.csv and parts.csv into a folder; returns the names of the written files.
 
     verdict : of `judged_project`; advice : of `advise`, or None; paths : {level: database}
     """

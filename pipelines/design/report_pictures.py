@@ -1,6 +1,6 @@
 """Pictures of a report as data addresses: plans of the governing cases, curves of the body, utilisations.
 
-They are stored in `pictures/` next to the report.
+The pictures are stored in `pictures/` beside the report.
 """
 
 import json

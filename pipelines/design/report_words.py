@@ -192,7 +192,8 @@ def _place(point):
 
 
 def criterion(one, found_in):
-    """Cells of a Judged; found_in : (name of a load case, criterion) → address of a number's file, and key in it"""
+    """Cells of a Judged; found_in : (name of a load case, criterion) → address of a number's file, and key in that
+    file"""
     c, use = one.criterion, one.governing
     factors = f"{c.limit:.4g}" if c.second is None else f"{c.limit:.4g}, {c.second:.4g}"
     for_ = ", ".join(

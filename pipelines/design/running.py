@@ -73,7 +73,8 @@ def databases(read, folder, executor, console):
 
 
 def of_databases(read, paths):
-    """Failures of the databases, one line each: laws, and the tolerance of those that were solved for the project"""
+    """Failures of the databases, one line each: laws of physics, and the tolerance of databases that were solved for
+    the project"""
     from hakobune.bem.database import open_database
 
     from ..solve.report import failed_laws, gives_panels, missed_tolerance
@@ -88,7 +89,7 @@ def of_databases(read, paths):
 
 
 def run_cases(read, paths, folder, executor, step):
-    """[Ran] of all load cases, intact ones first, then those with a lost line.
+    """[Ran] of all load cases, first the intact cases, then the cases with a lost line.
 
     paths : {level: database}; step : called with the number done, the number known and a name
     """

@@ -75,7 +75,7 @@ class StateTable(Table):
 
 
 class RuleTable(Table):
-    """A rule set and the part of it that applies
+    """A rule set, and the part of the rule set that applies
 
     rule : name of the rule set
     subject : part of the rule set that applies; by default all of it

@@ -18,7 +18,8 @@ PASSES, FAILS, OPEN = "passes", "fails", "cannot be signed"
 
 
 class RuleSet(NamedTuple):
-    """name : with its edition; subject : what it applies to; chosen : whether one of its criteria judges the project
+    """name : with its edition; subject : to which the rule set applies; chosen : whether any of its criteria judges the
+    project
 
     judged, known : number of its criteria that are judged, and of all; criterion, use : the governing one of those
     judged, with its Use; unread : number of criteria whose source has not been read
@@ -36,7 +37,7 @@ class RuleSet(NamedTuple):
 
 class Verdict(NamedTuple):
     """ran : all Ran; broken : failures of a case or a database other than criteria, one line each
-    judged : a Judged for each criterion; return_period : years, None where it is not given
+    judged : a Judged for each criterion; return_period : years, None where no return period is given
 
     word : passes, fails, or cannot be signed, if a criterion is not judged or a case could not be run
     rule_sets : of `side_by_side`
@@ -65,8 +66,8 @@ def judged_project(read, ran, of_databases=()):
 
 def broken_in(ran):
     """Failures that the studies of load cases report (lines that part, fenders beyond their capacity): a line for each
-    kind, from the first case that has it. Tensions at multiples of motions, which some rules require, are not such
-    failures.
+    kind of failure, from the first case that has this failure. Tensions at multiples of motions, which some rules
+    require, are not such failures.
     """
     found = {}
     for one in (one for one in ran if one.case.factor == 1):

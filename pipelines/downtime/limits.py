@@ -142,7 +142,7 @@ def _source(where, quantity, study, points, responses, moored):
 
 
 def used_of(limits, hours, hindcast):
-    """(n, l) utilisation of each limit in each hour, above 1 beyond it; nan where unknown"""
+    """(n, l) utilisation of each limit in each hour, above 1 beyond the limit; nan where unknown"""
     return np.stack([_used(one.criterion, value_of(one, hours, hindcast)) for one in limits], axis=1)
 
 

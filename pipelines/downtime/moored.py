@@ -1,4 +1,5 @@
-"""Downtime of a moored body: simulated states give that of every hour, of other moorings, and of limiting seas."""
+"""Downtime of a moored body: simulated states give the downtime in every hour, the downtime of other moorings, and
+limiting seas."""
 
 from __future__ import annotations
 
@@ -45,7 +46,7 @@ class Detail(NamedTuple):
 
 
 class Found(NamedTuple):
-    """detail; quantities, axes : in addition to those of `answers`; findings, notes : lines"""
+    """detail; quantities, axes : in addition to the quantities and axes of `answers`; findings, notes : lines"""
 
     detail: Detail
     quantities: dict

@@ -1,4 +1,4 @@
-"""Passing ships, from a list of their times, distances and speeds: the largest forces on the moored one in each hour.
+"""Passing ships, from a list of their times, distances and speeds: the largest forces on the moored ship in each hour.
 
 Under a rigid surface forces are proportional to the square of the speed, so that a few distances are computed once,
 with log-linear interpolation between them.
@@ -19,7 +19,8 @@ DISTANCES = 8
 
 
 def record_with_passages(read, folder, depth):
-    """The `study.Record` of a DowntimeStudy, with columns of its passages where it has any.  Raises StudyError."""
+    """The `study.Record` of a DowntimeStudy, with columns of the passages of ships where the study has any.  Raises
+    StudyError."""
     record, table = record_of(read.hindcast, folder, depth), read.passages
     if table is None:
         return record

@@ -15,7 +15,7 @@ MARK = "<!-- hakobune downtime -->"
 
 
 def written_by_downtime(path):
-    """Whether a file is a page by this command, which may replace it"""
+    """Whether a file is a page that `hakobune downtime` wrote and may therefore replace"""
     return Path(path).read_text(encoding="utf-8", errors="replace").startswith(MARK)
 
 

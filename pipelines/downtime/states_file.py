@@ -1,6 +1,7 @@
-"""The file of simulated states: a line for each, written when it is finished; a kill at any time keeps all whole lines.
+"""The file of simulated states: one line for each state, written when the state is finished; a kill at any time keeps
+all whole lines.
 
-The first line describes the states; each further one is JSON with its CRC-32.  A line cut by a kill is removed; a
+The first line describes the states; each further line is JSON with its CRC-32.  A line cut by a kill is removed; a
 damaged line is an error.
 """
 
@@ -17,7 +18,7 @@ MARK = "# hakobune downtime states "
 def read(path, identity):
     """{index of the hour: results of its seeds} in a file, without a last line that was cut; {} without a file.
 
-    Raises StudyError for a file of other states, or a damaged one.
+    Raises StudyError for a file of other states, or for a damaged file.
     """
     path = Path(path)
     if not path.exists():

@@ -47,7 +47,7 @@ class Record(NamedTuple):
 
 
 def read_downtime(path):
-    """The DowntimeStudy of a TOML file and its text.  Raises StudyError."""
+    """The DowntimeStudy of a TOML file, and the text of the file.  Raises StudyError."""
     raw, text = read_toml(path, "a downtime study", StudyError)
     return make_downtime(raw), text
 

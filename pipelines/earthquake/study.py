@@ -102,7 +102,7 @@ class EarthquakeStudy(Table):
 
 
 def read_study(path):
-    """The EarthquakeStudy of a TOML file, its record with the whole path, and its text.  Raises StudyError."""
+    """EarthquakeStudy of a TOML file, the whole path of its record, and the text of the file.  Raises StudyError."""
     raw, text = read_study_at_site(Path(path), "an earthquake study", EARTHQUAKE)
     record = raw.get("record")
     if isinstance(record, dict) and isinstance(record.get("file"), str):

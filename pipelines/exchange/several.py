@@ -1,4 +1,4 @@
-"""Import of another program's results for several bodies into one database, all of them moving.
+"""Import of another program's results for several bodies, all of which move, into one database.
 
 Each body is read from the files as a body that moves beside the others, and is checked by the laws for such a body.
 Then added mass and damping of all bodies together are read.  If bodies of revolution about one vertical have one

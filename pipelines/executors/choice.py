@@ -23,7 +23,7 @@ class Here:
         return future
 
     def shutdown(self, wait=True, cancel_futures=False):
-        """Nothing to do; here for the interface."""
+        """Nothing to do; all executors have this method."""
 
 
 def in_order(executor, calls):

@@ -1,4 +1,4 @@
-"""Work through a scheduler: a dask cluster of this machine, an external one, or jobs of Slurm.
+"""Work through a scheduler: a dask cluster of this machine, an external dask cluster, or jobs of Slurm.
 
 The loss of a worker costs only time: another one repeats its work (dask, up to `LOST` times).  Workers elsewhere need
 the same hakobune and, for studies, the same folders.

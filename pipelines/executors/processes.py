@@ -1,4 +1,4 @@
-"""An executor of processes of this computer, loaded only if it is used."""
+"""An executor of processes of this computer; this module is loaded only if such an executor is used."""
 
 import multiprocessing
 import os
@@ -17,7 +17,7 @@ class Processes(ProcessPoolExecutor):
         super().__init__(count, multiprocessing.get_context("spawn"), _start, (max(1, cores // count),))
 
     def shutdown(self, wait=True, *, cancel_futures=False):
-        """If it does not wait, the processes are ended, since nobody will read their results.
+        """Without `wait` the processes are ended, since nobody will read their results.
 
         Otherwise the interpreter would wait for them at its end, and after a Ctrl-C without limit.
         """

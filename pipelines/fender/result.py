@@ -1,4 +1,5 @@
-"""`hakobune.fender`: the characteristic of a fender, its softest and stiffest, and one compression of them."""
+"""`hakobune.fender`: the characteristic of a fender, of its softest and of its stiffest variant, and one compression of
+all three."""
 
 from __future__ import annotations
 

@@ -25,7 +25,7 @@ from .stage import POINTS, Hull, Scene, Stage, frames, moved, straight
 def film_of_run(path, output, seed=None, start=None, length=60.0, step=1.0):
     """Write a film of `length` s from `start` s on, one frame every `step` s; returns the number of frames.
 
-    seed : whose record is stored, by default the first
+    seed : a seed with a stored record, by default the first
     start : by default half a length before the largest tension, or the largest deflection without lines
     raises : ValueError, one line
     """

@@ -16,7 +16,8 @@ OF_SPAN = 0.01  # radius of a drawn buoy, for visibility
 
 
 class Hull(NamedTuple):
-    """box : m, six sides in the hull's own coordinates; center : (3,) m, the point there about which it turns"""
+    """box : m, six sides in the hull's own coordinates; center : (3,) m, the point in these coordinates about which the
+    hull rotates"""
 
     box: tuple
     center: np.ndarray

@@ -37,7 +37,7 @@ def write(name, file):
 
 
 def needed(example, beside=()):
-    """Files of `pipelines/scenes` named in an example, those named in these, and `beside`"""
+    """Files of `pipelines/scenes` named in an example, the files that these files name, and `beside`"""
     found, left = [], [SCENES / name for name in beside] + [example]
     while left:
         path = left.pop()

@@ -1,4 +1,4 @@
-"""Kinds of files, the commands that read them, and an example of each."""
+"""Kinds of files, the commands that read each kind, and an example of each."""
 
 import importlib
 import tomllib
@@ -13,7 +13,7 @@ SOLVED = "hakobune solve series_box_20m.toml --output box.h5"
 
 
 class Kind(NamedTuple):
-    """reader : "module:Struct" that reads the file; commands : that read it; example : file in `pipelines/scenes`
+    """reader : "module:Struct" that reads the file; commands : that read the file; example : file in `pipelines/scenes`
 
     steps : commands that run the example, FILE for its name; beside : further files of `pipelines/scenes` they need
     """
@@ -196,7 +196,7 @@ KINDS = {
 
 
 def kind_named(name):
-    """A Kind by its own name or that of a command.  Raises ValueError."""
+    """A Kind by its own name or by the name of a command that reads it.  Raises ValueError."""
     if name in KINDS:
         return KINDS[name]
     found = [kind for kind in KINDS.values() if name in kind.commands.split(", ")]
@@ -212,7 +212,7 @@ def struct_of(name):
 
 
 def that_read(raw):
-    """["hakobune moor", …], commands that can read a file of these nested dictionaries"""
+    """["hakobune moor", …], commands that can read a file with the given nested dictionaries"""
     found = {}
     for name, kind in KINDS.items():
         try:

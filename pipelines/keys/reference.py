@@ -1,4 +1,4 @@
-"""Every key of a file, from the typed table that reads it: name, unit, type, default, meaning, example.
+"""Every key of a file, from the typed table that reads the key: name, unit, type, default, meaning, example.
 
 The docstring of a table begins with a description; then each line `key, key : unit, meaning` explains keys. `pretension
 :` explains pretension_tonf and pretension_kN; keys that a table and its bases do not explain are in `words`, and a key
@@ -23,7 +23,7 @@ PLURAL = {"number": "numbers", "whole number": "whole numbers", "text": "texts",
 
 
 class Key(NamedTuple):
-    """One key; default : None without one, `needed` whether it is required; example : TOML, or empty"""
+    """One key; default : None without a default; `needed` : whether the key is required; example : TOML, or empty"""
 
     table: str
     name: str

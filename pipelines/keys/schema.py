@@ -1,4 +1,4 @@
-"""JSON Schema of each kind of file, from the typed table that reads it, for completion and errors in an editor.
+"""JSON Schema of each kind of file, from the typed table that reads the file, for completion and errors in an editor.
 
 msgspec writes types, defaults and required keys; text, unit and example of each key are those of `reference`.
 An editor with a TOML language server (taplo, Even Better TOML) reads the schema that the first line of a file names:

@@ -8,7 +8,7 @@ from .words import OTHER_NAMES
 
 
 class Found(NamedTuple):
-    """A key; places : headings of the tables that have it; kinds : of files that contain them"""
+    """A key; places : headings of the tables that have the key; kinds : of files that contain these tables"""
 
     key: Key
     places: tuple[str, ...]

@@ -14,7 +14,7 @@ hakobune new KIND  writes an example with every key explained"""
 
 
 def kinds_text(as_json, as_markdown):
-    """All kinds of files, their content and the commands that read them"""
+    """All kinds of files, the content of each kind and the commands that read it"""
     if as_json:
         return json.dumps({name: {"meaning": k.meaning, "commands": k.commands} for name, k in KINDS.items()}, indent=1)
     if as_markdown:

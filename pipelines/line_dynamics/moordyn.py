@@ -1,9 +1,9 @@
 """One line of a MoorDyn file as the study of a moving line: water, segments, bodies, anchor, and place of its fairlead.
 
-The line includes the free points that join two lines, which become the bodies between its segments.  It ends at an
-anchor and at the moving point, whatever its attachment in the file.  Damping BA keeps its value or, if negative, its
-meaning in MoorDyn, a fraction of critical damping.  Parts out of the water have their weight in air and no water loads,
-as in MoorDyn.
+The line includes the free points that join two lines, which become the bodies between its segments.  The line ends at
+an anchor and at the moving point, whatever the attachment of the point in the file.  Damping BA keeps its value or, if
+negative, its meaning in MoorDyn, a fraction of critical damping.  Parts out of the water have their weight in air and
+no water loads, as in MoorDyn.
 """
 
 import math

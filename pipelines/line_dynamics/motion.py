@@ -25,7 +25,7 @@ class Course:
     cycle: float | None
 
     def window(self, begin=None):
-        """Begin and end (s) of the statistics, and their number of cycles: whole ones, counted back from the end.
+        """Begin and end (s) of the statistics, and their number of cycles: whole cycles, counted back from the end.
 
         begin : s, earliest begin; the end of the ramp by default.  Raises StudyError where no cycle remains.
         """

@@ -170,7 +170,7 @@ class LineDynamicsStudy(Table):
 
 
 def read_line_dynamics(path):
-    """The LineDynamicsStudy of a TOML file and its text.  Raises StudyError."""
+    """The LineDynamicsStudy of a TOML file, and the text of the file.  Raises StudyError."""
     raw, text = read_toml(path, "a study", StudyError)
     return make_line_dynamics(seas_at(raw, Path(path).parent)[0]), text
 

@@ -1,1 +1,1 @@
-"""`hakobune line` and `hakobune lines`: one mooring line, and systems of them."""
+"""`hakobune line` and `hakobune lines`: one mooring line, and systems of mooring lines."""

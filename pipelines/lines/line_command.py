@@ -11,7 +11,7 @@ from .line_result import line
 
 
 def line_command(output, plot, **words):
-    """Print a line, draw or write it; returns the exit status.  Raises ValueError.
+    """Print, draw or write a line; returns the exit status.  Raises ValueError.
 
     words : of `line_result.line`
     """

@@ -58,7 +58,7 @@ def at_rest(state):
 
 
 def stiffness_on(state, name):
-    """Forces on a body for each metre and radian of its motion; rounding errors of the others are set to 0"""
+    """Forces on a body for each metre and radian of its motion; rounding errors in all other forces are set to 0"""
     from hakobune.mooring.studies.system_at_rest import mooring_stiffness
 
     K = mooring_stiffness(state, name)

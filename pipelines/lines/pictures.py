@@ -13,7 +13,8 @@ KINDS = ("line", "lines", "line-dynamics")  # kinds of results that have a pictu
 
 
 def draw_system(state, path, curves=(), losses=None):
-    """Plan and profile, lines coloured by tension; below them offset curves, and tensions with one line broken."""
+    """Plan and profile, lines coloured by tension; below the plan and profile offset curves, and tensions with one line
+    broken."""
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
     from matplotlib.figure import Figure
@@ -110,7 +111,7 @@ def _draw_losses(axes, state, losses):
 
 
 def draw_frames(time, nodes, path, count=12):
-    """A strip of `count` frames of a line (.png, .svg, .pdf), or all of them as a film (.gif).
+    """A strip of `count` frames of a line (.png, .svg, .pdf), or all frames as a film (.gif).
 
     time : (f,) s; nodes : (f, k, 3) m
     """

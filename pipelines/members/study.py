@@ -114,7 +114,7 @@ class MembersStudy(Table):
 
 
 def read_study(path):
-    """The MembersStudy of a TOML file and its text.  Raises StudyError."""
+    """The MembersStudy of a TOML file, and the text of the file.  Raises StudyError."""
     raw, text = read_toml(path, "a study of members", StudyError)
     return make_study(raw), text
 
@@ -134,7 +134,7 @@ def make_study(raw):
 
 
 def wave_of(study):
-    """`RegularWave` of a study, of zero height if it has only a current.  Raises StudyError, ValueError."""
+    """`RegularWave` of a study, of zero height if the study has only a current.  Raises StudyError, ValueError."""
     depth, current, wave = water_depth("water.depth", study.water.depth), None, study.wave
     if study.current is not None:
         towards = direction("current", study.current)

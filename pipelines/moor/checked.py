@@ -1,4 +1,5 @@
-"""Check of a whole mooring study before any work: every name in it, and the data of the hull that its weather needs."""
+"""Check of a whole mooring study before any work: every name in the study, and the data of the hull that the weather of
+the study needs."""
 
 from typing import NamedTuple
 

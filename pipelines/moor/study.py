@@ -90,7 +90,7 @@ class Study(Table):
         return Conditions(wind, current, regular, waves.method, sea, duration, factor)
 
     def hulls_of(self, db):
-        """ExposedBox as by `hull_of` for a database of one body; for several {name: ExposedBox} of the moving ones"""
+        """ExposedBox as by `hull_of` for a database of one body; for several {name: ExposedBox} of the moving bodies"""
         if not db.bodies:
             if self.hulls:
                 raise StudyError(f"hulls.{min(self.hulls)} is given, but the database contains one body; give [hull]")
@@ -118,7 +118,7 @@ class Study(Table):
         for key in ("length", "beam", "draft"):
             own, stored = getattr(given, key), dimensions.get(key)
             if own is None and stored is None:
-                raise StudyError(f"hull.{key} is missing, and the database does not contain it; give it in m, above 0")
+                raise StudyError(f"hull.{key} is missing, also in the database; give it in m, above 0")
             if own is not None and stored is not None and not math.isclose(own, stored, rel_tol=1e-6):
                 raise StudyError(
                     f"hull.{key} is {own:g} m, but the database is for {stored:g} m; change it, or give another "
@@ -126,7 +126,7 @@ class Study(Table):
                 )
             sizes[key] = positive(f"hull.{key}", stored if own is None else own)
         if given.freeboard is None and self.wind is not None:
-            raise StudyError("hull.freeboard is missing, and the wind acts on it; give it in m, above 0")
+            raise StudyError("hull.freeboard is missing, and the wind acts on it; give the freeboard in m, above 0")
         freeboard = sizes["draft"] if given.freeboard is None else positive("hull.freeboard", given.freeboard)
         return ExposedBox(**sizes, freeboard=freeboard, **superstructures(given))
 
@@ -178,7 +178,7 @@ class Study(Table):
         if self.quay is not None or self.harbour is not None:
             key = "quay" if self.quay is not None else "harbour"
             raise StudyError(
-                f"[{key}] is given, but the database contains several bodies; it is available for one body only"
+                f"[{key}] is given, but the database contains several bodies; this table is for one body only"
             )
         return berth_between(self.fender, self.dolphin, self.rope, afloat(db, hulls), db.bodies)
 
@@ -210,7 +210,7 @@ class Study(Table):
         return None if legs is None else moored_body(legs, self.water.depth, center, density, gravity)
 
     def system_of(self, db, hulls, in_time=False):
-        """System of the bodies of a database, `hulls_of` it, None as of `system`"""
+        """System of the bodies of a database with hulls as `hulls_of` gives them; None where `system` gives None"""
         if not db.bodies:
             return self.system(hulls, db.rotation_center, db.density, db.gravity, in_time)
         legs = self._legs(hulls, db.density, db.gravity, in_time, {body.name: body for body in db.bodies})
@@ -338,7 +338,7 @@ def _in_space(where, line, body, bodies):
 
 
 def read_study(path):
-    """The Study of a TOML file and its text.  Raises StudyError."""
+    """The Study of a TOML file, and the text of the file.  Raises StudyError."""
     raw, text = read_raw(path)
     return make_study(raw), text
 

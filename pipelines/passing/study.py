@@ -1,4 +1,4 @@
-"""A ship that passes a moored one, as typed TOML.
+"""A ship that passes a moored ship, as typed TOML.
 
 Bodies are as in a scene; for a mesh file the middle of its length and beam is the middle of the ship.
 
@@ -37,7 +37,7 @@ class WaterTable(DepthTable):
 
 
 class TrackTable(Table):
-    """Track of the passing ship, parallel to the moored one
+    """Track of the passing ship, parallel to the moored ship
 
     distance : m, distance between the centre lines, positive to port of the moored ship
     speed : m/s, speed over the ground
@@ -75,7 +75,8 @@ class PassingStudy(Table):
 
 
 def read_study(path):
-    """The PassingStudy of a TOML file and its text, files of meshes beside it.  Raises StudyError."""
+    """PassingStudy of a TOML file, with the mesh files beside that file, and the text of the file.  Raises
+    StudyError."""
     raw, text = read_toml(path, "a study of a passing ship", StudyError)
     for body in (raw.get(name) for name in SHIPS):
         if isinstance(body, dict) and isinstance(body.get("file"), str):

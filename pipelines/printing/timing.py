@@ -24,7 +24,7 @@ class Timeline:
 
     @contextmanager
     def phase(self, name):
-        """Context whose time counts as the phase `name`, except for phases within it"""
+        """Context whose time counts as the phase `name`, except for the time of phases within this context"""
         self._turn()
         self.open.append(name)
         try:

@@ -29,5 +29,5 @@ def tell(findings, console=None, remark="warning: "):
 
 
 def status_of(findings):
-    """Exit status of a command with these findings: 1 if one fails, else 0"""
+    """Exit status of a command with the given findings: 1 if any finding fails, else 0"""
     return int(bool(failing(findings)))

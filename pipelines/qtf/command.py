@@ -30,11 +30,11 @@ def qtf(
 ):
     """Compute slow forces of pairs of waves (QTF) and store them in the database.
 
-    They have the products of first-order quantities, bound long waves and the moving hull.  --level full adds the
-    forcing of the surface around the body; its size is estimated otherwise.  Response studies and simulations use them
-    by qtf = "body" or "full".  Differences are stored one by one, from the smallest on: an interrupted run continues,
-    and a larger --difference adds to what is stored.  The body is solved on its panels, a vertical cylinder by the
-    contour method.
+    These forces include the products of first-order quantities, bound long waves and the moving hull.  --level full
+    adds the forcing of the surface around the body; its size is estimated otherwise.  Response studies and simulations
+    use them by qtf = "body" or "full".  Differences are stored one by one, from the smallest on: an interrupted run
+    continues, and a larger --difference adds to what is stored.  The body is solved on its panels, a vertical cylinder
+    by the contour method.
 
     --sum computes forces at the sum of frequencies (ringing, springing), up to the highest sum whose waves the panels
     resolve, with the forcing of the surface.

@@ -1,4 +1,5 @@
-"""Picture of forces of pairs: level lines over both frequencies, Newman's rule over them, sizes by level or part."""
+"""Picture of forces of pairs: level lines over both frequencies, Newman's rule on top of the level lines, sizes by
+level or part."""
 
 import numpy as np
 

@@ -42,7 +42,7 @@ class Question:
         return self.omega, self.headings, self.highest
 
     def continued(self, stored):
-        """The question of the `StoredForces` of an interrupted run, if it matches this one"""
+        """The question of the `StoredForces` of an interrupted run, if that question matches the present question"""
         if stored.asked is None or self.waves_given or stored.held.floats != self.held.floats:
             return self
         forces = stored.forces
@@ -57,7 +57,7 @@ class Question:
         )
 
     def answered_by(self, stored):
-        """Whether `StoredForces` answer the question"""
+        """Whether `StoredForces` contain all that the question asks for"""
         forces = stored.forces
         lacks = (
             stored.asked is not None
@@ -78,7 +78,7 @@ class Question:
         )
 
     def adds_surface(self, share):
-        """Whether it includes the forcing of the surface, whose share of the force is `share` or unknown"""
+        """Whether the question includes the forcing of the surface, whose share of the force is `share` or unknown"""
         return self.level == "full" or (self.level == "auto" and share is not None and share > ENOUGH)
 
 

@@ -62,7 +62,7 @@ def qtf(
         raise ValueError("--fixed and --moored are both given; give one of them")
     if db.bodies and (level == "full" or moored is not None):
         given = "--moored" if moored is not None else "--level full"
-        raise ValueError(f"{given} is given for {len(db.bodies)} bodies, but it is for one body only; leave it out")
+        raise ValueError(f"{given} is given for {len(db.bodies)} bodies, but this flag is for one body; leave it out")
     chosen = any(value is not None for value in (omega, headings, highest))
     held = Held(not fixed, "" if moored is None else str(moored))
     waves = (waves_and_sums_of if sums else waves_of)(db, omega, headings, highest)

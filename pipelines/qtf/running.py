@@ -1,4 +1,5 @@
-"""Wave pairs solved and stored for some force frequencies at a time: the next run continues from them."""
+"""Wave pairs solved and stored for some force frequencies at a time: the next run continues from the stored
+frequencies."""
 
 import sys
 import time

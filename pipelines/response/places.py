@@ -1,4 +1,4 @@
-"""Points of a response study: named points, pairs of them on two bodies, and points of the bottom."""
+"""Points of a response study: named points, pairs of points on two bodies, and points of the bottom."""
 
 import math
 from collections import Counter
@@ -10,7 +10,7 @@ from ..common.quantities import StudyError, positive
 
 
 def places_of(study, db):
-    """Points and pairs of a ResponseStudy, followed by those of the bottom; db : database"""
+    """Points and pairs of a ResponseStudy, followed by the points of the bottom; db : database"""
     named = [point.name for point in (*study.points, *study.relative, *study.hinges)]
     twice = [name for name, count in Counter(named).items() if count > 1]
     if twice:

@@ -6,7 +6,7 @@ FRACTILE = 0.9  # probability that the value is not exceeded
 
 
 def solved_in_sea(read, body, db, points, _):
-    """SeaState, and the body with its viscous damping in it"""
+    """SeaState, and the body with its viscous damping in this sea"""
     from hakobune.mooring.on_current.body import on_current
     from hakobune.mooring.on_current.waves import carrier_of
     from hakobune.mooring.response.pair_levels import beside_newman

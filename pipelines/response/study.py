@@ -204,7 +204,7 @@ class ResponseStudy(Table):
 
 
 def viscous_laws(study, db):
-    """{degree of freedom: law} of a ResponseStudy, by default those of the database's scene"""
+    """{degree of freedom: law} of a ResponseStudy, by default the laws in the scene of the database"""
     from hakobune.bem.viscous_table import laws_of
     from hakobune.mooring.response import viscous
 
@@ -227,7 +227,7 @@ def viscous_words(body, laws, damping):
 
 
 def read_response_study(path):
-    """The ResponseStudy of a TOML file and its text.  Raises StudyError."""
+    """The ResponseStudy of a TOML file, and the text of the file.  Raises StudyError."""
     raw, text = read_study_at_site(Path(path), "a response study", RESPONSE)
     return make_response_study(seas_at(raw, Path(path).parent)[0], path), text
 

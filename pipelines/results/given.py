@@ -48,7 +48,7 @@ def words_of(**words) -> str:
 
 
 def database_of(database: File | Database) -> Database:
-    """An open database from a path, or the given open one"""
+    """An open database from a path, or the open database that was given"""
     from hakobune.bem.database import open_database
 
     return open_database(database) if isinstance(database, str | os.PathLike) else database

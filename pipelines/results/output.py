@@ -28,7 +28,7 @@ def write_result(result, path):
 
 
 def finish(result, output=None, plot=None, draw=None):
-    """Write a result, draw it, print it and then the names of its files; returns the exit status
+    """Write, draw and print a result, then print the names of its files; returns the exit status
 
     output, plot : paths that were checked before, or None; draw : function of a result and a path
     """

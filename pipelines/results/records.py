@@ -1,4 +1,4 @@
-"""The records of a result, as time series, in a file: CSV of those on one axis, or HDF5 of the whole result."""
+"""The records of a result, as time series, in a file: CSV of all records on one axis, or HDF5 of the whole result."""
 
 import csv
 import io

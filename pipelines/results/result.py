@@ -1,6 +1,7 @@
 """The result of a study: quantities, labels of their axes, findings, provenance.
 
-Its views are print and CSV (`tables`), JSON (`documents`), HDF5 (`writing`, `file`), xarray and pandas (`frames`).
+The views of a result are print and CSV (`tables`), JSON (`documents`), HDF5 (`writing`, `file`), xarray and pandas
+(`frames`).
 """
 
 from __future__ import annotations
@@ -75,7 +76,7 @@ class Result(Mapping[str, Any]):
 
     @property
     def told(self) -> tuple[str, ...]:
-        """All findings, first those printed before the tables"""
+        """All findings, first the findings that are printed before the tables"""
         return (*self.first, *self.findings)
 
     @property
@@ -151,7 +152,7 @@ class Result(Mapping[str, Any]):
         return as_csv(self)
 
     def write(self, path: File) -> None:
-        """Write it to an HDF5 file (`read` reads it back)"""
+        """Write the result to an HDF5 file, which `read` reads"""
         from .writing import write
 
         write(self, path)

@@ -24,7 +24,7 @@ RANGES = {"omegas": (1e-6, 1e4), "periods": (1e-3, 1e7), "xi_B": (1e-9, 1e6), "b
 
 
 def stands_on_bed(scene, body):
-    """Whether a box or buoy of a scene has no water under it; of a mesh its panels say so"""
+    """Whether a box or buoy of a scene has no water under it; for a mesh the panels decide this"""
     return body.shape in STANDING and body.fixed and body.draft == scene.water.depth
 
 

@@ -61,7 +61,7 @@ class RunFlags:
 
 
 def overlaid(raw, flags, body):
-    """The raw tables of a scene, with values replaced by those of flags.
+    """The raw tables of a scene, with values replaced by the values of flags.
 
     raw : nested dictionaries, from `read_scene`; body : {key: value} of the body, without None
     Raises SceneError for unreadable lists.

@@ -25,7 +25,8 @@ SAME = 1e-6  # rounding of points in mesh files, over the size of the hull
 
 
 def contents(scene):
-    """`content` of the mesh files of a scene, then of those of its shapes, joined by "; ", None without any"""
+    """`content` of the mesh files of a scene, then of the mesh files of its shapes, joined by "; "; None without mesh
+    files"""
     tables = (*scene.bodies, *(scene.modes or ()))
     return "; ".join(content(table.file) for table in tables if table.file is not None) or None
 

@@ -53,12 +53,12 @@ def names_of(mode):
 
 
 def owner(scene, mode):
-    """Number of the body of a `tables.ModeTable`; for a shape of several bodies the first moving one"""
+    """Number of the body of a `tables.ModeTable`; for a shape of several bodies the first moving body"""
     return owners(scene, mode)[0]
 
 
 def owners(scene, mode):
-    """Numbers of the bodies of a `tables.ModeTable`: by default all moving ones"""
+    """Numbers of the bodies of a `tables.ModeTable`: by default all moving bodies"""
     if not scene.several:
         return [0]
     if mode.body is None:

@@ -8,7 +8,7 @@ from hakobune.bem.modes import Body
 
 
 def bodies_of(scene):
-    """`bem.modes.Body` of each of several bodies, empty for one"""
+    """`bem.modes.Body` of each of several bodies, empty for a single body"""
     if not scene.several:
         return ()
     return tuple(
@@ -18,7 +18,7 @@ def bodies_of(scene):
 
 
 def in_scene(body, point):
-    """(3,) m in coordinates of the scene of a point in those of a body"""
+    """(3,) m in coordinates of the scene, of a point given in coordinates of a body"""
     x, y, angle = body.place[0], body.place[1], math.radians(body.place[2])
     turn = np.array([[math.cos(angle), -math.sin(angle), 0], [math.sin(angle), math.cos(angle), 0], [0, 0, 1]])
     return turn @ np.asarray(point, float) + (x, y, 0.0)

@@ -1,4 +1,4 @@
-"""Names of results: names of the database, and words for groups of them."""
+"""Names of results: names in the database, and words for groups of these names."""
 
 from __future__ import annotations
 

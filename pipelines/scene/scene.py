@@ -99,7 +99,7 @@ class Scene(SceneTable, dict=True):  # dict=True: derived quantities are cached 
 
     @property
     def motions_known(self):
-        """Whether bodies move, and the inertia is given for all of them."""
+        """Whether bodies move, and the inertia is given for all moving bodies."""
         return not self.held and all(body.gyration is not None for body in self.bodies if not body.fixed)
 
     def omegas(self):

@@ -1,4 +1,4 @@
-"""Flags of `hakobune sea`: the spectrum, the record generated from it, and the reading of a given record."""
+"""Flags of `hakobune sea`: the spectrum, the record generated from the spectrum, and the reading of a given record."""
 
 from dataclasses import dataclass
 from pathlib import Path

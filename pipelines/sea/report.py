@@ -1,4 +1,4 @@
-"""The spectrum of a sea as CSV, and the recognition of files written here."""
+"""The spectrum of a sea as CSV, and the recognition of files that `hakobune sea` wrote."""
 
 from hakobune.meshing.seals import write_sealed
 

@@ -94,7 +94,7 @@ def _listed(flag, text):
 
 
 def is_table(path):
-    """Whether a file was written here"""
+    """Whether a file was written by `hakobune sections`"""
     from hakobune.bem.database.results import has_schema
 
     from ..common.outputs import opening

@@ -76,7 +76,7 @@ class SectionsStudy(Table):
 
 
 def read_study(path):
-    """The SectionsStudy of a TOML file and its text.  Raises StudyError."""
+    """The SectionsStudy of a TOML file, and the text of the file.  Raises StudyError."""
     raw, text = read_toml(path, "a study of sections", StudyError)
     return make_study(raw), text
 

@@ -1,4 +1,5 @@
-"""Results for a ship at a berth: natural periods next to those of the harbour, fenders, windows of a record."""
+"""Results for a ship at a berth: natural periods beside the natural periods of the harbour, fenders, windows of a
+record."""
 
 import json
 from functools import partial
@@ -16,7 +17,7 @@ NEAR = 0.2  # relative distance within which a natural period is near that of a 
 
 
 def findings_on_periods(file):
-    """Resonances: natural periods at the berth near those of the harbour"""
+    """Resonances: natural periods at the berth near the natural periods of the harbour"""
     harbour = np.asarray(file.attrs.get("harbour_period", []), float)
     for name, T in zip(PLANE, file.attrs.get("natural_period", ()), strict=False):
         for own in harbour:
@@ -98,9 +99,7 @@ def check_windows(length, plan, bodies=()):
     from ..common.quantities import StudyError
 
     if bodies:
-        raise StudyError(
-            "--windows is given, and the database contains several bodies; it is available for one body only"
-        )
+        raise StudyError("--windows is given, and the database contains several bodies; --windows is for one body only")
     step, duration = plan.settings.step, plan.settings.duration
     if not FEWEST_IN_WINDOW * step <= length <= duration:
         raise StudyError(

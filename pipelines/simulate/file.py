@@ -1,9 +1,9 @@
-"""The file of a simulation: one row for each seed, marked by its checksum once it is whole.
+"""The file of a simulation: one row for each seed, marked by the checksum of the row once the row is whole.
 
 Data first, then the mark, as in a database (`bem.database.integrity`): killed at any instant the file opens, and the
 same command runs the seeds without a mark.  A checksum of the file covers all other data (`bem.database.results`).  For
-more seeds a wider file takes over the rows of the old one.  Statistics of all seeds are stored,
-records of the first `keep_series`.
+more seeds a wider file takes over the rows of the old file.  Statistics of all seeds are stored, records of the first
+`keep_series`.
 """
 
 import json
@@ -227,7 +227,7 @@ def _row_crc(file, row):
 
 
 def database_path(file):
-    """Path of the database of a run's file: as it was given, or beside the file"""
+    """Path of the database of a run's file: the path that was given, or beside the file"""
     given = Path(file.attrs["database"])
     near = Path(file.filename).parent / given.name
     return near if near.exists() and not given.exists() else given
@@ -267,7 +267,7 @@ def units_of(file):
 
 
 def bodies_of(file):
-    """Names of several bodies, () for one"""
+    """Names of several bodies, () for a single body"""
     names = file["dof"].asstr()[()]
     return tuple(name.removesuffix("__Surge") for name in names if name.endswith("__Surge"))
 
@@ -289,7 +289,7 @@ def summary_of(file, quantity):
 
 
 def first_what_is_left_out(findings):
-    """Findings, each once, those on neglected effects first: they limit the accuracy of the others"""
+    """Findings, each once, first the findings on neglected effects, which limit the accuracy of all other findings"""
     return tuple(sorted(dict.fromkeys(findings), key=lambda line: not line.startswith(LEFT_OUT)))
 
 

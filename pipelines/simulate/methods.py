@@ -39,9 +39,7 @@ def compared(result, study, database, duration=None, division=None):
     asked, db = input_of(study), database_of(database)
     task = work.Task(asked.study, str(db.path), duration, None, asked.folder)
     if db.bodies:
-        raise StudyError(
-            "--methods is given, and the database contains several bodies; it is available for one body only"
-        )
+        raise StudyError("--methods is given, and the database contains several bodies; --methods is for one body only")
     body, plan, _ = work.prepared(task, db)
     if plan.mean_period is None:
         raise StudyError("--methods compares motions in waves, and the study has no waves; give [waves] or a record")

@@ -36,7 +36,8 @@ def used_in_runs(file):
 
 
 def overloads(file, allowable=None):
-    """Failures of lines and ropes: those that part, or exceed the allowable tension, in any run, and in how many
+    """Failures of lines and ropes: lines and ropes that part or exceed the allowable tension in any run, and in how
+    many runs
 
     allowable : share of the breaking load instead of the study's, 1 if the utilisation is judged elsewhere
     """
@@ -57,7 +58,8 @@ def overloads(file, allowable=None):
 
 
 def anchors_in_runs(file):
-    """Anchors of the lines, and the largest pulls on them in all runs, (lines,) N along the bed and up; () without"""
+    """Anchors of the lines, and the largest pulls on the anchors in all runs, (lines,) N along the bed and up; ()
+    without anchors"""
     if "anchor_pull" not in file:
         return ()
     anchors = [one and stored_anchor(one) for one in json.loads(file.attrs["anchors"])]

@@ -74,8 +74,8 @@ def _figure(rows, columns, size, between=0.12, title=0.6, **more):
 
 
 class Worst(NamedTuple):
-    """The line with the largest tension of all runs, without lines the fender with the largest deflection, without both
-    the largest motion
+    """The line with the largest tension of all runs, without lines the fender with the largest deflection, without
+    lines and fenders the largest motion
 
     kind : "tension", "deflection" or "motion", its dataset; at : its place there; factor : to its unit
     """

@@ -1,4 +1,4 @@
-"""A simulation into its file: missing seeds are run one by one, and each is stored when it is finished."""
+"""A simulation into its file: missing seeds are run one by one, and each seed is stored when its run is finished."""
 
 import hashlib
 import json
@@ -52,7 +52,8 @@ AFTER = 10.0  # s between lines of a long run
 
 
 class Input(NamedTuple):
-    """study : `moor.study.Study`; text : its TOML; folder : of the files it names; path : of its file, or None"""
+    """study : `moor.study.Study`; text : its TOML; folder : of the files that the study names; path : of the file of
+    the study, or None"""
 
     study: Study
     text: str
@@ -61,7 +62,7 @@ class Input(NamedTuple):
 
 
 def input_of(study):
-    """Input of a path, a dictionary or a `Study`.  Raises StudyError."""
+    """The `Input` from a path, a dictionary or a `Study`.  Raises StudyError."""
     path = Path(study) if isinstance(study, str | os.PathLike) else None
     return Input(
         *given(study, Study, read_study, make_study), "." if path is None else str(path.resolve().parent), path
@@ -70,7 +71,8 @@ def input_of(study):
 
 @dataclass(frozen=True)
 class Outcome:
-    """made : seeds of this run; there : complete rows; total : seeds of the study; failures : (seed, reason)
+    """made : number of seeds run now; there : number of complete rows; total : number of seeds of the study; failures :
+    (seed, reason)
 
     interrupted : by Ctrl-C, even in the last seed: later steps are not wanted either
     """

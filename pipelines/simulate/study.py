@@ -221,7 +221,7 @@ def motions_of(study, words=ONE_BODY):
     found = tuple(sorted({known.index(name.lower()) for name in asked})) or tuple(range(len(words)))
     if len(found) < len(words) and study.hinges:
         raise StudyError(
-            "simulation.motions fixes motions that hinges may need; with hinges, name all motions or leave it out"
+            "simulation.motions fixes motions that hinges may need; with hinges, name all motions, or leave out the key"
         )
     return found
 
@@ -340,7 +340,7 @@ def _settings(table, duration, words, shapes):
 
 
 def moving_lines(table):
-    """dynamic_lines of a SimulationTable as settings have them: names, () for none, "all" or "auto" """
+    """dynamic_lines of a SimulationTable as settings have these: names, () for no line, "all" or "auto" """
     given = table.dynamic_lines
     return () if given == "none" else given if isinstance(given, str) else tuple(given)
 

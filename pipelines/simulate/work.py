@@ -259,7 +259,7 @@ def largest_use(body, motion, tension):
     """(lines,) largest share of the breaking load in motion (t, n), m, rad, and tension (t, lines), N, at the body
 
     Lines of segments include the utilisation of each segment, at the time of the largest pull on the body: below a
-    submerged buoy the tension exceeds that at the body.
+    submerged buoy the tension exceeds the tension at the body.
     """
     system = body.system
     load = [*(() if system is None else system.breaking_load), *(one.breaking_load for one in body.berth.ropes)]

@@ -16,7 +16,7 @@ def single_point(
     output: Annotated[Path | None, Parameter(help="results, .h5 or .csv")] = None,
     plot: Annotated[Path | None, Parameter(help="picture: plan of all equilibria, .png, .svg or .pdf")] = None,
 ):
-    """Find all headings of rest of a body on a buoy or turret, whether it slews (fishtails), and its line loads.
+    """Find all headings of rest of a body on a buoy or turret, whether the body slews (fishtails), and its line loads.
 
     [[maps]] of the study draw the growth of slewing over its numbers; [slewing] runs it in time.
     """

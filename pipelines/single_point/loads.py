@@ -175,7 +175,7 @@ def _drift(study, db, center, findings):
 
 
 def waves_carrier(study):
-    """`Carrier` of the waves of a study, None without a current that carries them.  Raises StudyError."""
+    """`Carrier` of the waves of a study, None without a current that carries the waves.  Raises StudyError."""
     return carrier_of(current_of(study.current))
 
 

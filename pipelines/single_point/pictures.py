@@ -14,7 +14,7 @@ NAMED = 0.15  # place of a name on a line, from its anchor
 
 
 def draw_plan(study, point, found, path):
-    """Write the plan of all Equilibrium of a study as a picture; lines are those of the preferred one."""
+    """Write the plan of all Equilibrium of a study as a picture, with the lines of the preferred Equilibrium."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(9, 8), layout="constrained")

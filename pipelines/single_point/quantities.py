@@ -63,7 +63,7 @@ def rest_of(found):
 
 
 def state_of(found):
-    """The final heading, its slewing, and published criteria of it"""
+    """The final heading, the slewing about it, and published criteria of slewing"""
     one = found.best
     (x, y), s, title = one.place, one.slewing, f"at {bow(one):.4g}°, the heading at which it comes to rest"
     state = {
@@ -119,7 +119,7 @@ def yaw_of(one):
 
 
 def lines_at(found):
-    """Lines at the final heading, and their largest utilisation of the breaking load"""
+    """Lines at the final heading, and the largest utilisation of their breaking load"""
     one = found.best
     lines = one.lines.lines
     shares = used(found.study, one, found.cycle, found.run)

@@ -9,7 +9,7 @@ from .tables import make_study
 
 
 def read_study(path):
-    """The Study of a TOML file, its nested dictionaries and its text.  Raises StudyError."""
+    """The Study of a TOML file, its nested dictionaries, and the text of the file.  Raises StudyError."""
     raw, text = with_files(*read_study_at_site(Path(path), "a study"), path)
     study = make_study(raw)
     check_maps(raw, study)

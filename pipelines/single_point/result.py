@@ -1,4 +1,5 @@
-"""`hakobune.single_point`: a body on a buoy or turret, its headings of rest, whether it slews, and a run in time."""
+"""`hakobune.single_point`: a body on a buoy or turret, its headings of rest, whether the body slews, and a run in
+time."""
 
 from __future__ import annotations
 

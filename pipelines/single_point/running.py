@@ -32,7 +32,7 @@ def check(study, db=None):
     s = study.slewing
     _check(s)
     if s.scheme == "two_scale" and not _with_waves(study, db):
-        raise StudyError('slewing.scheme is "two_scale", which needs [waves] and --database; give them, or "slow"')
+        raise StudyError('slewing.scheme is "two_scale", which needs [waves] and --database; give both, or "slow"')
     if s.scheme == "full" and study.hawser is not None:
         _buoy_and_rope(study)
 

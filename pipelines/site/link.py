@@ -79,7 +79,7 @@ def read_study_at_site(path, what, taken=MOORED):
     """Nested dictionaries and text of a study (TOML), with the values of its [site].
 
     Fender tables next to the study have full paths in the dictionaries, not in the text.
-    raises : StudyError if the site lacks a value, or study and site give the same one
+    raises : StudyError if the site lacks a value, or if study and site give the same value
     """
     raw, text = _laid(path, what, taken)
     return with_tables_in(raw, path.parent), text

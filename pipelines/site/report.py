@@ -14,7 +14,7 @@ HEAD = "# Values of a site, by hakobune site; studies read it by [site] file, st
 
 
 def written_by_site(path):
-    """Whether a file was written by this command, which may replace it"""
+    """Whether a file was written by `hakobune site`, which may replace it"""
     return path.read_text(encoding="utf-8", errors="replace").startswith(HEAD)
 
 

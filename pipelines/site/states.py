@@ -14,7 +14,8 @@ from ..common.quantities import StudyError
 
 
 class Climate(NamedTuple):
-    """law : `JointLaw` of the scatter; height, period : (n,) m, s, its contour; top : m, s, of it; hours : of a sea"""
+    """law : `JointLaw` of the scatter; height, period : (n,) m, s, the contour of the law; top : m, s, the top of the
+    contour; hours : duration of a sea"""
 
     scatter: object
     law: object
@@ -53,7 +54,7 @@ def profile_of(study, wind_10):
     if not own.wind_driven:
         return profile
     if wind_10 is None:
-        raise StudyError("current.wind_driven is true and there is no [wind]; give it, or leave it out")
+        raise StudyError("current.wind_driven is true and there is no [wind]; give [wind], or leave out wind_driven")
     return profile + wind_drift(wind_10, 0.0, depth)
 
 

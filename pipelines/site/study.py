@@ -194,7 +194,7 @@ class SiteValues(NamedTuple):
 
 
 def read_site(path):
-    """SiteStudy of a TOML file and its text.  Raises StudyError."""
+    """SiteStudy of a TOML file, and the text of the file.  Raises StudyError."""
     raw, text = read_toml(path, "a site", StudyError)
     return typed(raw, SiteStudy, StudyError), text
 

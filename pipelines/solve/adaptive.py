@@ -68,7 +68,7 @@ def _missing(scene, db):
 
 
 def controlled(names):
-    """Those of `names` under control of the tolerance: coefficients and excitation, or another without them."""
+    """The `names` under control of the tolerance: coefficients and excitation, or without these another quantity."""
     smooth = ("Froude_Krylov_force", "diffraction_force", "drift_force_fixed", "kochin_radiation", "kochin_diffraction")
     return [name for name in CONTROLLED if name in names] or [name for name in smooth if name in names][:1]
 

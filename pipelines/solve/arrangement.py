@@ -29,7 +29,7 @@ def arranged(scene, hulls):
 
 
 def own_hulls(scene, mesh):
-    """From a mesh of several bodies, each hull in its own coordinates, with its mirror planes"""
+    """Hulls of a mesh of several bodies, each in its own coordinates and with its own mirror planes"""
     return [folded(_at_origin(mesh.of_body(i).whole(), body.place)) for i, body in enumerate(scene.bodies)]
 
 

@@ -1,4 +1,5 @@
-"""From a scene to panels on its bodies and their lid, a coarser pair of both, and the findings of their check."""
+"""From a scene to panels on its bodies and their lid, a coarser mesh of hull and lid, and the findings of the check of
+the meshes."""
 
 from __future__ import annotations
 
@@ -225,7 +226,7 @@ class FinerHull:
         return self.scene.omegas()
 
     def band(self, mesh, lid, omegas):
-        """`large.shared_band` of some of these frequencies"""
+        """`large.shared_band` of some of the frequencies"""
         return shared_band(self.scene, mesh, lid, omegas)
 
     def __call__(self, mesh, cover):

@@ -1,4 +1,4 @@
-"""Large problems: shared work of frequencies, its cost, and whether it fits the memory."""
+"""Large problems: shared work of frequencies, the cost of this work, and whether it fits into memory."""
 
 import math
 from dataclasses import dataclass

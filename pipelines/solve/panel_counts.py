@@ -1,4 +1,4 @@
-"""Number of panels of a box or buoy for a tolerance, the coarser mesh for its error estimate, and finer ones.
+"""Number of panels of a box or buoy for a tolerance, the coarser mesh for the error estimate, and finer meshes.
 
 The error of all coefficients falls like the power −1.16 of the number of panels as long as no direction has only a
 panel or two; the counts of `meshing.shapes` are over half the length, half the beam and the draft of a box, and over a
@@ -82,7 +82,7 @@ def counts_of(body, mesh):
 
 
 def meshed(body, counts, bottom=True, **panels):
-    """PanelMesh with these counts, or for None with `panels` panels; bottom : as of `fine_counts`"""
+    """PanelMesh with the given counts, or for None with `panels` panels; bottom : as of `fine_counts`"""
     keys = ("block", "bow", "stern", "waterplane") if body.shape == "ship" else ()
     form = {key: getattr(body, key) for key in keys}
     return MAKERS[body.shape][0](*sizes(body), **form, counts=counts, **panels, **_walls_only(bottom))

@@ -81,7 +81,8 @@ def failed_laws(db, own_panels):
 
 
 def missed_tolerance(db):
-    """One line on the estimated error of a database with a requested tolerance, "" if it is within"""
+    """One line on the estimated error of a database with a requested tolerance, "" if the error is within the
+    tolerance"""
     (error,) = [check for check in stored_checks(db) if check.name == "estimated_error"] or [None]
     if error is None or error.passed:
         return ""

@@ -40,7 +40,8 @@ EVERY = 0.5  # s: results within this time are stored together, and can be lost 
 
 @dataclass(frozen=True)
 class Outcome:
-    """Outcome of a run: frequencies that it stored, all in the file, and failed ones with their reason.
+    """Outcome of a run: frequencies that the run stored, all frequencies in the file, and failed frequencies with their
+    reason.
 
     jobs : number of frequencies and limits of the run
     interrupted : by Ctrl-C, also during the last of them: later steps are then omitted too

@@ -18,7 +18,7 @@ ROUNDED = 1.01  # factor on the same that rounding explains
 
 
 def check_weight(scene, mesh, body):
-    """Raise SceneError for a centre of gravity or radii of gyration that are impossible for this hull.
+    """Raise SceneError for a centre of gravity or radii of gyration that are impossible for the hull.
 
     body : as from `pipelines.solve.header.body_properties`
     """

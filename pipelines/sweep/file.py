@@ -64,7 +64,7 @@ def pending(path):
 
 
 def store(path, results):
-    """Store results of cases, then their status; the file is opened once for all of them.
+    """Store results of cases, then their status; the file is opened once for all cases.
 
     results : [(case, status, message, quantities, labels)], {name: `Quantity`} and {axis: its `Quantity` of labels}
     """

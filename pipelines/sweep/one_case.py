@@ -87,7 +87,7 @@ def _called(command, raw, study, given):
 
 
 def kept(quantities, keep):
-    """{name: Quantity} of the requested ones.  Raises StudyError for an unknown name."""
+    """{name: Quantity} of the requested quantities.  Raises StudyError for an unknown name."""
     if isinstance(quantities, Result):
         if keep:
             try:

@@ -1,4 +1,4 @@
-"""A picture of a sweep: quantities over the first key, a line for each value of the others."""
+"""A picture of a sweep: quantities over the first key, a line for each value of the other keys."""
 
 import numpy as np
 

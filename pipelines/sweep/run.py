@@ -15,7 +15,7 @@ from .study import StudyError, cases, check_keys, varied
 
 
 class Outcome(NamedTuple):
-    """cases : all of the sweep; failed : [(number, status, message)] of those with a status above 0
+    """cases : all cases of the sweep; failed : [(number, status, message)] of the cases with a status above 0
 
     lost : (number of cases not done because their worker was lost, reason of one of them)
     """

@@ -82,7 +82,7 @@ class SweepTable(Table):
 
 
 def read_sweep(path):
-    """The SweepTable of a TOML file and its text.  Raises StudyError."""
+    """The SweepTable of a TOML file, and the text of the file.  Raises StudyError."""
     raw, text = read_toml(path, "a sweep", StudyError)
     sweep = typed(raw, SweepTable, StudyError)
     for key, value, allowed in (("command", sweep.command, COMMANDS), ("sampling", sweep.sampling, SAMPLINGS)):

@@ -26,7 +26,7 @@ SIGNS = np.array([[(x if a < 0 else 1) * (y if b < 0 else 1) for a, b in CLASSES
 
 
 class SharedFrequency(ContourFrequency):
-    """A `ContourFrequency` with given functions, tables and contour, those for the shortest waves"""
+    """A `ContourFrequency` with the functions, tables and contour of the shortest waves"""
 
     def __init__(self, shared, omega, headings, density, gravity):
         self.shared = shared
@@ -71,7 +71,7 @@ class HullPoints:
         return self.under is not None
 
     def surfaces(self, freq):
-        """`HullSurfaces` of a `SharedFrequency`, the same for all"""
+        """`HullSurfaces` of a `SharedFrequency`, the same for all frequencies"""
         c, draft = self.contour, self.body.draft
         depth = depth_flow(freq, 1 / self.k)
         flat = np.stack([c.x, c.y, 0 * c.x], axis=1)

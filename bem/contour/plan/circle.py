@@ -25,7 +25,7 @@ LOWEST = 3  # highest order of the rigid motions' velocities in the gap, and one
 
 @dataclass(frozen=True)
 class Circle:
-    """radius : m; lowest : order that functions on it reach at least"""
+    """radius : m; lowest : order that functions on the circle reach at least"""
 
     radius: float
     lowest: int = LOWEST
@@ -51,7 +51,7 @@ class Circle:
         return (self.radius,)
 
     def to(self, accuracy):
-        """The same plan for another `accuracy.Accuracy`; its maps are exact"""
+        """The same plan for another `accuracy.Accuracy`; the maps of a circle are exact"""
         return self
 
     def degree(self, waves, tolerance):
@@ -108,7 +108,7 @@ class Circle:
         return {cls: (-matrix, matrix) for cls, matrix in inner.items()}
 
     def waves(self, classes, degree, k, contour, beta):
-        """{class: `WaveMap`} for waves of `k` rad/m and incident ones towards `beta` (b,)"""
+        """{class: `WaveMap`} for waves of `k` rad/m and incident waves towards `beta` (b,)"""
         x = k * self.radius
         last = max(degree, len(contour.x) * 2 - 8)
         m = np.arange(last + 1)

@@ -28,7 +28,7 @@ class WaveMap(NamedTuple):
 
     @classmethod
     def solved(cls, contour, basis, potential, wall):
-        """Of potentials at the nodes (m,) of a contour, with `basis` (m, n) ψ there"""
+        """The WaveMap of potentials at the nodes (m,) of a contour, with `basis` (m, n) ψ at these nodes"""
         weak = 4 * (basis * contour.weights[:, None]).T
         return cls(weak @ potential, potential, wall, weak @ wall, basis)
 

@@ -99,7 +99,7 @@ def gauss_rule(count):
 
 
 def interpolation(nodes, t):
-    """(t, g) values at t of the polynomials that are one at a node and zero at the others"""
+    """(t, g) values at t of the polynomials that are 1 at one node and 0 at all other nodes"""
     gaps = np.subtract.outer(nodes, nodes) + np.eye(len(nodes))
     scale = 1 / gaps.prod(axis=1)
     distance = np.subtract.outer(t, nodes)
@@ -110,7 +110,7 @@ def interpolation(nodes, t):
 
 
 def is_far(panels, x, y):
-    """(targets, images, p) whether a panel's image is as far from the target as it is long"""
+    """(targets, images, p) whether the image of a panel is at least its own length away from the target"""
     far = np.empty((len(x), len(IMAGES), len(panels.start)), bool)
     _is_far(x, y, _flat(panels), IMAGES, far)
     return far

@@ -200,7 +200,7 @@ class Rectangle:
         return out
 
     def waves(self, classes, degree, k, contour, beta):
-        """{class: `WaveMap`} for waves of `k` rad/m and incident ones towards `beta` (b,)"""
+        """{class: `WaveMap`} for waves of `k` rad/m and incident waves towards `beta` (b,)"""
         at = self.wave_layout(k, degree)
         kernels, half, out = radiating(k), np.eye(len(contour.x)) / 2, {}
         S, D = at.on_contour.matrices(kernels, classes)

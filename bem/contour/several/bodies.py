@@ -67,7 +67,7 @@ def near(body, gap):
 
 
 def nearest(plans, places):
-    """[m] from each plan to the nearest other one"""
+    """[m] from each plan to the nearest other plan"""
     outlines = [place.in_scene(_outline(plan)) for plan, place in zip(plans, places, strict=True)]
     out = []
     for a, one in enumerate(outlines):
@@ -116,7 +116,7 @@ def _distance(one, other):
 class SeveralBodies:
     """Several `body.ContourBody` in one water.
 
-    places : `exterior.Place` of the middle of each; gaps : m, from each to the nearest other one
+    places : `exterior.Place` of the middle of each; gaps : m, from each body to the nearest other body
     """
 
     bodies: tuple
@@ -201,7 +201,7 @@ class SeveralBodies:
 
     @cached_property
     def finer(self):
-        """The same bodies with one more digit, for the error estimate of these"""
+        """The same bodies with one more digit, for the error estimate of the bodies themselves"""
         return self._by(lambda body: body.finer)
 
     @cached_property
@@ -216,7 +216,8 @@ class SeveralBodies:
 
     @cached_property
     def to_scene(self):
-        """(6N, 6N) from forces about the middles in own axes to forces about the origin in those of the scene"""
+        """(6N, 6N) from forces about the middle of each body in its own axes to forces about the origin in the axes of
+        the scene"""
         from scipy.linalg import block_diag
 
         parts = [turned(p.heading) @ reference_change((p.x, p.y, 0.0)) for p in self.places]

@@ -10,7 +10,7 @@ from ..cost import Cost
 
 
 def cost(bodies, k):
-    """`Cost` of `SeveralBodies` with their finer ones, for waves of up to k rad/m"""
+    """`Cost` of `SeveralBodies` together with the finer bodies of the error estimate, for waves of up to k rad/m"""
     return Cost(*map(sum, zip(*(_alone(one, k) for one in (bodies, bodies.finer)), strict=True)))
 
 

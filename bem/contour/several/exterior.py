@@ -1,4 +1,5 @@
-"""One plane problem outside several plans: from velocities on their contours to potentials there, and plane waves.
+"""One plane problem outside several plans: from velocities on the contours of the plans to potentials on these
+contours, and plane waves.
 
     (½ − D_aa) φ_a − Σ D_ab φ_b = −Σ S_ab v_b + φ_I        on contour a, b ≠ a in the first sum
     Σ D_b φ_b − S_b v_b + φ_I = 0                            waves, at points inside (Schenck 1968, `plan.rectangle`)
@@ -92,7 +93,7 @@ class Exterior:
 
     @cached_property
     def basis(self):
-        """(size, n) ψ of all, plan by plan and class by class"""
+        """(size, n) ψ of all plans, plan by plan and class by class"""
         from scipy.linalg import block_diag
 
         return block_diag(*(one.bases[cls] for one in self.senders for cls in CLASSES))

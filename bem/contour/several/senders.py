@@ -1,4 +1,5 @@
-"""Waves sent by a plan to points outside it: its single and double layers there, one matrix for each symmetry class.
+"""Waves sent by a plan to points outside the plan: single and double layers at these points, one matrix for each
+symmetry class.
 
 Densities are given at the m nodes of the plan's quarter contour, in each class.  On a rectangle the layers are
 integrated (`plan.layers`).  On a circle they are closed forms of the m orders that the nodes distinguish,
@@ -90,7 +91,7 @@ class OnRectangle:
 
 
 class OnCircle:
-    """A `Circle` with as many nodes on its quarter as it has orders in a class"""
+    """A `Circle` with as many nodes on its quarter as there are orders in a symmetry class"""
 
     def __init__(self, plan, degree, k, orders, tolerance):
         self.plan = plan

@@ -1,1 +1,1 @@
-"""Checks of other programs' sets against the hull, the water and laws of their own."""
+"""Checks of the results of other programs against the hull, the water and the laws that such results obey."""

@@ -1,4 +1,4 @@
-"""Faults of an imported set, found by our own solution of its hull or by laws between its numbers."""
+"""Faults of an imported set, found by hakobune's solution of the hull, or by laws between the numbers of the set."""
 
 from ..values import FormatError
 from . import laws

@@ -1,5 +1,5 @@
-"""Cause of the difference between another program's set and our own solution of its hull: each cause is tried, and the
-one that fits is reported.
+"""Cause of the difference between the results of another program and hakobune's solution of the same hull: each cause
+is tried, and the cause that fits is reported.
 
     corrected = cause(set),    best = argmin over causes of the largest of `gaps`(corrected)
 
@@ -49,8 +49,8 @@ class Cause(NamedTuple):
 
 
 class Finding(NamedTuple):
-    """gap : the largest difference, which is that of `quantity`; cause : or None; left : difference that remains with
-    the cause, or with the best one tried"""
+    """gap : the largest difference, found in `quantity`; cause : or None; left : difference that remains with the
+    cause, or with the best cause that was tried"""
 
     gap: float
     quantity: str

@@ -1,4 +1,4 @@
-"""The hull of an imported set in our own panels, at two of the set's frequencies.
+"""The hull of imported results solved by hakobune on the panels of the hull, at two of the imported frequencies.
 
     k √A_w ≈ 0.4 and 1.2,    A_w the waterplane, or V^(2/3) of what is submerged
 
@@ -119,7 +119,8 @@ def sample(values, mesh):
 
 
 def gaps(values, own):
-    """{quantity: largest difference from our own solution, over the size of its rows}, of a `sample`"""
+    """{quantity: largest difference of a `sample` from hakobune's own solution, over the size of the rows of the
+    quantity}"""
     found = dict.fromkeys((name for name in WANT if name in values.quantities), 0.0)
     moves = own.moves
     for n, omega in enumerate(values.omega):

@@ -100,7 +100,8 @@ def band_equations(geometry, band, gravity, accuracy):
 
 
 def split_by_lid(geometry, band, gravity):
-    """[(geometry without lid, frequencies below those that need a lid), (geometry, the others)], without empty parts"""
+    """[(geometry without lid, frequencies below those that need a lid), (geometry, the other frequencies)], without
+    empty parts"""
     low, high = band
     border = float(np.sqrt(geometry.lid_from * gravity))
     lower, upper = (geometry.without_lid, (low, min(high, border))), (geometry, (max(low, border), high))

@@ -1,7 +1,7 @@
 """A-posteriori error of the low-rank wave matrices at a frequency, at few test points.
 
 Where the basis of `bem.panels.band.low_rank_waves` does not represent a frequency it is wrong nearly everywhere, so
-that a few test points are enough.  At a test point the error is a sum over all nodes. It is estimated from random
+that a few test points are enough.  At a test point the error is a sum over all nodes. This sum is estimated from random
 samples of the nodes, each weighted with the inverse of its probability.
 """
 
@@ -13,7 +13,7 @@ from ...kernels.real_times_complex import complex_times_real, real_times_complex
 
 
 class Samples(NamedTuple):
-    """s random nodes of hull and lid, those of the hull first."""
+    """s random nodes of hull and lid, the nodes of the hull first."""
 
     nodes: np.ndarray  # (s,) numbers
     weights: np.ndarray  # (s,) 1/probability: a sum over all nodes is estimated by the weighted sum over samples

@@ -8,8 +8,8 @@ and of the lid nodes.  Over all frequencies of a band and all symmetry classes, 
 
 where V holds normal velocities: those of the motions and the columns of Z.  `points`, `sources`, `monopoles` and
 `flux_nodes` are interpolation nodes, chosen among the nodes of the mesh, and X, Y, M, Z frequency-independent
-interpolation matrices.  They are computed from snapshots, the matrices themselves at a few frequencies, rows and
-columns weighted as in the L² norm (`bem.kernels.interpolative_decomposition`).
+interpolation matrices.  These matrices are computed from snapshots, the matrices themselves at a few frequencies, rows
+and columns weighted as in the L² norm (`bem.kernels.interpolative_decomposition`).
 """
 
 from typing import NamedTuple
@@ -42,7 +42,8 @@ LID = 0.1  # weight of φ' on the lid relative to φ on the hull: φ' is zero ex
 
 
 class LowRankWaves(NamedTuple):
-    """Interpolation nodes and matrices of one band, c symmetry classes, n nodes: those of the hull, then of the lid.
+    """Interpolation nodes and matrices of one band, c symmetry classes, n nodes: first the nodes of the hull, then the
+    nodes of the lid.
 
     r points, q sources, t flux nodes; the first h sources, which lie on the hull, are also the monopoles; v normal
     velocities of each class.
@@ -152,7 +153,7 @@ class Snapshots:
         return np.concatenate([hull, np.full(lid, min(1.0, most / max(lid, 1)))])
 
     def test_points(self):
-        """(w,) nodes of the hull at which errors are tested: `TEST_POINTS` random ones and the highest"""
+        """(w,) nodes of the hull at which errors are tested: `TEST_POINTS` random nodes and the highest node"""
         n, generator = self.geometry.hull, np.random.default_rng(SEED + 1)
         areas = self.root[:n] ** 2
         chosen = generator.choice(n, size=min(TEST_POINTS, n), replace=False, p=areas / areas.sum())
@@ -175,8 +176,8 @@ class Snapshots:
     def add_point_rows(self, sketch, points, weights, velocities, samples, single_layers):
         """Add the rows of W at `points` (r,) times `weights` (r,), as columns
 
-        S V of each class, and S of the `samples` (e,) on the hull, are appended to its list in `single_layers`, side
-        by side, one (r, v + e) a frequency.
+        For each frequency and class one array (r, v + e), S V beside S of the `samples` (e,) on the hull, is appended
+        to the list of the class in `single_layers`.
         """
         scale, hull = weights[:, None], self.geometry.hull
         for layers in single_layers:
@@ -223,5 +224,5 @@ def _real_rows(blocks):
 
 
 def wave_operator(S, D, hull, K):
-    """W (…, r, m) = [D, K S]: D of the first `hull` sources, K S of the others, which lie on the lid"""
+    """W (…, r, m) = [D, K S]: D of the first `hull` sources, K S of the other sources, which lie on the lid"""
     return np.concatenate([D[..., :hull], K * S[..., hull:]], axis=-1)

@@ -106,7 +106,8 @@ class BandRun(CompressedRun):
 
     @cached_property
     def velocity(self):
-        """(c, v, columns) coefficients v of the wanted motions and waves; zeros where a class has fewer than others"""
+        """(c, v, columns) coefficients v of the wanted motions and waves; zeros where a class has fewer than v
+        coefficients"""
         v, nodes = self.equations_of_band.integrals.shape[1], self.equations_of_band.low_rank.flux_nodes
         flux, done = self.flux[1], 0
         out = np.zeros((len(self.columns), v, max(len(m) + len(w) for m, w in self.columns.values())), complex)

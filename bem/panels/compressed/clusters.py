@@ -14,7 +14,7 @@ SEPARATION = 0.7
 
 @dataclass(frozen=True, eq=False)
 class Clusters:
-    """Binary trees over the panels of a hull and its lid; those of a cluster are consecutive in `order`.
+    """Binary trees over the panels of a hull and its lid; the panels of a cluster are consecutive in `order`.
 
     Of c clusters, parents before their children.  The lid has its own root, and so have the hull panels that face ±x,
     ±y, ±z: clusters that extend around an edge see part of each other edge-on, which cross approximation does not

@@ -23,7 +23,7 @@ ROOM = 64  # terms of the largest block that they hold to begin with: all that i
 
 
 class Sources(NamedTuple):
-    """n nodes of panels, each as point sources: q of them, those of node j from first[j] to first[j + 1]"""
+    """n nodes of panels, replaced by q point sources; the sources of node j are first[j] to first[j + 1]"""
 
     first: np.ndarray  # (n + 1,)
     points: np.ndarray  # (q, 3) m

@@ -51,7 +51,7 @@ class Tree:
         return slice(self.per_panel * c.first[cluster], self.per_panel * c.end[cluster])
 
     def cells(self, most):
-        """Slices of the nodes of clusters that cover all, the leaves or about `most` larger ones"""
+        """Slices of the nodes of clusters that together cover all nodes: the leaves, or about `most` larger clusters"""
         c, limit = self.clusters, 1
         counts = c.end - c.first
         while True:
@@ -130,7 +130,8 @@ class LowRankPart(NamedTuple):
 
     @classmethod
     def of(cls, blocks, tree):
-        """blocks : [(target, source, image, U, V)], a list that is emptied: it may be most of the memory"""
+        """blocks : [(target, source, image, U, V)], a list that is emptied, since the list may hold most of the
+        memory"""
         lefts, rights = [U for *_, U, _ in blocks], [V for *_, V in blocks]
         keys = [key for *key, _, _ in blocks]
         blocks.clear()

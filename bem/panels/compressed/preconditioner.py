@@ -5,8 +5,8 @@ diagonal blocks of the leaves and Â = R A P for each symmetry class
 
     A⁻¹ ≈ P Â⁻¹ R + B (1 − P R)
 
-(cf. two-grid iteration of equations of the second kind, Atkinson 1997, section 6.2).  Waves and the flow through a gap
-above the bed, which need many iterations, vary over more than a cell.
+(cf. two-grid iteration of equations of the second kind, Atkinson 1997, section 6.2).  Such a coarse solution helps
+where many iterations are needed: waves and the flow through a gap above the bed vary over more than a cell.
 """
 
 import numpy as np
@@ -16,7 +16,7 @@ LEAST = 1e-3  # singular value, over the largest, above which 1, x, y, z on a ce
 
 
 class Preconditioner:
-    """Of `bem.panels.compressed.operator.CompressedEquations` with n nodes; f functions on cells"""
+    """Approximate inverse of `bem.panels.compressed.operator.CompressedEquations`; n nodes, f functions on cells"""
 
     def __init__(self, equations):
         self.P, self.R, spans, starts = _cell_functions(equations.tree)

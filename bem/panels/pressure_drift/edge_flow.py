@@ -1,4 +1,4 @@
-"""Flow around a sharp edge, and the collocation error of panels with linear potential next to it.
+"""Flow around a sharp edge, and the collocation error of panels with linear potential next to the edge.
 
 Between the faces of an edge, γ = 2π − π/μ apart, φ is r^μ on the one and −r^μ on the other, and
 

@@ -13,7 +13,8 @@ SIDES = (3, 1), (0, 2)  # indices of the sides of a panel where s is −1 and 1,
 
 
 def sharp_sides(mesh):
-    """(n, 4) exponent μ of the flow at the side from corner i to i + 1 of every panel, 1 where it is not sharp"""
+    """(n, 4) exponent μ of the flow at the side from corner i to i + 1 of every panel, 1 where the side is not a sharp
+    edge"""
     hull = mesh.whole()
     out, (one, other) = np.ones(4 * len(hull)), _neighbours(hull)
     a, b = one // 4, other // 4
@@ -24,7 +25,8 @@ def sharp_sides(mesh):
 
 
 class Stencils(NamedTuple):
-    """Up to three panels in a row for each of n, in one of its two directions: φ is interpolated between their nodes.
+    """Up to three panels in a row for each of n panels, in one of the two directions of the panel: φ is interpolated
+    between their nodes.
 
     For a panel at an edge and the one behind it they are the first three from the edge, elsewhere the panel and its
     neighbours, mirror images included.  Distances are measured from the outer end of the first.
@@ -45,17 +47,18 @@ class Stencils(NamedTuple):
 
     @property
     def first(self):
-        """(n,) the panel at the edge, the panel itself without one"""
+        """(n,) the panel at the edge; without an edge the panel itself"""
         return np.where(self.at_edge, self.panels[:, 0], np.arange(len(self.at_edge)))
 
     def replaced(self, where, others):
-        """The same with the stencils of `others` where the condition `where` (n,) holds"""
+        """These stencils, replaced by the stencils of `others` where the condition `where` (n,) holds"""
         return Stencils(
             *(np.where(where.reshape(-1, *[1] * (a.ndim - 1)), b, a) for a, b in zip(self, others, strict=True))
         )
 
     def where(self, used, alone):
-        """The same where the condition `used` (n,) holds, elsewhere those of the panels alone, at the same edges"""
+        """These stencils where the condition `used` (n,) holds, elsewhere the stencils `alone` of the panels alone, at
+        the same edges"""
         first = self.at_edge & (self.own == 0)
         across = np.where(first[:, None], self.across, alone.across), np.where(first, self.gap, alone.gap)
         return self.replaced(~used, alone._replace(across=across[0], gap=across[1]))._replace(row=self.row)
@@ -82,7 +85,7 @@ def stencils(mesh, exponents, depth=np.inf, steady=lambda stencil: True):
 
 
 def coarsest_at_gap(mesh, depth):
-    """(m, m) length of a panel next to the keel and the gap under it, where their ratio is largest
+    """(m, m) length of a panel next to the keel and the gap under the panel, where the ratio of the two is largest
 
     0 and infinite for a hull without such panels.
     """

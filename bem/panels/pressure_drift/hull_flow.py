@@ -40,7 +40,7 @@ class Points:
 
     @cached_property
     def products(self):
-        """[(modes, modes)] of each symmetry class: pairs of modes whose product belongs to it"""
+        """[(modes, modes)] of each symmetry class: pairs of modes whose product belongs to the class"""
         of_mode = np.empty((6, self.copies))
         for signs, members in zip(self.signs, self.members, strict=True):
             of_mode[members] = signs
@@ -197,7 +197,8 @@ def wave_flow(run, surfaces, motions):
 
 
 def disturbed_flow(run, surfaces, motions, own, bent=None):
-    """Like `wave_flow` on the hull of one of several bodies; motions : (m, 6N) of all; own : (m, 6) of this one
+    """Like `wave_flow` on the hull of one of several bodies; motions : (m, 6N) of all bodies; own : (m, 6) of the body
+    itself
 
     bent : as of `Surface.value`
     """

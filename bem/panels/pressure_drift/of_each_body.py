@@ -23,7 +23,8 @@ MEAN = [0, 1, 5]  # surge, sway and yaw
 
 
 def drift_of_each(run, moving):
-    """(m, bodies, 3) N/m², N m/m²: mean surge, sway and yaw of each, about its own point in its own axes.
+    """(m, bodies, 3) N/m², N m/m²: mean surge, sway and yaw drift of each body, about the point of the body in its own
+    axes.
 
     run : `bem.panels.one_frequency.PanelRun` of several bodies; moving : whether bodies that are not fixed float freely
     """
@@ -85,7 +86,7 @@ def own_motions(run, moving):
 
 
 def first_order_loads(run, motions):
-    """(m, 6N) first-order load of water and weight, each about its own point in its own axes"""
+    """(m, 6N) first-order load of water and weight on all bodies, each about the point of the body in its own axes"""
     T, own = run.problem.transform, run.problem.moving
     load = run.excitation @ T.T + motions @ (run.omega**2 * T @ run.radiation @ T.T).T
     if np.any(motions):
@@ -94,7 +95,8 @@ def first_order_loads(run, motions):
 
 
 def surfaces_of_each(whole, mesh):
-    """[`hull_flow.HullSurfaces`] of each body of a mesh: the points of the whole, with weights on its own alone"""
+    """[`hull_flow.HullSurfaces`] of each body of a mesh: the points of the whole mesh, with weights on the points of
+    the body alone"""
     parts = whole.hull, whole.waterline
     return [HullSurfaces(*(_of_body(part, mesh.body, i) for part in parts)) for i in range(mesh.bodies)]
 

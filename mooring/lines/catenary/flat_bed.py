@@ -151,7 +151,8 @@ def put_slack(row, Va, Vb, length, weight, flexibility):
 
 @kernel(inline=True)
 def leaves_bed(x, h, length, weight, flexibility):
-    """Whether a line from an anchor on the bed lies nowhere on it: its span exceeds that of a grazing line."""
+    """Whether a line from an anchor on the bed hangs free all over: its span exceeds the span of a line that just
+    grazes the bed."""
     load = weight * length
     c = weight * h - 0.5 * flexibility * load * load
     if c <= 0.0:
@@ -162,7 +163,7 @@ def leaves_bed(x, h, length, weight, flexibility):
 
 @kernel(inline=True)
 def exchange(row):
-    """Turn the results for a line from b to a into those from a to b."""
+    """Change the results for a line from b to a into the results for the line from a to b."""
     row[1], row[2] = row[2], row[1]
     row[3], row[4] = row[4], row[3]
     for k in (6, 12):

@@ -155,7 +155,7 @@ def solve_grounded(x, z, length, weight, flexibility, slope, friction):
 
 @kernel()
 def grounded_stiffness(H, S, length, weight, flexibility, slope, friction):
-    """∂(H, V)/∂(x, z), four numbers; friction makes it unsymmetric where the part on the bed stretches."""
+    """∂(H, V)/∂(x, z), four numbers; friction makes the stiffness unsymmetric where the part on the bed stretches."""
     x_H, x_S, z_H, z_S = grounded_jacobian(H, S, length, weight, flexibility, slope, friction)
     determinant = x_H * z_S - x_S * z_H
     tan = math.tan(slope)
@@ -165,7 +165,7 @@ def grounded_stiffness(H, S, length, weight, flexibility, slope, friction):
 
 @kernel()
 def free_length_at_height(H, z, length, weight, flexibility, slope, friction):
-    """Free length of a line with known H and height of the fairlead; inf where none of it is on the bed.
+    """Free length of a line with known H and height of the fairlead; inf where no part of the line is on the bed.
 
     Explicit on a flat bed.  On a slope the height falls with the length on the bed, and its root is bisected to
     rounding; nan where the bed rises above the fairlead.

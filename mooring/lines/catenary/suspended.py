@@ -22,7 +22,7 @@ from .free_piece import ROUNDING, asinh_excess
 
 @kernel(inline=True)
 def ellipse_parameter(X, Z, kappa, near=0.0, close=ROUNDING):
-    """t of a suspended line with span X and height Z over its length; inf beyond its reach.
+    """t of a suspended line with span X and height Z, both over the length of the line; inf for ends too far apart.
 
     near : a value near it, 0 if unknown; close : last change of ln t, over ln t, that is accepted
     """
@@ -97,7 +97,8 @@ def suspended_stiffness(t, s, c, length, weight, flexibility):
 
 @kernel(inline=True)
 def suspended_span(H, z, length, weight, flexibility):
-    """Span of a line that carries the horizontal tension H > 0 over the height z; nan where it is too short to hang."""
+    """Span of a line that carries the horizontal tension H > 0 over the height z; nan where the line is too short to
+    hang."""
     Z, kappa, pull = z / length, 0.5 * flexibility * weight * length, 2 * H / (weight * length)
     inside = 1 - Z * Z
     if kappa == 0 and inside <= 0:

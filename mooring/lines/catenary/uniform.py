@@ -64,7 +64,7 @@ def solve_uniform(row, line, bed):
 
 @kernel()
 def put_grounded(row, line):
-    """A line that lies on the bed from its anchor to where it lifts off, or hangs from it in a bight."""
+    """A line that lies on the bed from its anchor to the lift-off point, or hangs from its anchor in a bight."""
     x, z, length, weight, flexibility, friction, slope = line
     tan = math.tan(slope)
     H, S = solve_grounded(x, z, length, weight, flexibility, slope, friction)

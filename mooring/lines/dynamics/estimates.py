@@ -1,11 +1,10 @@
 """Accuracy of the largest tensions of a run: the same run with fewer elements, and with longer steps.
 
 A line that whips becomes taut with snaps, one element after another.  Where such snaps add up, errors of the steps
-exceed the
-tolerance of a single one: at 1e-3 largest tensions at the fairlead have had errors of 16 %, inside 8 %. Their error is
-proportional to the step there, so that it is about the difference from steps twice as long. The error of a single
-largest value may be small by chance. This is less likely for the largest values of each tenth of the run, of which the
-worst counts, at the fairlead or inside.  `tests/bench/line_peaks.py` counts how often this holds.
+exceed the tolerance of a single step: at 1e-3 largest tensions at the fairlead have had errors of 16 %, inside the line
+8 %. Their error is proportional to the step there, so that it is about the difference from steps twice as long. The
+error of a single largest value may be small by chance. This is less likely for the largest values of each tenth of the
+run, of which the worst counts, at the fairlead or inside.  `tests/bench/line_peaks.py` counts how often this holds.
 """
 
 import warnings
@@ -24,7 +23,7 @@ PARTS = 10  # parts of a run whose largest tensions are compared
 def mesh_error(case, result, limit):
     """Estimated share of the largest tension, at the fairlead or inside, that the elements cause; warns above limit.
 
-    It is proportional to the square of the element length.
+    The share is proportional to the square of the element length.
     """
     counts = [s.elements for s in case.line.segments]
     other = case.line.with_elements(0.5 if min(counts) >= 4 else 2)

@@ -39,7 +39,7 @@ class End:
 
 @dataclass(frozen=True)
 class Figures:
-    """begin, end : s, the window; cycles : in it, or None for a motion that is not periodic
+    """begin, end : s, the window; cycles : in the window, or None for a motion that is not periodic
 
     work : J in the window, at the ends, as the sum of losses and storage; losses : {name: J}; stored : J, change
     of_forces : J, the same as the integral of force and velocity; exchanged : J, that went in or out between steps

@@ -300,7 +300,7 @@ class DynamicLine:
 
     @property
     def bends(self):
-        """Whether a part of it has bending stiffness"""
+        """Whether any part of the line has bending stiffness"""
         return any(s.bending_stiffness > 0 for s in self.segments)
 
     def _flexure(self):

@@ -1,4 +1,5 @@
-"""Tensions of a moving line relative to the breaking loads of its segments, each place relative to its own."""
+"""Tensions of a moving line relative to the breaking loads of its segments, at each place relative to the breaking load
+of the segment there."""
 
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -7,7 +8,8 @@ import numpy as np
 
 
 class Used(NamedTuple):
-    """Where a line is nearest to parting: tension and breaking load there, N; time, s; segment : its number, from 0"""
+    """Place at which a line is nearest to parting: tension and breaking load, N; time, s; segment : its number, from
+    0"""
 
     tension: float
     breaking: float

@@ -17,7 +17,7 @@ PARTS_OF_PERIOD = 36  # longest step as a part of the shortest period: work in s
 
 @dataclass(frozen=True)
 class FairleadMotion:
-    """Position of the fairlead in time: `harmonic`, `table` or `still` make it.
+    """Position of the fairlead in time, made by `harmonic`, `table` or `still`.
 
     mean : (3,) m; omega : (m,) rad/s; amplitude : (m, 3) m, complex; ramp : s
     knots, cubics : piecewise cubics in place of the mean, (k + 1,) s and (k, 4, 3)
@@ -105,7 +105,7 @@ class FairleadMotion:
 
 @dataclass(frozen=True)
 class CurrentProfile:
-    """Velocity (k, 2) m/s at heights z (k,) m, linear between them and constant beyond, without a ramp."""
+    """Velocity (k, 2) m/s at heights z (k,) m, linear between the heights and constant beyond, without a ramp."""
 
     z: np.ndarray
     velocity: np.ndarray

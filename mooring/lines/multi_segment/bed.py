@@ -76,7 +76,7 @@ class Bed:
         return cls(np.column_stack([d, _bilinear(x, y, z, at)])[inside], friction)
 
     def depth_below(self, x, z):
-        """Height of points (x, z) above the bed, m; negative under it."""
+        """Height of points (x, z) above the bed, m; negative under the bed."""
         slope = self.slopes
         if len(slope) == 1:
             return z - slope[0] * x

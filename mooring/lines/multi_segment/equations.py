@@ -115,7 +115,7 @@ def pass_load(line, e):
 
 @kernel()
 def march_span(line, e, facet, load, target, unknown, rows):
-    """Integrate down a free span to s = target, or, where that is nan, until it is parallel to a facet.
+    """Integrate down a free span to s = target, or, where target is nan, until the span is parallel to a facet.
 
     load : index of the next point load there, or of the sinker at which the slope passes that of the facet
     unknown : index of the unknown that the target is, below 0 for none
@@ -163,7 +163,7 @@ def march_span(line, e, facet, load, target, unknown, rows):
 
 @kernel()
 def span_step(line, e, step, index, load, next_step, slack, rows):
-    """A free span and the equations of its end; of a slack line that ends there only the height counts, and H."""
+    """A free span and the equations of its end; for a slack line that ends there only the height and H count."""
     q, g = e.q, e.g
     target, unknown = math.nan, NOTHING
     if step == TO_VERTEX:

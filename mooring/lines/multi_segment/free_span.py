@@ -1,4 +1,4 @@
-"""Kernels for a free piece of line in closed form, and the weight of point loads on it.
+"""Kernels for a free piece of line in closed form, and the weight of point loads on the piece.
 
 SR179 report (1982), section 3.1.1, integrated, with the strain λ − 1 + T/EA of one row of the tension table:
 
@@ -47,7 +47,8 @@ def free_step(q, g, ds, weight, factor, flexibility):
 
 @kernel(inline=True)
 def free_table_row(line, q, segment):
-    """Row of the tension table that applies to a free piece here, and the length over which it applies."""
+    """Row of the tension table that applies to a free piece from the present place on, and the length over which it
+    applies."""
     first, last = line.first_row[segment], line.first_row[segment + 1] - 1
     if first == last:
         return first, math.inf
@@ -77,7 +78,7 @@ def tangent_beyond(line, q):
 
 @kernel(inline=True)
 def level_in_sea(line, q):
-    """Height of the line here; where it lies beyond the anchor it is moved with the bed to the anchor."""
+    """Height of the line at the present place; a place beyond the anchor is moved with the bed to the anchor."""
     return q[Z] - (q[X] - line.bed[0, 0]) * tangent_beyond(line, q)
 
 

@@ -39,7 +39,7 @@ def kept_tension(line, s):
 
 @kernel()
 def kept_within(line, q, g, low, high):
-    """Tension below a concentrated friction force: the kept one, limited to low … high, with derivatives in g."""
+    """Tension below a concentrated friction force: the kept tension, limited to low … high, with derivatives in g."""
     kept, slope, _ = kept_tension(line, q[S] - 1e-9 * line.length)
     if low <= kept <= high:
         q[T] = kept
@@ -84,9 +84,10 @@ def bend_at_vertex(line, q, g, angle, unknown):
 
 @kernel()
 def slides_down(line, at, facet, tension):
-    """Whether the line would slide down the facet without this tension, so that it needs the tension to lie there.
+    """Whether the line would slide down the facet without `tension`, so that the line needs this tension to lie there.
 
-    On the first facet not above a buoy, which may lift the line.  Exempt are parts fixed by `held`: see `line_data`.
+    Always False on the first facet above the lowest buoy, which may lift the line, and for parts fixed by `held` (see
+    `line_data`).
     """
     above = at[1] >= line.lowest_buoy
     if not slides_on(line, facet) or (above and (facet == 0 or line.held > 0)):
@@ -97,7 +98,8 @@ def slides_down(line, at, facet, tension):
 
 @kernel()
 def friction_rate(line, q, weight, angle):
-    """dT/ds on the bed, the length for which it holds, and the kept tension reached at its end (nan: not reached)."""
+    """dT/ds on the bed, the length for which this rate holds, and the kept tension reached at the end of the length
+    (nan: not reached)."""
     along, across = weight * math.sin(angle), weight * line.friction * abs(math.cos(angle))
     kept, slope, until = kept_tension(line, q[S])
     available = q[S] - until

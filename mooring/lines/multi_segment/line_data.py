@@ -1,4 +1,4 @@
-"""Input of the kernels of a static line, and the state that they integrate along it.
+"""Input of the kernels of a static line, and the state that these kernels integrate along the line.
 
 The line is traversed from the fairlead downwards.  The state q holds H, V (components of the tension, the force of the
 line above on the line below, towards the fairlead and up), x, z, s (unstretched length from the anchor), T and the
@@ -89,7 +89,7 @@ def slides_on(line, facet):
 
 @kernel(inline=True)
 def next_stop(line, at):
-    """s of the next load or joint below, and whether it is a load; the lowest segment continues below the anchor."""
+    """s of the next load or joint below, and whether this is a load; the lowest segment continues below the anchor."""
     stop, is_load = -np.inf, False
     if at[0] > 0:
         stop = line.segments[at[0], 0]
@@ -164,7 +164,7 @@ def workspace_for(line):
 
 @kernel()
 def varied(line, heap, foot, close):
-    """LineData of the line with another heap, at another vertex, and another accuracy of its starts."""
+    """LineData of the same line with another heap, at another vertex, and with another accuracy of the starts."""
     return LineData(
         line.segments,
         line.length,
@@ -203,7 +203,7 @@ def add_unknown(w, value):
 
 @kernel()
 def start_traverse(line, w, horizontal, x, z):
-    """Set the state to that at the fairlead.  returns : the facet below it; the last one has no end"""
+    """Set the state to the state at the fairlead. returns : the facet below the fairlead; the last facet has no end"""
     for i in range(w.q.size):
         w.q[i] = 0.0
     w.q[H], w.q[X], w.q[Z], w.q[S] = horizontal, x, z, line.length

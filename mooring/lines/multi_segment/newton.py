@@ -64,7 +64,8 @@ def newton_step(e, A):
 
 @kernel()
 def damped_step(line, e, old, A, size, x, z, steps, left, rows):
-    """Take a Newton step, halved until the residual falls.  returns : residual; −1, u unchanged, if it never falls"""
+    """Take a Newton step, halved until the residual falls.  returns : residual; −1, with u unchanged, if the residual
+    never falls"""
     n = e.u.size
     share = min(1.0, 0.7 * old[0] / A[0, n]) if A[0, n] > 0 else 1.0
     for trial in range(13):
@@ -101,7 +102,7 @@ def newton(line, e, A, x, z, steps, left, rows):
 
 @kernel()
 def equations_for(w):
-    """Equations whose initial unknowns are those of a traversal and its weights of floating buoys."""
+    """Equations whose initial unknowns are the unknowns of a traversal and its weights of floating buoys."""
     floating = 0
     for load in range(w.states.size):
         floating += 1 if w.states[load] == FLOATING else 0
@@ -130,7 +131,7 @@ def store(e, A, residual, result):
 
 @kernel()
 def continuation(line, w, x, z, first, left, heap, rows, result):
-    """Solve positions from number `first` on, while the contacts with the bed remain those recorded in w.
+    """Solve positions from number `first` on, while the contacts with the bed remain the contacts recorded in w.
 
     Each begins from the previous one, extrapolated by its derivatives, and is judged by its pieces (`verdict`).
     heap : m where the line first touches the bed

@@ -29,13 +29,15 @@ def length_for(distance, t, rate, factor, flexibility):
 
 @kernel()
 def length_on(line, q, at, facet):
-    """Length to march on a facet: to its lower end, given as inf, and on the first facet the whole remaining length."""
+    """Length to march on a facet: to the lower end of the facet, given as inf, and on the first facet the whole
+    remaining length of line."""
     return q[S] if facet == 0 and (not line.to_place or slides_down(line, at, facet, q[T])) else math.inf
 
 
 @kernel()
 def bed_piece(line, q, g, at, angle, slides, folds):
-    """dT/ds and row of the tension table here; length over which they apply; cause of its end; kept tension reached."""
+    """dT/ds and row of the tension table from this place on; length over which both apply; cause of the end of this
+    length; kept tension reached."""
     segment = at[0]
     rate, ds, kept = friction_rate(line, q, line.segments[segment, 1], angle)
     if rate < 0 and q[X] <= line.bed[0, 0] and not folds:  # a line in a heap at the anchor does not pull there
@@ -58,7 +60,7 @@ def bed_piece(line, q, g, at, angle, slides, folds):
 
 @kernel()
 def march_on_facet(line, q, g, at, facet, amount, unknown, last_load, rows):
-    """Integrate down along a facet by a length, or to its lower end where `amount` is infinite.
+    """Integrate down along a facet by the length `amount`, or to the lower end of the facet where `amount` is infinite.
 
     Stops at a buoy and at the point load `last_load`.  On the first facet a line that slides is folded where T = 0.
     unknown : index of the unknown that the length is, below 0 for none; rows : see `record`
@@ -166,7 +168,7 @@ def pass_sliding_sinker(line, q, g, at, angle, folds):
 
 @kernel()
 def leave_heap(line, q, g, at, amount, angle, unknown, rows):
-    """Put the next length of line, unstretched, in a heap at this point, with its sinkers.
+    """Put the next length of line, unstretched, in a heap at the present point, with the sinkers of this length.
 
     unknown : index of the unknown that this length is; angle : slope of the bed there.  returns : False where a buoy
         would lift the heap
@@ -202,7 +204,7 @@ def is_at_sinker(line, q, at):
 
 @kernel()
 def put_on_facet(line, q, g, facet):
-    """Set z to that of the facet at x, where a span ends on it."""
+    """Set z to the height of the facet at x, where a span ends on the facet."""
     tan = math.tan(line.bed[facet, 2])
     q[Z] = line.bed[facet, 1] + (q[X] - line.bed[facet, 0]) * tan
     mix(g, Z, tan, X, 0.0, X)
@@ -225,14 +227,15 @@ def touch_down(line, q, g, at, facet):
 
 @kernel()
 def normal_force_on(line, q, at, facet):
-    """Normal force of the sinker here on a facet, N, if the line below it lies on the facet."""
+    """Normal force of the sinker at this place on a facet, N, if the line below the sinker lies on the facet."""
     angle = line.bed[facet, 2]
     return (q[H] * math.tan(angle) - q[V] + line.loads[at[1], 1]) * math.cos(angle)
 
 
 @kernel()
 def pass_grounded_sinker(line, q, g, at, facet, normal_force, unknown):
-    """Pass a sinker with a normal force (N, the unknown of the given index) on a facet; a free span begins below it.
+    """Pass a sinker with a normal force (N, the unknown of the given index) on a facet; a free span begins below the
+    sinker.
 
     Friction acts on it as if it slid towards the fairlead, but at least the tension `line.least` remains for the span.
     """

@@ -107,7 +107,8 @@ def solve_positions(line, x, z, guess, capacity, tolerances):
 
 @kernel()
 def solve_some(line, w, x, z, first, guess, pieces, found, tolerances):
-    """Solve one position and the following ones with the same contacts.  returns : the position after them, state"""
+    """Solve one position and the following ones with the same contacts.  returns : the position after these positions,
+    state"""
     for tolerance in tolerances:
         close = CLOSE if tolerance >= COARSE[0] else 0.0
         line = varied(line, line.heap, line.foot, close)

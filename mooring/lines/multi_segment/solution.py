@@ -1,4 +1,4 @@
-"""A solved static line: its forces, stiffness, grounded parts, profile, and the friction that it keeps.
+"""A solved static line: its forces, stiffness, grounded parts, profile, and the friction that the line keeps.
 
 Coordinates and signs : `mooring.lines.multi_segment.line`.
 """
@@ -57,7 +57,7 @@ class StaticSolution:
 
     @property
     def anchor_uplift(self):
-        """(...,) rad, angle of the pull on the anchor above the bed there; 0 where the line lies on the bed"""
+        """(...,) rad, angle of the pull on the anchor above the bed at the anchor; 0 where the line lies on the bed"""
         up = np.arctan2(self.vertical_anchor, self.horizontal_anchor)
         beta = self.line.anchor_slope
         lifted = (self.tension_anchor > 0) & (up > beta + 1e-9)
@@ -104,9 +104,9 @@ class StaticSolution:
     def slides(self):
         """Whether a part without tension lies on a bed steeper than friction holds, also in a heap at the anchor.
 
-        It is assumed to remain in place; in reality it would slide to the nearest hollow, and pull there.  Parts that
-        slide towards the anchor, or down the first facet, are solved; not solved are lines with buoys, and lines
-        whose traversal shows that they slide into a hollow beyond their fairlead.
+        Such a part is assumed to remain in place; in reality it would slide to the nearest hollow, and pull there.
+        Parts that slide towards the anchor, or down the first facet, are solved; not solved are lines with buoys, and
+        lines whose traversal shows that they slide into a hollow beyond their fairlead.
         """
         if self.line.bed is None:
             return False
@@ -159,7 +159,7 @@ class StaticSolution:
 
 
 def heaped(pieces, tangent):
-    """Pieces of a slack line, laid out along its first facet, with the part beyond the anchor in a heap there.
+    """Pieces of a slack line, laid out along the first facet, with the part beyond the anchor in a heap at the anchor.
 
     tangent : slope of that facet.  Spans that buoys lift from the heap are placed over the anchor, at the same height.
     """
@@ -206,7 +206,8 @@ def _along(p, down):
 
 
 def turned(row, pieces):
-    """A row of `newton.store`, and pieces (n, 11), of the mirrored line as those of the line itself"""
+    """A row of `newton.store`, and pieces (n, 11), of the mirrored line, changed into the row and pieces of the line
+    itself"""
     row, out = row.copy(), pieces.copy()
     row[FORCES + STIFFNESS] *= -1.0
     out[:, 3] *= -1.0

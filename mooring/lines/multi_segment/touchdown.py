@@ -40,7 +40,7 @@ def clears(line, q, at, facet):
 
 @kernel(inline=True)
 def height_over(line, q, facet):
-    """Distance of the line from a facet, normal to it, m; negative under it."""
+    """Distance of the line from a facet, normal to the facet, m; negative under the facet."""
     angle = line.bed[facet, 2]
     return (q[Z] - line.bed[facet, 1]) * math.cos(angle) - (q[X] - line.bed[facet, 0]) * math.sin(angle)
 
@@ -63,7 +63,8 @@ def span_to_vertex(q, g, weight, factor, flexibility, x, z):
 
 @kernel(inline=True)
 def first_contact(line, q, g, at, facet, states, load_weights):
-    """Integrate down a free span to the first facet or vertex that it would penetrate, or to its end or the anchor.
+    """Integrate down a free span to the first facet or vertex that the span would penetrate, or to the end of the line
+    or the anchor.
 
     g : no columns; the first facet continues beyond the anchor's place, so that the line always ends on it
     states, load_weights : set to states and weights (N) of the point loads on the way
@@ -123,7 +124,7 @@ def first_contact(line, q, g, at, facet, states, load_weights):
 
 @kernel()
 def start_span(line, origin, q, g, at, facet, amount, rows):
-    """Start a free span.  returns : the facet below it
+    """Start a free span. returns : the facet below the start
 
     amount : by `origin`, V at the fairlead, length along the facet, angle at the vertex or normal force of the sinker
     """
@@ -144,7 +145,7 @@ def start_span(line, origin, q, g, at, facet, amount, rows):
 
 @kernel()
 def try_span(line, origin, q0, at0, facet, amount, q, g, at, states, load_weights, rows):
-    """Gap, step and index of the first contact of a span from (q0, at0); q and at are left at the contact."""
+    """Gap, step and index of the first contact of a span from (q0, at0); q and at then hold the contact."""
     copy_state(q, at, q0, at0)
     facet = start_span(line, origin, q, g, at, facet, amount, rows)
     return first_contact(line, q, g, at, facet, states, load_weights)
@@ -154,9 +155,9 @@ def try_span(line, origin, q0, at0, facet, amount, q, g, at, states, load_weight
 def between(low, high, f_low, f_high, wide, room, least):
     """Next trial for the root between low, with f ≥ 0, and high, with f < 0: the regula falsi.
 
-    It is shifted towards the middle, to approach the root from both sides, and so far that the interval is never larger
-    than by bisection one step before, which helps where f jumps. I. F. D. Oliveira and R. H. C. Takahashi, ACM Trans.
-    Mathematical Software 47 (2020) 5, the ITP method.
+    The trial is shifted towards the middle, to approach the root from both sides, and so far that the interval is never
+    larger than by bisection one step before, which helps where f jumps. I. F. D. Oliveira and R. H. C. Takahashi, ACM
+    Trans.  Mathematical Software 47 (2020) 5, the ITP method.
 
     wide : initial high − low; room : twice that, halved at every step; least : the smallest step
     """

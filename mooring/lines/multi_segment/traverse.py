@@ -5,10 +5,10 @@ lies on the bed to the last place from which a free span just clears the bed fur
 or at a vertex at an angle between those of its facets.  The excess length at the anchor grows with the tension and
 has one root.  SR179 report (1982), section 3.1.3, gives the same rules for nodes of a line.
 
-The end of that search is an option (`LineData.to_place`).  It ends at the anchor's place, with an excess length; or it
-ends with the line, somewhere on the first facet or its continuation: the distance beyond the anchor's place grows with
-the tension too, on a plane bed for any segments and loads, and the excess of a slack line is laid out there.  Over
-hills the first way is better, with buoys on slack lines the second.
+The end of that search is an option (`LineData.to_place`).  The search ends at the anchor's place, with an excess
+length; or it ends with the line, somewhere on the first facet or its continuation: the distance beyond the anchor's
+place grows with the tension too, on a plane bed for any segments and loads, and the excess of a slack line is laid out
+there.  Over hills it is better to end at the anchor's place, with buoys on slack lines to end with the line.
 
 The contacts are recorded as steps; `newton` solves the equations of all of them together.
 """
@@ -67,7 +67,8 @@ def touching_span(line, w, origin, facet, low, high):
 
 @kernel()
 def first_span(line, w, facet):
-    """The span from the fairlead, from V about those that clear the bed and that penetrate.  returns : step, index"""
+    """The span from the fairlead, by a search over V between spans that clear the bed and spans that penetrate it.
+    returns : step, index"""
     q = w.q
     slope = (q[Z] - line.bed[0, 1]) / (q[X] - line.bed[0, 0])
     for i in range(1, facet + 1):
@@ -97,7 +98,7 @@ def after_touchdown(line, w, facet):
 
 @kernel()
 def lift_off(line, w, facet, reached):
-    """Leave a facet within the length `reached`, at a sinker that lies on it or between two of them.
+    """Leave a facet within the length `reached`, at a sinker that lies on the facet, or between two sinkers.
 
     returns : step, index
     """
@@ -127,7 +128,8 @@ def lift_off(line, w, facet, reached):
 
 @kernel()
 def penetrating_length(line, w, facet, reached):
-    """A length along the facet from which a span that leaves it would penetrate the bed, 0 if none of 32 does.
+    """A length along the facet from which a span that leaves the facet would penetrate the bed; 0 if none of 32 lengths
+    does.
 
     A line that could lie on the bed up to the anchor's place must leave it where a buoy further down lifts it.
     """
@@ -139,7 +141,8 @@ def penetrating_length(line, w, facet, reached):
 
 @kernel()
 def sinker_at_foot(line, q, at):
-    """Index of the sinker, just passed, without which the tension would not have become zero here; NOTHING for none."""
+    """Index of the sinker, just passed, without which the tension would not have become zero at this place; NOTHING for
+    none."""
     load = at[1] + 1
     if q[T] < 0 and load < line.loads.shape[0] and line.loads[load, 0] - q[S] < AT_FOOT * line.length:
         return load
@@ -202,7 +205,8 @@ def over_vertex(line, w, facet):
 
 @kernel()
 def left_over(line, w):
-    """Excess length at the anchor's place, m; for a line that ends with all its length, the distance beyond it."""
+    """Excess length at the anchor's place, m; for a search that ends with the line, the distance of the end beyond the
+    anchor's place."""
     return w.q[S] if line.to_place and w.q[S] != 0.0 else line.bed[0, 0] - w.q[X]
 
 

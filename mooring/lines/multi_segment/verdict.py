@@ -83,7 +83,7 @@ def clears_bed(line, piece, q, g, far):
 
 @kernel()
 def lies_well(line, piece, far, stray):
-    """Whether a piece on the bed has a tension that is never negative, and a friction within its limit."""
+    """Whether a piece on the bed has a tension that is never negative, and a friction within the limit μN."""
     if line.no_bed:
         return False
     end = piece[5] - piece[6] * piece[2]
@@ -104,7 +104,8 @@ def is_idle(piece, stray):
 
 @kernel()
 def balanced(line, q, below, load, states, slack, idle, far, stray):
-    """Whether forces balance where the pieces above and below meet: q below the one, `below` above the other.
+    """Whether forces balance where two pieces meet: q at the lower end of the upper piece, `below` at the upper end of
+    the lower piece.
 
     slack : whether the part beyond the anchor's place is a heap there (`free_span.tangent_beyond`)
     idle : whether both lie, without tension or in the heap at the anchor
@@ -136,7 +137,7 @@ def balanced(line, q, below, load, states, slack, idle, far, stray):
 
 @kernel()
 def pushed(line, x, across, up, far, stray):
-    """Whether the bed at x, m, can push with a force: the normals of the facets there, widened by the friction."""
+    """Whether the bed at x, m, can push with a force: the normals of the facets at x, widened by the friction."""
     low, high = math.inf, -math.inf
     for facet in range(line.bed.shape[0]):
         right = line.bed[facet + 1, 0] if facet + 1 < line.bed.shape[0] else math.inf
@@ -150,7 +151,8 @@ def pushed(line, x, across, up, far, stray):
 
 @kernel()
 def heaps(line, rows, count, far, stray):
-    """Whether a slack line is longer than the way to its anchor requires, and nothing pulls at the excess."""
+    """Whether a slack line is longer than the distance to its anchor requires, and nothing pulls at the excess
+    length."""
     for i in range(count):
         piece = rows[i]
         bottom = rows[i + 1, 3] if i + 1 < count else piece[3]

@@ -1,4 +1,5 @@
-"""Forces and stiffness of a whole system of lines, compiled: the rows of its lines, and from them the matrices.
+"""Forces and stiffness of a whole system of lines, compiled: the rows of the lines, and the matrices that follow from
+these rows.
 
 A line end on a body at arm a with force f and stiffness block k = −∂f/∂r adds J' k J − S(f) S(a) to the stiffness
 about the moving origin, with J = [1, −S(a)] and S(a) v = a × v; an end on a free point adds k itself.
@@ -17,7 +18,7 @@ FIXED, FREE = -1, -2  # owners of points; a body is identified by its number
 
 @kernel()
 def place_points(position, owner, column, place, turn, free):
-    """Where every point is, (p, 3) in space."""
+    """Places of all points, (p, 3) m in space."""
     bodies = place.shape[0]
     points = position.copy()
     for i in range(owner.size):
@@ -79,7 +80,7 @@ def add_block(K, tall, block, row, rows, column, columns, arm_row, arm_column):
 
 @kernel()
 def add_force(force, K, f, arm, column, width):
-    """Add the force of one line end, its moment, and −S(f) S(arm)."""
+    """Add the force f of one line end, the moment of f, and −S(f) S(arm)."""
     for i in range(3):
         force[column + i] += f[i]
     if width == 6:

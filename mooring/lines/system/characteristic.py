@@ -30,7 +30,8 @@ class Characteristic(NamedTuple):
 
 
 def characteristic(state, name, points=24):
-    """Characteristic of the line `name` of a SystemEquilibrium, half of its points in the last tenth, where it is taut.
+    """Characteristic of the line `name` of a SystemEquilibrium, half of the points in the last tenth of the curve,
+    where the line is taut.
 
     It ends where a segment carries its breaking load, or at four times the tension at rest.
     raises : LineSystemError for an unknown name, EquilibriumError for a line without forces

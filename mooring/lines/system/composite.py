@@ -1,4 +1,4 @@
-"""Rows of lines of several segments for the assembly of a system, from the solver of such a line.
+"""Rows of lines of several segments for the assembly of a system, from the solver of lines of several segments.
 
 The solver counts from one end, the origin: the anchor of a line that lies on a bed, and end a of a free line. A free
 line has one horizontal force, and V_a + V_b is its weight, so its derivatives at the origin follow from those at the
@@ -48,7 +48,8 @@ def composite(system, number, end):
 
 
 def of_line(given, number, end, height):
-    """The Composite of a CompositeLine whose `end`, at z = height m, is an anchor on a bed; "" where it hangs free."""
+    """The Composite of a CompositeLine whose `end`, at z = height m, is an anchor on a bed; "" for an end at which the
+    line hangs free."""
     segments, loads, surface, bed = given.segments, given.loads, np.inf, None
     if end == "b":
         segments = segments[::-1]

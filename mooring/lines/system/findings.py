@@ -32,7 +32,7 @@ def _parts(line):
 
 
 def beyond_tables(system, tension):
-    """A message on hawsers whose tension, (n,) N, lies beyond the table of their pull"""
+    """A message on hawsers whose tension, (n,) N, lies beyond the tension table of the hawser"""
     past = [
         f"{system.lines[i].name} {tension[i] / 1e3:.4g} kN, table to {system.lines[i].most / 1e3:.4g} kN"
         for i in system.hawsers
@@ -46,7 +46,8 @@ def beyond_tables(system, tension):
 
 
 def warn_of_floating(system, load):
-    """Warn of lines lighter than water that would rise above its surface, a limit that is not modelled."""
+    """Warn of lines lighter than water that would rise above the water surface; the surface is not modelled as a
+    limit."""
     for i, line in enumerate(system.lines):
         if isinstance(line, CompositeLine | Hawser) or line.type.weight > 0:
             continue
@@ -119,7 +120,8 @@ def freedom_name(system, index):
 
 
 def culprit(system, rows, starts, ends, where):
-    """Message on the first line without a solution between its ends, (n, 3) m in space each, which are `where`."""
+    """Message on the first line without a solution between its ends, (n, 3) m in space each; `where` says which
+    ends."""
     bad = int(np.argmax(rows[:, 0]))  # a line beyond reach, below the bed or unsolved
     line, a, b = system.lines[bad], starts[bad], ends[bad]
     if isinstance(line, CompositeLine):

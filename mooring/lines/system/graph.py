@@ -103,7 +103,8 @@ class SystemArrays(NamedTuple):
 
 @dataclass(frozen=True)
 class System:
-    """Lines, the points they join and the bodies these belong to.  depth : m; density : kg/m³; gravity : m/s²"""
+    """Lines, the points that lines join, and the bodies to which points belong.  depth : m; density : kg/m³; gravity :
+    m/s²"""
 
     depth: float
     lines: tuple[UniformLine | CompositeLine | Hawser, ...]
@@ -208,7 +209,7 @@ class System:
         return found
 
     def load(self, pose=None) -> SystemLoad:
-        """Forces of the lines and of the free points' weight and buoyancy, and their stiffness.
+        """Forces of the lines and of the weight and buoyancy of the free points, and the stiffness of these forces.
 
         The force is nan beyond the reach of a line or for an end below the bed.  Loads and hydrostatics of the bodies
         are not included: see `total_load`.
@@ -274,7 +275,8 @@ class System:
 
     @cached_property
     def body_loads(self):
-        """(b, 6) N and N m, steady; (b, 6, 6) hydrostatic stiffness, 0 for a body without one; (b,) m, z at rest"""
+        """(b, 6) N and N m, steady; (b, 6, 6) hydrostatic stiffness, 0 for a body without hydrostatic stiffness; (b,)
+        m, z at rest"""
         springs = [body.hydrostatic_stiffness for body in self.bodies]
         springs = [np.zeros((6, 6)) if spring is None else np.array(spring, float) for spring in springs]
         loads = np.array([body.load for body in self.bodies], float)

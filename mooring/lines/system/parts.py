@@ -27,7 +27,7 @@ class EquilibriumError(ValueError):
 
 @dataclass(frozen=True)
 class LineDynamics:
-    """Properties that only moving or bending lines need; statics ignore them, and files keep them.
+    """Properties that only moving or bending lines need; statics ignore these properties, and files keep them.
 
     drag_normal, drag_tangential : C_d on d and on π d per metre; added_mass_normal, added_mass_tangential : C_a
     damping : axial, BA in N s; below 0, minus the fraction of critical; bending_stiffness : EI, N m²
@@ -105,7 +105,7 @@ class UniformLine:
 
 @dataclass(frozen=True)
 class CompositeLine:
-    """A line of several segments, with sinkers and buoys on it, between two points given by name.
+    """A line of several segments, with sinkers and buoys on the line, between two points given by name.
 
     segments : from end a on; loads : PointLoads, their position in m of unstretched line from end a
     bed_friction : of the flat bed of the system, where one end is an anchor on it

@@ -37,7 +37,8 @@ def joints_of_lines(state):
 
 
 def beds_of_lines(state):
-    """[(k, 3) m in space] of the lines' own beds, from their anchor to below their other end"""
+    """[(k, 3) m in space] beds of the lines that have a bed of their own, from the anchor to below the other end of the
+    line"""
     found = []
     for one in state.system.composites:
         if state.system.lines[one.number].bed is None:

@@ -90,7 +90,8 @@ def symmetric(K):
 
 @kernel()
 def shifted(A, K, first, residual, s, radius):
-    """Newton's method on 1/|s(m)| = 1/radius from m = 0, where |s| ≥ radius, which it keeps (Moré & Sorensen 1983).
+    """Newton's method on 1/|s(m)| = 1/radius from m = 0, where |s| ≥ radius; every step keeps |s| ≥ radius (Moré &
+    Sorensen 1983).
 
     A : factors of the symmetric part of K; s : its solution; both are overwritten.  returns : see `step_within`
     """
@@ -139,7 +140,8 @@ def left_over(force, rows, free, bed, may, unit, moving, residual):
 
 @kernel()
 def ahead_of(step, residual, force, free, bed, unit):
-    """Work of the force after a step along it, over `unit`, that of the force before, and the length of the step."""
+    """Work along a step of the force after it, over `unit`, work of the force before the step, and the length of the
+    step."""
     forth, here, first = 0.0, 0.0, force.size - 3 * free.shape[0]
     for i in range(force.size):
         here += step[i] * residual[i]

@@ -1,4 +1,4 @@
-"""Uniform lines that emerge from the water, with their weight in air there, as rows of the assembly of a system.
+"""Uniform lines that emerge from the water, with their weight in air above it, as rows of the assembly of a system.
 
 Such a line has up to three segments, dry, wet and dry, joined where it crosses the surface, z = 0; these places are
 found by Newton's method on the height of each joint over the slope of the line there.  The joints' places do not enter
@@ -23,7 +23,7 @@ SHIFT = 1e-5  # difference for derivatives, over the length
 
 @dataclass(frozen=True)
 class Surfacing:
-    """A UniformLine with a weight in air as its solver reads it, from its origin: its anchor on the bed, or end a.
+    """A UniformLine with a weight in air as the solver reads it, measured from the anchor on the bed, or from end a.
 
     number : of the line in its system; anchored : whether the origin is an anchor on the bed, at z = bed
     """

@@ -15,7 +15,7 @@ from .polynomial import TERMS
 
 
 def moving_work(moving, states, samples, lines, sampled):
-    """`MovingWork` of lines at rest in their `states`, with room for so many samples
+    """`MovingWork` of lines at rest in their `states`, with room for the given number of samples
 
     lines : total number, including those in their static shape
     sampled : (bodies, numbers of each that are kept at a sample)

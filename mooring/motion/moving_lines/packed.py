@@ -1,4 +1,4 @@
-"""Moving lines of a body as the kernels read them, and what they keep.
+"""Moving lines of a body as the kernels read them, and the state that the kernels keep.
 
 Lines have different numbers of nodes; what one kernel steps of them all lies behind each other in one array of a kind.
 """
@@ -50,7 +50,7 @@ class MovingLines(NamedTuple):
 
 @in_memory
 class Room(NamedTuple):
-    """For the place and velocity of a fairlead"""
+    """Room for the place and velocity of a fairlead"""
 
     R: np.ndarray
     unit: np.ndarray

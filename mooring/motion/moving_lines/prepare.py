@@ -1,4 +1,4 @@
-"""Lines of a System as lines with a motion of their own, with segments, sinkers and buoys."""
+"""Lines of a System, with segments, sinkers and buoys, as lines that move by equations of their own."""
 
 from __future__ import annotations
 

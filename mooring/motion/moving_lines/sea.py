@@ -55,7 +55,7 @@ class LineSea(NamedTuple):
 
 
 def line_sea(components, number, depth, current, wave_ramp, ramp, carried=(0.0, 0.0)):
-    """`LineSea` of wave components (`mooring.environment.sea.Components`), or of None
+    """`LineSea` of wave components (`mooring.environment.sea.Components`), or of no waves, None
 
     number : (2, c) rad/m, their wavenumbers along x and y; depth : m; current : (2,) m/s or None
     carried : (2,) m/s, at which the current carries the waves, zero for "still" waves

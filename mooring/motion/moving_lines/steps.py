@@ -7,8 +7,9 @@ polynomial of third degree
 
     F(s) = Σ_k c_k P_k(2s − 1),   c_k = (2k + 1) ∫₀¹ F P_k(2s − 1) ds,   s = (t − t₀)/h
 
-with Legendre's P_k.  It keeps the impulse of F and its first three moments, so that jerks of a line that are shorter
-than the body's step have their full effect on the body, while the body's own error estimate sees a smooth force.
+with Legendre's P_k.  The series keeps the impulse of F and the first three moments of F, so that jerks of a line that
+are shorter than the body's step have their full effect on the body, while the body's own error estimate sees a smooth
+force.
 """
 
 import numpy as np
@@ -110,7 +111,8 @@ def put(y, x):
 
 @kernel(counted=False)
 def slopes(work, i):
-    """Fill work.slope of line i: that of parabolas through an own step's end and the ones before and after."""
+    """Fill work.slope of line i: slopes of parabolas through the ends of a step of the line, the step before and the
+    step after."""
     time, pull, last = work.time[i], work.pull[i], work.used[i] - 1
     for j in range(last + 1):
         for k in range(3):
@@ -174,7 +176,7 @@ def foresee(moving, work, h, given):
 
 @kernel(counted=False)
 def keep_lines(moving, work, h, given):
-    """Accept the step of the body of h s: the trial state becomes the state of the lines."""
+    """Accept the body's step of h seconds: the trial state becomes the state of the lines."""
     put(work.position[0], work.position[1])
     put(work.velocity[0], work.velocity[1])
     put(work.acceleration[0], work.acceleration[1])

@@ -36,7 +36,8 @@ def check_bending(body, free):
 
 
 def rest_bent(body, berth, others, start, unit, free):
-    """(n,) places in space and amplitudes of shapes at rest, and (n, n) stiffness there, along the axes of the bodies
+    """(n,) places in space and amplitudes of shapes at rest, and (n, n) stiffness at these places, along the axes of
+    the bodies
 
     berth : `contacts.Berth`; others : function of the place, (n,) N of lines, water and springs; unit : (n,) m, rad
     free : numbers of the motions that are not held; bodies come to rest in all of theirs
@@ -69,7 +70,7 @@ def rest_bent(body, berth, others, start, unit, free):
 
 
 def with_bent_fairleads(system, reader, amplitudes):
-    """A System whose fairleads are where shapes of a Reader, of amplitudes (f,), move them"""
+    """A System with its fairleads moved by the shapes of a Reader with amplitudes (f,)"""
     if not reader.modes:
         return system
     names = [one.name for one in system.bodies]

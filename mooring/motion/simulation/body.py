@@ -84,7 +84,7 @@ def on_places(spring, headings):
 
 
 def in_space(matrix, headings):
-    """A matrix (6N, 6N) along the axes of bodies of headings (N,) rad, along those of space"""
+    """A matrix (6N, 6N) along the axes of bodies of headings (N,) rad, changed to the axes of space"""
     turn = axes_in_space(headings)
     return turn @ matrix @ turn.T
 

@@ -44,7 +44,8 @@ def expected_motion(moored, components):
 
 
 def units_of(reader):
-    """(n,) m, rad of motions of a Reader that are alike; of shapes that turn those of roll"""
+    """(n,) m or rad, comparable amplitudes of the motions of a Reader: 1 m, or 1 m over the radius of gyration; shapes
+    that rotate have the value of roll"""
     inertia = np.diag(reader.inertia)[: reader.rigid].reshape(-1, 6)
     radius = np.sqrt(inertia[:, 3:] / inertia[:, :1])
     unit = np.concatenate([np.ones_like(radius), 1 / radius], axis=1).ravel()

@@ -25,7 +25,8 @@ def check_held(stiffness, body):
 
 
 def begin_together(links, inverse, poses, speed, shapes=None):
-    """Poses and velocities (N, 6) that satisfy the links, nearest to those given; inverse : (n, n) of the mass.
+    """Poses and velocities (N, 6) that satisfy the links, nearest to the given poses and velocities; inverse : (n, n)
+    of the mass.
 
     shapes : (2, f) amplitudes of shapes and their rates, which then follow in the result; None without any
     raises : ValueError without any nearby

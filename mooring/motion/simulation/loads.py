@@ -51,7 +51,8 @@ def mean_frequency(components):
 
 
 def frequency_of_coefficients(settings, components):
-    """rad/s, at which memory = "constant" takes them: the period given, or the mean one of the waves; None for none"""
+    """rad/s, at which memory = "constant" takes the coefficients: from the given period, or the mean period of the
+    waves; None for none"""
     if settings.constant_period:
         return 2 * np.pi / settings.constant_period
     return None if components is None else mean_frequency(components)

@@ -1,4 +1,4 @@
-"""The memory of the water of a run: to the smallest tolerance possible with its states."""
+"""The memory of the water of a run: fitted to the smallest tolerance possible with the allowed number of states."""
 
 import numpy as np
 

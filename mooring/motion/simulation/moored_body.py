@@ -35,7 +35,8 @@ CAPSIZED = 1e-6  # fraction of the stiffest motion; smaller negative restoring i
 
 @dataclass(frozen=True, eq=False)
 class Moored:
-    """A body on its lines, or several, ready for a run; n motions, six for each, then shapes of those that bend.
+    """A body on its lines, or several, ready for a run; n motions, six for each body, then the shapes of bodies that
+    bend.
 
     reader : `bem.database.reader.Reader`; system : its `System`, None for bodies without lines
     hull : `ExposedBox` that wind and current act on, of several bodies {name: ExposedBox}, None for none

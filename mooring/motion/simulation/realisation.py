@@ -170,7 +170,8 @@ class Doubt(NamedTuple):
 
 
 def doubt_of(found, finer, finest=None):
-    """`Doubt` of a Realisation by motions (n, 6N) of runs to smaller tolerances, each by the same factor.
+    """`Doubt` of a Realisation by motions (n, 6N) of runs with smaller tolerances, each smaller than the last by the
+    same factor.
 
     finest : None if one such run is enough.  Lines that jerk and lines that break leave errors that decrease slowly, so
     that the difference d₀₁ from the next run is only part of them.  With a third run the differences are extrapolated

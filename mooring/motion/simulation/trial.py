@@ -1,4 +1,5 @@
-"""Whether lines of a body may have their static shape: a short run with static lines, and one with moving lines.
+"""Whether lines of a body may have their static shape: a short run with static lines, and a short run with moving
+lines.
 
 A line in its static shape has neither inertia nor drag.  It snaps where a line in water gives way, and takes no energy
 out of slow motion: under waves from abeam, chains in shallow water make a symmetric body surge and yaw (Mathieu's
@@ -113,7 +114,7 @@ def _both(run, moored, weather, settings, able):
 
 
 def able_to_move(system, settings, bends=False):
-    """Names of the lines of a System, or None, that can move by themselves, and lines of text on those that cannot
+    """Names of the lines of a System, or None, that can move by themselves, and lines of text on the lines that cannot
 
     bends : whether bodies bend
     """

@@ -10,7 +10,8 @@ import numpy as np
 
 
 class Groups(NamedTuple):
-    """owner : (G,) number of the body of each group, of those that move; place : (f,) of each shape among the 6G"""
+    """owner : (G,) number of the body of each group, among the bodies that move; place : (f,) of each shape among the
+    6G"""
 
     owner: np.ndarray
     place: np.ndarray
@@ -49,7 +50,7 @@ def groups_of(reader):
 def moved_by_shapes(reader, body, points):
     """(n, f, 3) m per unit of each shape of a Reader at points (n, 3) m of one of the bodies that move
 
-    body : its number among these; points and displacements along its axes, from its rotation centre
+    body : its number among the moving bodies; points and displacements along its axes, from its rotation centre
     """
     points = np.asarray(points, float).reshape(-1, 3)
     out, number = np.zeros((len(points), len(reader.modes), 3)), _moving(reader)[body]

@@ -74,7 +74,8 @@ def at_step(sums, j, n):
 
 @kernel(inline=True, counted=False)
 def sine_and_cosine(turn):
-    """Of an angle up to 10⁶ rad, within 2e-16 of the largest; no branches, so that loops of it are of vectors
+    """Sine and cosine of an angle up to 10⁶ rad, within 2e-16; without branches, so that loops over it become vector
+    instructions
 
     Polynomials of fdlibm (Sun Microsystems 1993) within ±π/4.
     """

@@ -48,7 +48,7 @@ NO_HULL_WATER = HullWater(
 
 
 class OnHull(NamedTuple):
-    """Coefficients of a hull for all directions, about the centre of its motion, instead of those of a box.
+    """Coefficients of a hull for all directions, about the centre of its motion, instead of the coefficients of a box.
 
     wind : (n, 6) N s²/m², N s² of unit speed over the direction that the wind blows to, None for none
     water : HullWater; turning : whether it is from turning tests, which contain the inertia of the turn

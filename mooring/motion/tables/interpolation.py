@@ -14,7 +14,8 @@ SHARES = 1.0 / np.array(  # 1 / (−1)^(n−1−i) i! (n−1−i)! of n = 4 and 
 
 @kernel(inline=True, counted=False)
 def lagrange_weights(place, n, weights):
-    """Weights, n of (6,), of the polynomial through n = 4 or 6 samples at 0, 1, …, n−1, at a place among them."""
+    """Weights, n of (6,), of the polynomial through n = 4 or 6 samples at 0, 1, …, n−1, at a place between the
+    samples."""
     row = 0 if n == 4 else 1
     before = 1.0
     for i in range(n):

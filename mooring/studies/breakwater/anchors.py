@@ -43,7 +43,7 @@ class Holding(NamedTuple):
 
 
 class Anchors(NamedTuple):
-    """Anchors of any of these kinds; common_sinker : one under both lines"""
+    """Anchors of any of these kinds; common_sinker : one sinker under both lines"""
 
     sinker: Sinker | None = None
     common_sinker: Sinker | None = None

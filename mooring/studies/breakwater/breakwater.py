@@ -26,7 +26,7 @@ class BreakwaterError(ValueError):
 
 
 class Water(NamedTuple):
-    """depth : m, at mean level; tide : m, above and below it; density : kg/m³; gravity : m/s²"""
+    """depth : m, at mean level; tide : m, amplitude above and below mean level; density : kg/m³; gravity : m/s²"""
 
     depth: float
     tide: float = 0.0
@@ -278,7 +278,7 @@ class Breakwater:
         raise BreakwaterError("section.shape is 'outline'; the theory of long waves needs a rectangle or a circle")
 
     def mirrored(self, wetted):
-        """The `Wetted`, if it is symmetric about y = 0.  Raises BreakwaterError otherwise."""
+        """The `Wetted`, checked to be symmetric about y = 0.  Raises BreakwaterError otherwise."""
         if not wetted.symmetric:
             raise BreakwaterError(
                 "the section is not symmetric about y = 0; this is required if it moves or if [loss] is given"
@@ -287,7 +287,7 @@ class Breakwater:
 
     def changed(self, draft=None, width=None, angle=None):
         """The breakwater with another draft, width (m) or line angle (rad); the body scales with its section: vertical
-        dimensions with its height, horizontal ones with its width"""
+        dimensions with the height of the section, horizontal dimensions with its width"""
         section, body, lines = self.section, self.body, self.lines
         across = "diameter" if section.shape == "circle" else "beam"
         wide = getattr(section, across)

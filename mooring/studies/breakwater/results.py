@@ -1,4 +1,4 @@
-"""Results of a breakwater: curves over period, the sea behind it, pretension over the tide, anchors."""
+"""Results of a breakwater: curves over period, the sea behind the breakwater, pretension over the tide, anchors."""
 
 import warnings
 from typing import NamedTuple

@@ -27,8 +27,9 @@ class Tide(NamedTuple):
 
 
 class Pretension(NamedTuple):
-    """N/m at mean level, of the worse line; given : by the study, or None; least : smallest that keeps both lines taut
-    most : largest within the allowable tension, or None; greatest : (front, back) tension with `used`"""
+    """N/m at mean level, of the worse line; given : by the study, or None; least : smallest pretension that keeps both
+    lines taut most : largest pretension within the allowable tension, or None; greatest : (front, back) tension with
+    `used`"""
 
     given: float | None
     used: float

@@ -108,7 +108,8 @@ def spectrum_of(where, table, depth):
 
 
 def mean_wave(waves, spectrum):
-    """Height m and mean period s of a WavesTable: as given, else those of its spectrum, including the swell"""
+    """Height m and mean period s of a WavesTable: as given, else the height and mean period of its spectrum, including
+    the swell"""
     given = waves.period if waves.mean_period is None else waves.mean_period
     if waves.swell or waves.file is not None:
         return float(spectrum.significant_height), float(spectrum.T01)
@@ -116,7 +117,8 @@ def mean_wave(waves, spectrum):
 
 
 def mean_period(where, table, depth):
-    """s, mean, of a SpectrumTable or SeaTable in `depth` m: as given, else that of its spectrum.  Raises StudyError."""
+    """s, mean, of a SpectrumTable or SeaTable in `depth` m: as given, else the mean period of its spectrum.  Raises
+    StudyError."""
     if getattr(table, "file", None) is not None:
         return float(table.sea(where, depth).spectrum.T01)
     period = period_of(where, table)
@@ -133,7 +135,7 @@ def sea_with_swell(where, waves, depth):
 
 
 def files_at(table, folder):
-    """A raw table of a sea, with the `folder` added to the paths of its files and those of its swell"""
+    """A raw table of a sea, with the `folder` added to the paths of its files and of the files of its swell"""
     found = dict(table)
     if isinstance(table.get("file"), str):
         found["file"] = str(folder / table["file"])

@@ -18,7 +18,7 @@ PLANE = ("surge", "sway", "yaw")
 
 
 def berth_numbers(study, database, path, runs):
-    """`Numbers` of a load case by the file of its runs; runs : of `in_time.simulated`"""
+    """`Numbers` of a load case, from the file of its runs; runs : as `in_time.simulated` gives them"""
     from hakobune.bem.database import open_database
     from hakobune.mooring.motion.contacts import courses
 
@@ -120,7 +120,8 @@ def _of_fenders(file, made, berth):
 
 
 def dolphin_of(table, dolphins):
-    """Stiffness, yield force and stiffness beyond it of the dolphin of a fender's table, SI; () without one"""
+    """Stiffness, yield force, and stiffness beyond yield of the dolphin in a fender's table, SI; () without a
+    dolphin"""
     if getattr(table, "on", None) is not None:
         one = dolphins[table.on]
         values = one.stiffness, one.yield_force, one.stiffness_beyond

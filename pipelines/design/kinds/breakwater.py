@@ -47,7 +47,7 @@ def read(path):
 
 
 def check(project, raw):
-    """Raises StudyError for a project with requirements that this kind does not support."""
+    """Raises StudyError for a project with requirements that a project of a breakwater does not support."""
     if project.simulation is not None:
         raise StudyError("simulation is given; a breakwater is not simulated in time")
     if project.levels:

@@ -18,7 +18,8 @@ from .stored import kept, key_of
 
 
 def simulated(study, database, path, factors):
-    """Numbers of a load case in time, simulated if its file lacks them; stored in NAME_extremes.json next to it.
+    """Numbers of a load case in time, simulated if the file of its runs lacks them; stored in NAME_extremes.json beside
+    that file.
 
     study : path of its TOML file, with [simulation]; database, path : of the database, and of the file of the runs
     factors : of the dynamic displacement

@@ -68,7 +68,7 @@ def read(path):
 
 
 def check(project, raw):
-    """Raises StudyError for a project with requirements that this kind does not support."""
+    """Raises StudyError for a project with requirements that a project of a mooring does not support."""
     if project.database_with_levels:
         raise StudyError("levels need a database for each depth; give project.scene in place of project.database")
     made = make_study(raw)

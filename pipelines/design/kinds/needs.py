@@ -1,4 +1,4 @@
-"""Breakable parts of a study, and the quantities that judge them.
+"""Breakable parts of a study, and the quantities that judge these parts.
 
 A mooring with criteria for none of them would pass without a check of its lines, fenders or anchors.
 """
@@ -27,7 +27,7 @@ class Need(NamedTuple):
     hawser: bool | None = None
 
     def judged(self, criteria):
-        """Whether one of the criteria limits it"""
+        """Whether any of the criteria limits the part"""
         return any(one.quantity in self.quantities and self.hawser in (None, one.subject == HAWSER) for one in criteria)
 
 

@@ -50,7 +50,7 @@ def read(path):
 
 
 def check(project, raw):
-    """Raises StudyError for a project with requirements that this kind does not support."""
+    """Raises StudyError for a project with requirements that a project of a single-point mooring does not support."""
     if project.simulation is not None:
         raise StudyError(
             "[simulation] is given, but a single-point study is simulated by its own [slewing]; leave it out"
@@ -107,7 +107,7 @@ def needs(raw):
 
 
 def finds(raw):
-    """Headings of rest, and slewing if it is run"""
+    """Headings of rest, and slewing if the study computes slewing"""
     return (STABLE, SLEWING) if "slewing" in raw else (STABLE,)
 
 

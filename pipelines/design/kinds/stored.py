@@ -1,7 +1,8 @@
-"""Results of a load case, stored next to its other files, so that a second run neither computes nor draws them again.
+"""Results of a load case, stored beside the other files of the case, so that a second run neither computes nor draws
+the results again.
 
 A stored file names its inputs (texts, databases, results, versions of the libraries, the code version) and has a
-checksum.  With other inputs, other code, or damage, it is computed again.
+checksum.  With other inputs, other code, or damage, a result is computed again.
 """
 
 import base64
@@ -31,7 +32,8 @@ def key_of(*parts):
 
 
 def kept(place, key, made):
-    """JSON values of the file `place` if it has this key and is undamaged, else those of `made()`, which are stored
+    """JSON values of the file `place` if the file has this key and is undamaged, else the values of `made()`, which are
+    stored
 
     key : () → a digest, or OSError where one of its inputs does not exist yet; called again after `made`
     """
@@ -57,7 +59,7 @@ def plain(numbers):
 
 
 def picture(place, key, draw):
-    """Address of a picture (PNG) in `place`, drawn if it is missing, damaged or of another key
+    """Address of a picture (PNG) in `place`, drawn if the file is missing, damaged or of another key
 
     place : .png; key : of `key_of`; draw : writes the picture to a path
     """

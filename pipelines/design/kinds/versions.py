@@ -1,4 +1,5 @@
-"""Versions of the libraries that results and pictures depend on, and of the code that reads and draws them."""
+"""Versions of the libraries that results and pictures depend on, and of the code that reads results and draws
+pictures."""
 
 import hashlib
 from functools import cache

@@ -1,4 +1,4 @@
-"""Damping lids of a scene: their places on the water, and the mirror planes that a mesh keeps with them."""
+"""Damping lids of a scene: their places on the water, and the mirror planes that a mesh with these lids keeps."""
 
 import numpy as np
 

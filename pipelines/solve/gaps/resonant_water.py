@@ -1,6 +1,7 @@
-"""Water between hulls and in moonpools that oscillates vertically as one mass, reported if no damping lid is on it.
+"""Water between hulls and in moonpools that oscillates vertically as one mass, reported if no damping lid covers this
+water.
 
-Its natural frequency, from the mass of the water and of the water below that moves with it:
+The natural frequency follows from the mass of this water and of the water below that moves with it:
 
     gap of width b between hulls of draft d and width B in all     ω² = g / (d + b/π (3/2 + ln(B/2b)))     Molin (2001)
     moonpool of area S                                             ω² = g / (d + 0.41 √S)                 Fukuda (1977)

@@ -75,7 +75,7 @@ def _check_gap(gap):
     if not least <= gap <= FARTHEST:
         raise StudyError(
             f"--quay is {gap:g} m; allowed: {math.ceil(least)} to {FARTHEST:g} m, where waves alone cross the gap "
-            "behind every floater; hakobune simulate takes nearer ones, with a database solved with --wall"
+            "behind every floater; hakobune simulate takes nearer quays, with a database solved with --wall"
         )
 
 

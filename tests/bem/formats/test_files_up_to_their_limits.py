@@ -260,7 +260,7 @@ LIMITS = {
     "axes of WAMIT": (of_wamit, {".pot": POT.format("0 0 0 0")}, {".pot": POT.format("0 0 0 5")},
         "a.pot: XBODY(4) turns the body by 5°; allowed: 0"),
     "end of a .pot": (of_wamit, {".pot": POT.format("0 0 0 0")}, {".pot": POT.format("0 0 0")},
-        "a.pot ends before XBODY; give --about x,y,z and leave the file out, or mend it"),
+        "a.pot ends before XBODY; give --about x,y,z and leave the file out, or mend the file"),
     "periods of a listing": (in_file("a.out", wamit.read), out(), out(period=""),
         "a.out is not an output of WAMIT, or it ends before the first period"),
     "coefficients of a listing": (in_file("a.out", wamit.read), out(), out(mass="VELOCITY"),

@@ -325,7 +325,7 @@ def test_families_have_their_depth():
     assert tuple(made) == (*FAMILIES, "tma", "ochi_hubble", "torsethaugen")
     assert made["tma"](2.0, peak_period=8.0).depth == 12.0 and made["issc"] is issc
     for depth in (None, math.inf):
-        with pytest.raises(ValueError, match="tma needs a finite water depth; give it, or use jonswap"):
+        with pytest.raises(ValueError, match="tma needs a finite water depth; give the depth, or use jonswap"):
             families(depth)["tma"](2.0, peak_period=8.0)
     assert np.all(limited(np.array([0.5, 2.0]), np.inf) == 1.0) and limited(np.array([0.0]), 9.0) == 0.0
     assert isinstance(tma(2.0, 9.0, peak_period=8.0), Shallow)

@@ -120,7 +120,11 @@ def test_a_table_without_its_density_is_told_which_columns_it_needs(tmp_path, ca
             0,
             "3 components are too few for a record that resolves",
         ),
-        ("--spectrum tma --height 3 --peak-period 8", 2, "tma needs a finite water depth; give it, or use jonswap"),
+        (
+            "--spectrum tma --height 3 --peak-period 8",
+            2,
+            "tma needs a finite water depth; give the depth, or use jonswap",
+        ),
     ],
 )
 def test_waves_that_cannot_be_are_refused_or_warned_of(tmp_path, monkeypatch, capsys, words, status, said):

@@ -68,7 +68,7 @@ def test_a_berth_without_periods_has_three_methods_at_most_and_needs_waves_and_o
     assert len(made.labels["method"].values) == 2
     with pytest.raises(StudyError, match="--methods compares motions in waves, and the study has no waves; give"):
         compared([80.0], mean=None)
-    with pytest.raises(StudyError, match="several bodies; it is available for one"):
+    with pytest.raises(StudyError, match="several bodies; --methods is for one"):
         compared([80.0], bodies=("a", "b"))
 
 

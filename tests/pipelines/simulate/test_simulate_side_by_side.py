@@ -185,7 +185,7 @@ FAULTS = {
     "hinged twice": ({"hinges": [HINGE, {**HINGE, "name": "G"}]}, "some constraints repeat others"),
     "motions held": (
         {"hinges": [HINGE], "simulation": STUDY["simulation"] | {"motions": ["ship heave"]}},
-        "simulation.motions fixes motions that hinges may need; with hinges, name all motions or leave it out",
+        "simulation.motions fixes motions that hinges may need; with hinges, name all motions, or leave out the key",
     ),
     "two of a name": ({"hinges": [HINGE, {**HINGE, "kind": "ball"}]}, "two hinges are called 'H'"),
     "torn": (

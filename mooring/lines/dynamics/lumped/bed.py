@@ -54,7 +54,8 @@ def bearing(k, thickness, p):
 
 @kernel(inline=True, counted=False)
 def slipped(n, x, y, z, limit):
-    """Part of a displacement (x, y, z) along the bed, at most `limit` long, and the factor that cut it, ≤ 1."""
+    """Part of a displacement (x, y, z) along the bed, at most `limit` long, and the factor ≤ 1 that shortened the
+    displacement."""
     up = n[0] * x + n[1] * y + n[2] * z
     x, y, z = x - up * n[0], y - up * n[1], z - up * n[2]
     size = math.sqrt(x * x + y * y + z * z)
@@ -154,8 +155,9 @@ def pressing(s, j, q, v):
 def keep_slip(s, q, v, slip, since, before):
     """Friction displacement of all nodes after a step from `since` (3, w) m at `before` (3, w) m/s to q at v.
 
-    It is reset where a node has left the bed.  Returns the work against friction, J: that of the path from end to end
-    of the step, elastic to δ and sliding beyond, because the power at the stages misses reversals within a millimetre.
+    The displacement is reset where a node has left the bed.  Returns the work against friction, J: that of the path
+    from end to end of the step, elastic to δ and sliding beyond, because the power at the stages misses reversals
+    within a millimetre.
     """
     work = 0.0
     for j in range(s.mass.size):

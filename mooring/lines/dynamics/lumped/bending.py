@@ -18,7 +18,7 @@ OF_BENDING = 5
 
 
 def joints(flexure, length, w):
-    """`Work.bending` of a System, without columns where it has no bending stiffness"""
+    """`Work.bending` of a System, without columns where the System has no bending stiffness"""
     if flexure.size == 0:
         return np.zeros((OF_BENDING, 0))
     bending, n = np.zeros((OF_BENDING, w)), length.size

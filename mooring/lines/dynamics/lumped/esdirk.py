@@ -127,7 +127,7 @@ def error(s, work, K, V, db, step, hd):
 
 @kernel(counted=False)
 def predict(q, v, qh, vh, K, V, A, i, step, cv):
-    """q̂ and v̂ of stage i from the stages before it"""
+    """q̂ and v̂ of stage i, predicted from the earlier stages"""
     for m in range(3):
         for j in range(q.shape[1]):
             along, speed = q[m, j], v[m, j]

@@ -56,7 +56,7 @@ def elongation_row(s, e, strain):
 
 @kernel(counted=False)
 def find_rows(s, work):
-    """The row of its table that holds for each element where its nodes are now"""
+    """For each element the row of the table of its type that holds for the present places of its nodes"""
     q, known = work.q, work.element
     for e in range(s.length.size):
         x, y, z = q[0, e + 1] - q[0, e], q[1, e + 1] - q[1, e], q[2, e + 1] - q[2, e]

@@ -24,7 +24,8 @@ ROUNDING = 1e-14  # rounding of the distance of two nodes, over the line's lengt
 
 @kernel(counted=False)
 def settle(s, work, water, q, slip):
-    """Move the inner nodes of q (n, 3) into equilibrium; returns passes used, or −1 when it was not reached.
+    """Move the inner nodes of q (n, 3) into equilibrium; returns the number of passes, or −1 when equilibrium was not
+    reached.
 
     s, work : `System` of the line, and its `workspace`, new
     """

@@ -112,7 +112,8 @@ def solve_stage(s, work, a, slip, since, cq, cv, tension_limit, distance_limit):
 
 @kernel(counted=False)
 def correction(work, last, cq):
-    """Accelerations that take away the residual, into work.x, and the largest change of tension and place by them."""
+    """Accelerations that take away the residual, into work.x, and the largest change of tension and of place by these
+    accelerations."""
     substitute_line(work.pivots, work.bending, work.r, work.x, last)
     return change(work, last, cq)
 

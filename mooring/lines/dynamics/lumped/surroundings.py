@@ -65,7 +65,8 @@ def fairlead_at(motion, t, p, v, a):
 
 @kernel(counted=False)
 def time_weights(x, weights):
-    """weights (2, SAMPLES): of the values at 0, 1, …, for the polynomial through them at x, and for its slope"""
+    """weights (2, SAMPLES) of the values at 0, 1, …, for the value at x of the polynomial through these values, and for
+    its slope"""
     for i in range(SAMPLES):
         value, slope = SHARES[i], 0.0
         for m in range(SAMPLES):
@@ -86,7 +87,8 @@ def in_time(table, weights, part, nodes, at):
 
 @kernel(inline=True, counted=False)
 def moved_water(table, weights, part, n, j, d):
-    """Velocity, or acceleration, of the water at eight nodes from j of n on, which are d (3) m from their places"""
+    """Velocity, or acceleration, of the water at eight nodes from j of n on, displaced by d (3) m from their places in
+    the table"""
     x, y, z = d
     xx, xy = in_time(table, weights, part, n, 3 * n + j), in_time(table, weights, part, n, 4 * n + j)
     yy, xz = in_time(table, weights, part, n, 5 * n + j), in_time(table, weights, part, n, 6 * n + j)

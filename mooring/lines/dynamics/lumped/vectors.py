@@ -1,4 +1,4 @@
-"""Eight places at once: three coordinates from rows (3, w) as three SIMD vectors, and what is done with them."""
+"""Eight places at once: three coordinates from rows (3, w) as three SIMD vectors, and operations on such vectors."""
 
 from hakobune.bem.kernels.jit import kernel
 from hakobune.bem.kernels.simd import choose_less, load_vector, store_vector, to_scalars
@@ -8,13 +8,13 @@ TINY = 1e-300  # added under a root in a denominator
 
 @kernel(inline=True, counted=False)
 def load_three(rows, w, j):
-    """Columns j … j + 7 of rows (3, w) that a pointer points to"""
+    """Columns j … j + 7 of the rows (3, w) at a pointer"""
     return load_vector(rows, j), load_vector(rows, w + j), load_vector(rows, 2 * w + j)
 
 
 @kernel(inline=True, counted=False)
 def store_three(rows, w, j, a):
-    """Put three vectors there."""
+    """Write three vectors into rows (3, w)."""
     x, y, z = a
     store_vector(rows, j, x)
     store_vector(rows, w + j, y)
