@@ -395,7 +395,8 @@ FAULTS = {
     "scheme": ("single point", [(study("slewing"), {"scheme": "fast"})], ("slewing.scheme is 'fast'", "two_scale")),
     "hawsers": ("single point", [(study("hawser", "count"), 3)], ("hawser.count is 3", "1 or 2")),
     "wind without a freeboard": (
-        "single point", [(study("hull", "freeboard"), ...)], ("freeboard is missing", "give it"),
+        "single point", [(study("hull", "freeboard"), ...)],
+        ("freeboard is missing", "give hull.freeboard, or wind.file"),
     ),
     "simulation of a single point": (
         "single point", [(project("simulation"), {"duration": 600.0})], ("[simulation] is given", "[slewing]"),

@@ -13,7 +13,7 @@ from hakobune.meshing.shapes import buoy
 from hakobune.pipelines.common.gaps import gaps_of
 from hakobune.pipelines.view.plots import _cut, plot, shown_headings
 
-ZERO = "zero by symmetry"
+ZERO = "zero"
 SURGE, SWAY, HEAVE, ROLL, PITCH, YAW = range(6)
 NOISE = 1e-15
 
