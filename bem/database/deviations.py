@@ -85,10 +85,11 @@ def one_by_one(equation, parts, errors):
 def by_chance(equation, parts, errors, smooth, waves):
     """Deviation of equation(parts) under random deviations of all quantities (q, …), smooth over θ for `smooth`.
 
-    waves : (q,) k times the radius of the hull, the number of harmonics of a Kochin function over its last axis
+    waves : (q,) k times the radius of the hull, which is the number of harmonics of a Kochin function over its last
+        axis
+
     A deviation that is the same at all angles would not change the slope, and the estimated error of the moment would
-    vanish.  The
-    random draws are equal at all frequencies, so that an estimate does not depend on the other frequencies.
+    vanish.  The random draws are equal at all frequencies, so that an estimate does not depend on other frequencies.
     """
     generator, value, variance = np.random.default_rng(0), equation(parts), 0.0
     angles = parts[smooth[0]].shape[-1]

@@ -1,4 +1,4 @@
-"""Reading of a single-point study, with its maps checked."""
+"""Reading of a single-point study; its `[[maps]]` are checked."""
 
 from pathlib import Path
 
