@@ -85,7 +85,7 @@ def graded_patches(patches, symmetry="", name=""):
         surfaces = [build.patch(sides) for sides in patches]
         gmsh.model.geo.synchronize()
         gmsh.model.mesh.generate(2)
-        outward = {tag: _loop_vector(sides) for tag, sides in zip(surfaces, patches, strict=True)}
+        outward = {tag: _ring_vector(_around(sides)) for tag, sides in zip(surfaces, patches, strict=True)}
         return _poles_last(panels_of(gmsh, outward, symmetry, name), [s[0][0] for s in patches if len(s) == 3])
 
 
@@ -162,37 +162,35 @@ class _Builder:
         self.geo = gmsh.model.geo
         self.points, self.lines = {}, {}
 
-    def point(self, xyz, size=0.0):
-        """Tag of the point at xyz (3,) m, with elements of about `size` m around it"""
-        key = tuple((np.asarray(xyz, float) + 0.0).tolist())  # + 0.0: minus zero is zero
-        if key not in self.points:
-            self.points[key] = self.geo.addPoint(*key, size)
-        return self.points[key]
-
-    def line(self, a, b):
-        """Signed tag of the line from point a to point b."""
-        if (b, a) in self.lines:
-            return -self.lines[b, a]
-        if (a, b) not in self.lines:
-            self.lines[a, b] = self.geo.addLine(a, b)
-        return self.lines[a, b]
+    def ring(self, corners, size=0.0):
+        """Tags of the points of a closed polygon (k, 3) m, with elements of about `size` m, and signed tags of its
+        sides"""
+        points, lines = [], []
+        for key in map(tuple, (np.asarray(corners, float) + 0.0).tolist()):  # + 0.0: minus zero is zero
+            if key not in self.points:
+                self.points[key] = self.geo.addPoint(*key, size)
+            points.append(self.points[key])
+        for a, b in zip(points, points[1:] + points[:1], strict=True):
+            if (a, b) not in self.lines:
+                self.lines[a, b] = self.geo.addLine(a, b)
+                self.lines[b, a] = -self.lines[a, b]
+            lines.append(self.lines[a, b])
+        return points, lines
 
     def patch(self, sides):
         """Tag of a surface of one element between each two points of its sides, as of `graded_patches`"""
-        tags = [[self.point(xyz) for xyz in side] for side in sides]
-        chain = [tag for side in tags for tag in side[:-1]]
-        lines = [self.line(a, b) for a, b in zip(chain, chain[1:] + chain[:1], strict=True)]
+        points, lines = self.ring(_around(sides))
         for line in lines:
             self.geo.mesh.setTransfiniteCurve(abs(line), 2)
         surface = self.geo.addPlaneSurface([self.geo.addCurveLoop(lines)])
-        self.geo.mesh.setTransfiniteSurface(surface, cornerTags=[side[0] for side in tags])
+        first = np.cumsum([0, *map(len, sides[:-1])]) - np.arange(len(sides))
+        self.geo.mesh.setTransfiniteSurface(surface, cornerTags=[points[i] for i in first])
         self.geo.mesh.setRecombine(2, surface)
         return surface
 
     def loop(self, ring, size):
         """Tag of the loop of a closed polygon (k, 3) m"""
-        tags = [self.point(xyz, size) for xyz in ring]
-        return self.geo.addCurveLoop([self.line(a, b) for a, b in zip(tags, tags[1:] + tags[:1], strict=True)])
+        return self.geo.addCurveLoop(self.ring(ring, size)[1])
 
 
 def _surface_panels(gmsh, surface, row, points, along):
@@ -213,6 +211,6 @@ def _ring_vector(ring):
     return 0.5 * np.cross(ring, np.roll(ring, -1, axis=0)).sum(axis=0)
 
 
-def _loop_vector(sides):
-    """(3,) vector area of the loop of the sides of a patch"""
-    return _ring_vector(np.concatenate([np.asarray(side)[:-1] for side in sides]))
+def _around(sides):
+    """(k, 3) m, the polygon of the sides of a patch"""
+    return np.concatenate([np.asarray(side)[:-1] for side in sides])

@@ -183,16 +183,15 @@ def _volumes(surface, mesh):
 
 def _waterplane(surface, about):
     """Area, (∬ x, ∬ y) and (∬ y², ∬ x², ∬ xy) of the waterplane about a point"""
-
-    def over(f):
-        value = surface.integral(lambda p: f(p[..., 0] - about[0], p[..., 1] - about[1])[..., None])
-        return -float(value[2])
-
-    area = over(lambda x, y: np.ones_like(x))
-    if area <= 1e-12 * np.linalg.norm(surface.vectors, axis=1).sum():  # rounding: the body is submerged
+    found = np.zeros(6)
+    for midpoints, vectors in surface.parts:
+        x, y = midpoints[..., 0] - about[0], midpoints[..., 1] - about[1]
+        values = np.stack([np.ones_like(x), x, y, y * y, x * x, x * y], axis=-1)
+        found += (values.mean(axis=1) * vectors[:, 2:]).sum(axis=0)
+    found = -found
+    if found[0] <= 1e-12 * np.linalg.norm(surface.vectors, axis=1).sum():  # rounding: the body is submerged
         return 0.0, np.zeros(2), np.zeros(3)
-    first = np.array([over(lambda x, y: x), over(lambda x, y: y)])
-    return area, first, np.array([over(f) for f in (lambda x, y: y * y, lambda x, y: x * x, np.multiply)])
+    return float(found[0]), found[1:3], found[3:]
 
 
 def _stiffness(plane, origin, buoyancy, weight):

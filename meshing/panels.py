@@ -188,7 +188,7 @@ class PanelMesh:
         """The hull with its `foot`"""
         return self if self.foot is None else joined([replace(self, body=None), self.foot])
 
-    @property
+    @cached_property
     def draft(self):
         """m"""
         return -float(self.points[np.unique(self.corners), 2].min())
@@ -201,11 +201,13 @@ class PanelMesh:
 
     def whole(self):
         """The same hull without mirror planes."""
-        parts = []
-        for sx, sy in self.reflections():
-            flipped = self.corners[:, ::-1] if sx * sy < 0 else self.corners
-            parts.append(PanelMesh(self.points * (sx, sy, 1), flipped, body=self.body))
-        return replace(joined(parts), name=self.name)
+        images = self.reflections()
+        points = np.concatenate([self.points * (sx, sy, 1) for sx, sy in images])
+        corners = np.concatenate(
+            [self.corners[:, :: sx * sy] + i * len(self.points) for i, (sx, sy) in enumerate(images)]
+        )
+        body = None if self.body is None else np.tile(self.body, len(images))
+        return PanelMesh(points, corners, "", self.name, body).merged()
 
     def moved(self, dx=0.0, dy=0.0, dz=0.0):
         """A shifted copy; a mirror plane off which the hull is shifted is replaced by the reflected panels."""

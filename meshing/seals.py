@@ -40,7 +40,7 @@ def hdf5_seal(image, places, filled=(), kind="", size=LEAST_BLOCK):
     filled = _joined(filled)
     lines = [f"{zlib.crc32(image[a : a + n]):08x} {a} {n} {name}\n" for name, (a, n) in places.items()]
     said = [f"{kind}\n"] if filled else []
-    table = "".join([*said, *lines, *(f"filled in {a} {n}\n" for a, n in filled)]).encode()
+    table = "".join([*said, *lines, *[f"filled in {a} {n}\n" for a, n in filled]]).encode()
     while size < len(table) + 100:
         size *= 2
     end = b"%s, HDF5 from byte %d\n" % (FILLED if filled else b"", size)
@@ -63,12 +63,9 @@ def _joined(places):
 
 
 def _kept(filled, size):
-    """(first byte, end) between places, ascending, of `size` bytes"""
-    begin = 0
-    for place, count in filled:
-        yield begin, place
-        begin = place + count
-    yield begin, max(begin, size)
+    """[(first byte, end)] between places, ascending, of `size` bytes"""
+    begins = [0, *map(sum, filled)]
+    return list(zip(begins, [place for place, _ in filled] + [max(begins[-1], size)], strict=True))
 
 
 def is_sealed(path):
@@ -102,7 +99,7 @@ def damage(path):
         lines = rest.decode(errors="replace").splitlines()
         filled = [(int(part[1]), int(part[2])) for part in map(PLACE.fullmatch, lines) if part]
         found = [DATASET.fullmatch(line) for line in lines]
-        places = [*filled, *((int(part[2]), int(part[3])) for part in found if part)]
+        places = filled + [(int(part[2]), int(part[3])) for part in found if part]
         last, size = begin + max(map(sum, places), default=0), file.seek(0, os.SEEK_END)
         if size > 2 * last + MOST_BEHIND:  # reading a terabyte of zeros would take an hour
             return f"its end: the file has {size:.3g} bytes, but its numbers end at byte {last:.3g}"

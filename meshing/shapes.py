@@ -121,17 +121,9 @@ def fitted_counts(edges, total, panels, needed):
         raise TooFewPanels(panels, total(lowest))
     lowest = np.maximum(lowest, needed)
     panels = max(panels, total(lowest))
-
-    def counts(t):
-        return np.maximum(lowest, np.floor(t * wishes)).astype(int).tolist()
-
-    low, high = 0.0, 1.0 / wishes.min()
-    while total(counts(high)) <= panels:
-        low, high = high, 2 * high
-    while high - low > 1e-9 * high:  # total() grows in steps with t: halve until the step is found
-        middle = (low + high) / 2
-        low, high = (middle, high) if total(counts(middle)) <= panels else (low, middle)
-    best = counts(low)
+    steps = np.sort(np.arange(int(panels) + 1)[:, None] / wishes, axis=None)  # `total` grows at these factors
+    counts = np.maximum(lowest, np.floor(steps[:, None] * wishes * (1 + 1e-9)).astype(int))
+    best = counts[np.count_nonzero(total(counts.T) <= panels) - 1].tolist()
     while True:
         more = [[n + (i == k) for i, n in enumerate(best)] for k in range(3)]
         fits = [k for k in range(3) if total(best) < total(more[k]) <= panels]

@@ -27,6 +27,7 @@ from .integrity import MARK, ROWS, DamagedError, DatabaseError, check_schema
 from .results import check_database_version, check_seal, seal_of, what_is
 from .schema import (
     BODY,
+    CELL_AXES,
     CHECKS,
     COORDINATES,
     DERIVED,
@@ -36,7 +37,6 @@ from .schema import (
     OF_SEVERAL,
     QUANTITIES,
     SCHEMA_VERSION,
-    cell_axes,
     labels,
 )
 
@@ -205,21 +205,22 @@ def lay_out(file, header, omega, wave_direction, names):
         data = np.array(values[axis], dtype=h5py.string_dtype() if kind is str else kind)
         dataset = file.create_dataset(axis, data=data)
         dataset.make_scale(axis)
-        _describe(dataset, unit)
+        if unit:
+            dataset.attrs["units"] = unit
     k = wavenumber(omega, header.water_depth, header.gravity)
     derived = (2 * np.pi / omega, k, np.degrees(wave_direction))
     for (name, (axes, unit, _)), value in zip(DERIVED.items(), derived, strict=True):
         _dataset(file, name, axes, unit, value)
     lengths = {axis: len(file[axis]) for axis in coordinates}
-    for name in (name for name in QUANTITIES if name in names):
+    for name in [name for name in QUANTITIES if name in names]:
         axes, unit, kind = QUANTITIES[name]
         nothing = np.full([lengths[axis] for axis in axes], np.nan, kind)
         _dataset(file, name, axes, unit, nothing)
-        marks = np.zeros([lengths[axis] for axis in cell_axes(name)], MARK)
-        _dataset(file, f"stored/{name}", cell_axes(name), "", marks)
+        cells = CELL_AXES[name]
+        _dataset(file, f"stored/{name}", cells, "", np.zeros([lengths[axis] for axis in cells], MARK))
         if name in ESTIMATES:
             _dataset(file, f"estimated_error/{name}", axes, unit, np.full(nothing.shape, np.nan, ERROR))
-    for name in (name for name in BODY if header.body.get(name) is not None):
+    for name in [name for name in BODY if header.body.get(name) is not None]:
         axes, unit, _ = BODY[name]
         each = ("body",) if header.bodies and "influenced_dof" not in axes else ()
         _dataset(file, name, each + axes, unit, np.asarray(header.body[name], float))
@@ -260,10 +261,6 @@ def _dataset(file, name, axes, unit, data):
     dataset = file.create_dataset(name, data=data)
     for place, axis in enumerate(axes):
         dataset.dims[place].attach_scale(file[axis])
-    _describe(dataset, unit)
-
-
-def _describe(dataset, unit):
     if unit:
         dataset.attrs["units"] = unit
 
@@ -276,10 +273,7 @@ def _write_mesh(file, name, mesh):
         group.create_dataset(axis, data=np.arange(size)).make_scale(axis)
     numbers = (("body", ("panel",), ""),) if mesh.body is not None else ()
     for data, axes, unit in (("points", ("point", "coordinate"), "m"), ("corners", ("panel", "corner"), ""), *numbers):
-        dataset = group.create_dataset(data, data=getattr(mesh, data))
-        for place, axis in enumerate(axes):
-            dataset.dims[place].attach_scale(group[axis])
-        _describe(dataset, unit)
+        _dataset(group, data, axes, unit, getattr(mesh, data))
 
 
 def _read_mesh(group):

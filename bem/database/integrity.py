@@ -12,7 +12,7 @@ import zlib
 import h5py
 import numpy as np
 
-from .schema import BODY, CHECKS, COORDINATES, DERIVED, ESTIMATES, LIMITS, OF_SEVERAL, QUANTITIES, cell_axes
+from .schema import BODY, CELL_AXES, CHECKS, COORDINATES, DERIVED, ESTIMATES, LIMITS, OF_SEVERAL, QUANTITIES
 
 ROWS = "row_checksum"
 MARK = np.uint32
@@ -86,7 +86,7 @@ def _schema_problems(file):
     for name in names:
         axes, _, kind = QUANTITIES[name]
         yield from _wrong_dataset(file, name, [lengths[axis] for axis in axes], "c" if kind is complex else "f")
-        yield from _wrong_dataset(file, f"stored/{name}", [lengths[axis] for axis in cell_axes(name)], "u")
+        yield from _wrong_dataset(file, f"stored/{name}", [lengths[axis] for axis in CELL_AXES[name]], "u")
         if name in ESTIMATES and (name in errors or (has_checksums(file) and name not in LATER)):
             yield from _wrong_dataset(file, f"estimated_error/{name}", [lengths[axis] for axis in axes], "f")
     for name in CHECKS:
@@ -136,7 +136,7 @@ def _wrong_coordinates(file, coordinates):
 
 
 def damaged_cells(file, name, values=None):
-    """Marked cells of a quantity that differ from the stored values: a bool array over `schema.cell_axes`.
+    """Marked cells of a quantity that differ from the stored values: a bool array over `schema.CELL_AXES`.
 
     values : the whole dataset, if already read
     """
@@ -157,7 +157,7 @@ def damaged_cells(file, name, values=None):
 def damaged_rows(file):
     """(n,) bool: solved frequencies whose checks or wall time differ from the stored values"""
     solved = file["solved"][()]
-    if ROWS not in file:
+    if ROWS not in file or not solved.any():
         return np.zeros(len(solved), bool)
     stored, found = file[ROWS][()], row_crcs(file)
     return np.array([bool(solved[i]) and stored[i] != found[i] for i in range(len(solved))], bool)
@@ -180,11 +180,9 @@ def remark(file, name):
 
 def row_crcs(file):
     """CRC-32 of the stored checks and wall time of each frequency, a list"""
-    checks = np.stack([file["checks"][name][()] for name in CHECKS], axis=1)
-    return [
-        checks_crc(dict(zip(CHECKS, row, strict=True)), bytes(text))
-        for row, text in zip(checks, file["wall_time"][()], strict=True)
-    ]
+    checks = np.stack([file["checks"][name][()] for name in CHECKS], axis=1).astype(float)
+    texts = [np.frombuffer(bytes(text), np.uint8) for text in file["wall_time"][()]]
+    return list(map(crc, checks, texts))
 
 
 def checks_crc(checks, wall_time):

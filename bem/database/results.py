@@ -46,18 +46,23 @@ def seal_of(file, image, later=()):
     """The seal, a block before the image of an open HDF5 file; later : names of datasets and groups that are filled in
     later"""
     places, filled, first = {}, [STATUS] if later else [], file.userblock_size
-
-    def add(name, item):
-        if isinstance(item, h5py.Dataset) and item.id.get_offset() is not None:
+    for name, item in _datasets(file).items():
+        if item.id.get_offset() is not None:
             place = item.id.get_offset() - first, item.id.get_storage_size()
             if name in later or name.partition("/")[0] in later:
                 filled.append(place)
             else:
                 places[name] = place
-
-    file.visititems(add)
     kind = file.attrs.get("schema", file.attrs.get("format", ""))
     return seals.hdf5_seal(image, places, filled, kind, first or seals.LEAST_BLOCK)
+
+
+def _datasets(group, within=""):
+    """{name: dataset} of a group and of all groups in it"""
+    found = {}
+    for name, item in group.items():
+        found |= {within + name: item} if isinstance(item, h5py.Dataset) else _datasets(item, f"{within}{name}/")
+    return found
 
 
 def check_seal(path, remedy=seals.REMEDY):

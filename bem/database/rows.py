@@ -25,7 +25,7 @@ from hakobune.meshing.whole_files import keep_room
 from .. import INTERPOLATED
 from .file import LATER, DatabaseError, Header, beside, lay_out, opened, read_header
 from .integrity import check_cells, check_rows
-from .schema import BODY, CHECKS, COORDINATES, DERIVED, ESTIMATES, LIMITS, NEEDS_MOTION, QUANTITIES, cell_axes
+from .schema import BODY, CELL_AXES, CHECKS, COORDINATES, DERIVED, ESTIMATES, LIMITS, NEEDS_MOTION, QUANTITIES
 
 if TYPE_CHECKING:
     from hakobune.meshing.panels import PanelMesh
@@ -69,7 +69,7 @@ def writing(path):
     if not isinstance(path, h5py.File):
         keep_room(path)
     with opened(path, "r+") as file:
-        for name in (name for name in QUANTITIES if name in file):
+        for name in [name for name in QUANTITIES if name in file]:
             check_cells(file, name)
         check_rows(file, np.ones(len(file["omega"]), bool))
         mark_whole_rows(file)
@@ -89,7 +89,7 @@ def row_values(file, omega, headings, names):
     for name in names:
         if name not in file:
             return None
-        chosen = columns if "wave_direction" in cell_axes(name) else ...
+        chosen = columns if "wave_direction" in CELL_AXES[name] else ...
         if not np.all(file["stored"][name][i][chosen]):
             return None
         found[name] = file[name][i][chosen]
@@ -115,10 +115,10 @@ def open_database(path: str | os.PathLike[str] | h5py.File) -> Database:
     with opened(path) as file:
         attributes, there = dict(file.attrs), set(file)
         header = read_header(file, attributes)
-        names = tuple(name for name in QUANTITIES if name in there)
+        names = tuple([name for name in QUANTITIES if name in there])
         marks = [file["stored"][name][()] for name in names]
         rows = np.ones(len(file["omega"]), bool)
-        for mark in (mark for mark in marks if mark.ndim):
+        for mark in [mark for mark in marks if mark.ndim]:
             rows &= (mark != 0).reshape(len(rows), -1).all(axis=1)
         return Database(
             Path(file.filename),
@@ -403,7 +403,7 @@ def _sum(first, second):
 def mark_whole_rows(file):
     """Mark the frequencies that have all their quantities; file : open file, or a mapping with its datasets by name"""
     whole = np.ones(len(file["omega"]), bool)
-    for mark in (file[f"stored/{name}"][()] for name in file["stored"] if name not in LIMITS):
+    for mark in [file[f"stored/{name}"][()] for name in file["stored"] if name not in LIMITS]:
         whole &= (mark != 0).reshape(len(whole), -1).all(axis=1)
     if not np.array_equal(file["solved"][()], whole):
         file["solved"][...] = whole

@@ -73,7 +73,12 @@ ESTIMATES = (  # quantities with an estimated error, stored in /estimated_error
 ERROR = np.float32  # type of stored errors; files of earlier versions use float64
 CHECKS = ("reciprocity", "Haskind", "energy", "residual", "estimated_error")
 
-LIMITS = tuple(name for name, (axes, _, _) in QUANTITIES.items() if "omega" not in axes)
+# axes along which the numbers of a quantity are stored piece by piece: (), ("omega",) or ("omega", "wave_direction")
+CELL_AXES = {
+    name: tuple([axis for axis in axes if axis in ("omega", "wave_direction")])
+    for name, (axes, _, _) in QUANTITIES.items()
+}
+LIMITS = tuple([name for name, axes in CELL_AXES.items() if not axes])
 NEEDS_MOTION = ("rao", "drift_force", "body_drift_force")
 ONLY_BY_NAME = ("pressure",)  # large, and wanted for few frequencies
 LABELS = {"influenced_dof": DOFS, "radiating_dof": DOFS, "drift_dof": DRIFT_DOFS, "xyz": ("x", "y", "z")}
@@ -86,9 +91,3 @@ def labels(bodies, modes=()):
     moved = tuple(names[d] for d in moving(bodies, modes))
     each = {"body": tuple(body.name for body in bodies)} if bodies else {}
     return LABELS | {"influenced_dof": names, "radiating_dof": moved} | each
-
-
-def cell_axes(name):
-    """Axes along which the numbers of a quantity are stored piece by piece: (), ("omega",) or ("omega",
-    "wave_direction")."""
-    return tuple([axis for axis in QUANTITIES[name][0] if axis in ("omega", "wave_direction")])

@@ -12,7 +12,7 @@ import numpy as np
 from .file import DatabaseError, steps_text
 from .integrity import MARK, ROWS, checks_crc, crc, has_checksums
 from .rows import estimate_of, mark_whole_rows, places_on
-from .schema import CHECKS, LIMITS, NEEDS_MOTION, QUANTITIES, cell_axes
+from .schema import CELL_AXES, CHECKS, LIMITS, NEEDS_MOTION, QUANTITIES
 
 
 class Solved(NamedTuple):
@@ -55,7 +55,7 @@ class Storing:
         columns = self.headings[key]
         values, errors, given = {}, {}, result.get("estimated_error", {})
         for name in (name for name in self.shapes if name in result):
-            by_heading = "wave_direction" in cell_axes(name)
+            by_heading = "wave_direction" in CELL_AXES[name]
             shape = ((len(columns),) if by_heading else ()) + self.shapes[name][2 if by_heading else 1 :]
             values[name] = checked(name, result[name], shape, f"omega = {omega:.6g} rad/s")
             if name in self.errors:
@@ -119,7 +119,7 @@ def _append(file, opened, rows):
 def _mark(row, name, sealed):
     """Marks of the cells of a row: checksums, or 1 in a file without them"""
     parts = [row.values[name], *([row.errors[name]] if name in row.errors else [])]
-    if len(cell_axes(name)) > 1:
+    if len(CELL_AXES[name]) > 1:
         return np.array([crc(*cell) if sealed else 1 for cell in zip(*parts, strict=True)], MARK)
     return np.array(crc(*parts) if sealed else 1, MARK)
 
@@ -150,7 +150,7 @@ def _append_checks(opened, rows, sealed):
 def put(dataset, name, rows):
     """Write (row, value) pairs of a quantity in ascending order; rows that follow each other without a gap need one
     write"""
-    every = list(range(dataset.shape[1])) if len(cell_axes(name)) > 1 else None
+    every = list(range(dataset.shape[1])) if len(CELL_AXES[name]) > 1 else None
     if every is not None and any(row.columns != every for row, _ in rows):
         for row, value in rows:
             for column, part in zip(row.columns, value, strict=True):

@@ -10,7 +10,7 @@ import numpy as np
 from .file import LATER, DatabaseError, beside, lay_out, read_header
 from .integrity import ROWS, has_checksums, remark, row_crcs
 from .rows import estimate_of, mark_whole_rows, places_on, same_heading, same_omega, writing
-from .schema import CHECKS, QUANTITIES, cell_axes
+from .schema import CELL_AXES, CHECKS, QUANTITIES
 
 GROUPS = ("qtf", "qtf_sum")
 
@@ -65,7 +65,7 @@ def take_over(old, new, anew=()):
     i = places_on(new, old["omega"], "omega")
     j = places_on(new, old["wave_direction"], "wave_direction")
     for name in (name for name in QUANTITIES if name in old and name not in anew):
-        axes = cell_axes(name)
+        axes = CELL_AXES[name]
         carried = old[name].shape[-1:] != new[name].shape[-1:] and QUANTITIES[name][0][-1] == "theta"
         for path in (p for p in (name, f"stored/{name}", estimate_of(name)) if p in old and p in new):
             value = np.asarray(new[path])

@@ -68,8 +68,8 @@ def quadrature(mesh, element, *counts):
 
     element : `Elements` of the mesh, for the shape functions
     """
-    rules = (_gauss(mesh.flat_vertices, count) for count in counts)
-    points, weights = (np.concatenate(parts, axis=1) for parts in zip(*rules, strict=True))
+    points, weights = zip(*[_gauss(mesh.flat_vertices, count) for count in counts], strict=True)
+    points, weights = np.concatenate(points, axis=1), np.concatenate(weights, axis=1)
     per_panel = element.inverse.shape[-1]
     shape = _monomials(element.axes, element.origins, points, per_panel) @ element.inverse
     return Quadrature(points, weights, np.ascontiguousarray(shape))
@@ -90,7 +90,7 @@ def _monomials(axes, origins, points, count):
 def _gauss(v, count):
     """Gauss points (n, count², 3) and weights (n, count²) on quadrilaterals v (n, 4, 3)."""
     u, w = np.polynomial.legendre.leggauss(count)
-    s, t = (a.ravel() for a in np.meshgrid(u, u, indexing="ij"))
+    s, t = np.reshape(np.meshgrid(u, u, indexing="ij"), (2, -1))
     w = np.outer(w, w).ravel()
     shape = 0.25 * np.stack([(1 - s) * (1 - t), (1 + s) * (1 - t), (1 + s) * (1 + t), (1 - s) * (1 + t)])
     ds = 0.25 * np.stack([-(1 - t), 1 - t, 1 + t, -(1 + t)])

@@ -14,6 +14,7 @@ from hakobune.meshing.text_files import read_text
 from ..keys.words import OTHER_NAMES
 
 Typed = typing.TypeVar("Typed")
+NESTED = dict | list | tuple
 ALIKE = 0.75  # similarity of letters above which a key counts as misspelt
 LARGEST = 8  # MB, which take some seconds
 WORDS = {
@@ -63,7 +64,9 @@ def without_none(value):
     """Nested dictionaries and lists without None, which TOML cannot represent"""
     if isinstance(value, dict):
         return {key: without_none(one) for key, one in value.items() if one is not None}
-    return [without_none(one) for one in value] if isinstance(value, list | tuple) else value
+    if isinstance(value, list | tuple):
+        return [without_none(one) if isinstance(one, NESTED) else one for one in value]
+    return value
 
 
 def differing(table):

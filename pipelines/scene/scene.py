@@ -62,12 +62,12 @@ class Scene(SceneTable, dict=True):  # dict=True: derived quantities are cached 
     modes: list[ModeTable] | None = None
     viscous: ViscousTable | None = None
 
-    @property
+    @cached_property
     def body(self):
         """The body, or the first of several"""
         return self.bodies[0]
 
-    @property
+    @cached_property
     def several(self):
         """Whether there are several bodies"""
         return len(self.bodies) > 1
@@ -92,15 +92,15 @@ class Scene(SceneTable, dict=True):  # dict=True: derived quantities are cached 
         keys = [key for key in SHAPES[self.body.shape] if key not in ("file", "block")]
         return {key: getattr(self.body, key) for key in keys}
 
-    @property
+    @cached_property
     def held(self):
         """Whether no body moves"""
-        return all(body.fixed for body in self.bodies)
+        return all([body.fixed for body in self.bodies])
 
-    @property
+    @cached_property
     def motions_known(self):
         """Whether bodies move, and the inertia is given for all moving bodies."""
-        return not self.held and all(body.gyration is not None for body in self.bodies if not body.fixed)
+        return not self.held and all([body.gyration is not None for body in self.bodies if not body.fixed])
 
     def omegas(self):
         """(n,) rad/s ascending; for a band its ends"""

@@ -49,25 +49,21 @@ def _prepare(problem):
 
 def _key(problem):
     """Hash of the values of a problem, to the last bit; derived quantities cached in its meshes do not count."""
-    digest = hashlib.sha256()
-    _add(digest, problem)
+    digest, left = hashlib.sha256(), [problem]
+    while left:  # kind, number of parts and parts of a value; arrays by shape and bytes: their text omits the middle
+        value = left.pop()
+        if isinstance(value, np.ndarray):
+            digest.update(f"{value.dtype.str} {value.shape} ".encode() + value.tobytes())
+            continue
+        if is_dataclass(value):
+            parts = [getattr(value, field.name) for field in fields(value)]
+        elif isinstance(value, dict):
+            parts = [*value, *value.values()]
+        elif isinstance(value, tuple | list):
+            parts = value
+        else:
+            digest.update(f"{value!r} ".encode())
+            continue
+        digest.update(f"{type(value).__name__} {len(parts)} ".encode())
+        left += parts
     return digest.hexdigest()
-
-
-def _add(digest, value):
-    """Kind, number of parts and parts of a value; arrays by shape and bytes, since their text omits the middle"""
-    if isinstance(value, np.ndarray):
-        digest.update(f"{value.dtype.str} {value.shape} ".encode() + value.tobytes())
-        return
-    if is_dataclass(value):
-        parts = [getattr(value, field.name) for field in fields(value)]
-    elif isinstance(value, dict):
-        parts = [*value, *value.values()]
-    elif isinstance(value, tuple | list):
-        parts = value
-    else:
-        digest.update(f"{value!r} ".encode())
-        return
-    digest.update(f"{type(value).__name__} {len(parts)} ".encode())
-    for part in parts:
-        _add(digest, part)
