@@ -10,8 +10,6 @@ Restoring coefficients are those of J. N. Newman, Marine Hydrodynamics (1977), s
 differ.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

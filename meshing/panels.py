@@ -5,8 +5,6 @@ A panel is a flat quadrilateral given by four point numbers, counter-clockwise s
 represented by its mean plane, which preserves the vector area and therefore the sums over a closed surface.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from functools import cached_property
 

@@ -9,8 +9,6 @@ the error of a constant-panel solution decreases with the square of the panel si
 order only.  The origin is the centre of the waterplane, and the hull ends at z = 0.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

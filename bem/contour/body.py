@@ -11,8 +11,6 @@ independent of frequency.  The functions of the plan are hierarchical in their d
 frequency that needs that degree or less.  A frequency solves one plane Helmholtz problem around the plan.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from functools import cached_property, wraps
 

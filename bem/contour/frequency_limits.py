@@ -4,8 +4,6 @@
 ω → 0    a rigid lid:             Zₙ = cos kₙζ,  kₙ = nπ/h,  and Z₀ = 1 with Laplace's equation in plan
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..modes import class_of

@@ -11,8 +11,6 @@ the class with net flux, as the multiplier of the conservation of volume under t
 together with its reflection and diffraction by a rigid plan contour: its normal velocity is zero.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -1,7 +1,5 @@
 """One frequency of a vertical-sided body by domain decomposition: forces, Haskind, Kochin functions."""
 
-from __future__ import annotations
-
 from functools import cached_property
 
 import numpy as np

@@ -15,8 +15,6 @@ tolerance 1e-3: near and far field differ by 5e-5 of the largest force on the fi
 5e-4 to 8e-4; in 2000 m by 4e-4 and 3e-2.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from functools import lru_cache
 

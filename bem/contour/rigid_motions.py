@@ -14,8 +14,6 @@ and under the keel a particular solution ψ, harmonic, at rest on the bed and mo
 Every α is admissible; that of the plan keeps ψ small on a long body, where cancellation would lose digits.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Boxes and vertical cylinders for the contour method, to a tolerance: afloat (`body`) or on the bed (`standing`)."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..problem import check_gap

@@ -5,8 +5,6 @@ cylinder held in a wave this is the solution of R. C. MacCamy and R. A. Fuchs (1
 has no velocities in a gap, and of its motions heave makes no waves.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from functools import cached_property
 

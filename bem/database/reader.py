@@ -17,8 +17,6 @@ bodies, all coupled; drift is that of the whole about the origin, and drift of e
 one of freely floating bodies.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple

@@ -18,8 +18,6 @@ Arrays over functions are ordered family by family: f = 3 · terms in all.  "Row
 the f of the gap, then additional ones (`outer_rows`, `inner_rows`).
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import NamedTuple

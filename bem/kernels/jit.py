@@ -7,8 +7,6 @@ through others (`sources`).  `kept` describes how kernels are stored and called 
 are compiled for the process alone, which a message reports.
 """
 
-from __future__ import annotations
-
 import gc
 import os
 import sys

@@ -8,8 +8,6 @@ A polynomial of 8 × 8 coefficients with its gradient takes 7.3 ns, by plain loo
 With the compiler off (NUMBA_DISABLE_JIT=1) the same names are the functions of `simd_plain`.
 """
 
-from __future__ import annotations
-
 import operator
 
 from llvmlite import ir

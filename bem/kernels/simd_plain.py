@@ -3,8 +3,6 @@
 A pointer is the flat view of an array, and a vector is an array of 8, 4 or 2 doubles.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 

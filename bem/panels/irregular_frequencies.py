@@ -12,8 +12,6 @@ A hull that stands on the bed, where ∂φ/∂z = 0, has κ tanh κd in place of
 the convex hull of the plan the one with the largest κ is used: rotating the hull does not change it.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..kernels.convex_hull import convex_hull

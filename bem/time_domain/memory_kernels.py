@@ -1,7 +1,5 @@
 """Compiled rate and force of `memory`: 0.1 µs each for 60 states, whatever the motions."""
 
-from __future__ import annotations
-
 from ..kernels.jit import kernel
 
 

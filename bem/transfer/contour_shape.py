@@ -7,8 +7,6 @@ with the velocity w in mode n sends
     b = −∮ w (f − N ∂f/∂n) ds / {π (1 + δₘ₀) W},    W the Wronskian of `partial_waves`
 """
 
-from __future__ import annotations
-
 from functools import cached_property
 from typing import NamedTuple
 

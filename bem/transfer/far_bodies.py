@@ -12,8 +12,6 @@ E, 20 to 40 of 150, so that
     (I − Q S T Q⁺) y = Q a₀ + Q S R v
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise, product

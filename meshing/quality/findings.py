@@ -5,8 +5,6 @@ lies in the water surface, on a mirror plane, on the sea bed under a body that s
 lie side by side without common corners (`seams`).
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from functools import cached_property

@@ -7,8 +7,6 @@ of triangles with corners a, b, c from p (Van Oosterom and Strackee, IEEE Transa
 images above the water, which close a hull with an open waterline: ±1 inside, 0 outside.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..hydrostatics import stands

@@ -8,8 +8,6 @@ waves of 16 values would be 1 % too low.
     width of the spectrum  ε² = 1 − m₂²/(m₀m₄) = 1 − (zero crossings / maxima)²   (Cartwright & Longuet-Higgins 1956)
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

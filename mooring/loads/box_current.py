@@ -17,8 +17,6 @@ the tests C_y increases as for ships (UFC 4-159-03, Design: Moorings, 2005, eq. 
     C = C₁ + (3.2 − C₁) ((d/H)² − (d/H₁)²) / (1 − (d/H₁)²),    C₁ of the shallowest test H₁
 """
 
-from __future__ import annotations
-
 import warnings
 from functools import cache, lru_cache
 

@@ -16,8 +16,6 @@ Quantities with a history (`mooring.fenders.hysteresis`, u) keep their value fro
 the value at the end of the step.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -12,8 +12,6 @@ curves on which a sinker lifts, a buoy dives or the part above a sinker is taut,
 greatest chord, at which the line is taut, its pull increases with its stiffness there.
 """
 
-from __future__ import annotations
-
 import heapq
 from typing import NamedTuple
 

@@ -7,8 +7,6 @@ ramp as every load is.
 Drift by half waves (`mooring.response.slow_drift.half_wave_drift`; SR179 report (1982), eq. 3.7.1.5) is such a force.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from warnings import warn
 

@@ -13,8 +13,6 @@ bends the point of a link moves by R Σ ξ u and its axes turn by exp(Σ ξ w), 
 among the motions ν.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

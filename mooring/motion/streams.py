@@ -5,8 +5,6 @@
 F has six components: forces act at their own height (`loads.on_hull`; SR179 report, 1982, eq. 3.7.1.8).
 """
 
-from __future__ import annotations
-
 import warnings
 from typing import NamedTuple
 

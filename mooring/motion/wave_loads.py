@@ -15,8 +15,6 @@ Each of several bodies has its own slow pose, and the origin moves with it: the 
 those of the positions at rest, which is valid while the distances change little.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple

@@ -2,8 +2,6 @@
 and wave.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -5,8 +5,6 @@ measured from still water, and the bed lies `water.depth` below it under the anc
 key, value and allowed values.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import msgspec

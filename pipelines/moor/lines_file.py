@@ -6,8 +6,6 @@ Each line runs from an anchor to the only body of the file, the hull of the stud
 `lines_body` names it.  The tables become part of the study, of a state of a design and of a result.
 """
 
-from __future__ import annotations
-
 import math
 import warnings
 from pathlib import Path

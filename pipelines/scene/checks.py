@@ -1,7 +1,5 @@
 """Checks of a scene: every fault is one line that names key, value and the allowed values."""
 
-from __future__ import annotations
-
 import math
 from functools import partial
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Choice of the method for a scene: capabilities of each method, and the choice by `auto`."""
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 

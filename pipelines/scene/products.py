@@ -1,7 +1,5 @@
 """Names of results: names in the database, and words for groups of these names."""
 
-from __future__ import annotations
-
 from hakobune.bem import POWER
 from hakobune.bem.database.schema import NEEDS_MOTION, ONLY_BY_NAME, QUANTITIES
 from hakobune.bem.drift import OF_EACH

@@ -4,8 +4,6 @@ Flags of the commands and scene files give the same `Scene`; every fault is one 
 values.  Angles are in degrees here, as everywhere in this package and nowhere below it.
 """
 
-from __future__ import annotations
-
 import math
 from functools import cached_property
 from pathlib import Path

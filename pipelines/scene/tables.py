@@ -1,7 +1,5 @@
 """Tables of a scene with their keys, units and defaults (`scene.Scene` joins them), and the numbers of their lists."""
 
-from __future__ import annotations
-
 import math
 
 import msgspec

@@ -1,7 +1,5 @@
 """Several bodies of a scene: from hulls in their own coordinates to one mesh, and back."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

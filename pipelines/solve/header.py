@@ -1,7 +1,5 @@
 """The header of a new database: mesh, hydrostatics and inertia of the body, angles of its Kochin functions."""
 
-from __future__ import annotations
-
 from contextlib import contextmanager
 
 import numpy as np

@@ -5,8 +5,6 @@ panel or two; the counts of `meshing.shapes` are over half the length, half the 
 quarter of the circumference, the radius and the draft of a buoy.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Tables at the end of a run and of `hakobune check`, on the terminal."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -5,8 +5,6 @@ Points on the side are those of `bem.contour.side_flow` times the nodes of the c
 them: their contour and functions are those needed for the shortest waves.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 

@@ -12,8 +12,6 @@ Nearer than START of the smallest of draft, gap and radius the flow is that of t
 U the speed of the keel's edge outwards and b the rate at which it turns, as on the side (`bem.contour.side_flow`).
 """
 
-from __future__ import annotations
-
 from functools import cached_property
 
 import numpy as np

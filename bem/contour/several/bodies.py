@@ -5,8 +5,6 @@ plans together (`exterior`), and the functions ψ, the nodes and the table in κ
 bodies requires.  Errors are estimated from finer bodies, as for one body.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import product

@@ -1,7 +1,5 @@
 """Galerkin equations of several bodies: `matching.FixedTerms` of all bodies and classes in one system."""
 
-from __future__ import annotations
-
 from itertools import pairwise, product
 
 import numpy as np

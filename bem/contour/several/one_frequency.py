@@ -4,8 +4,6 @@ Unknowns are the velocities in all gaps, body by body, the e profiles of one tim
 each body.  Results are in coordinates of the scene, motions about its origin, body by body.
 """
 
-from __future__ import annotations
-
 from functools import cached_property
 
 import numpy as np

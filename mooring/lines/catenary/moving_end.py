@@ -10,8 +10,6 @@ Lines that lay on the bed a moment before are solved eight at once, in vectors, 
 last changes more than CLOSE is then solved alone, like those in other states.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

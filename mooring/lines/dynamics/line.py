@@ -1,7 +1,5 @@
 """A mooring line for dynamics as a value: segments, bodies between them, the anchor and the bed."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 

@@ -1,7 +1,5 @@
 """Parts of a line: uniform segments with constant stiffness or a tension table, and point loads."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from typing import Any
 

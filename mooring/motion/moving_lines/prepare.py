@@ -1,7 +1,5 @@
 """Lines of a System, with segments, sinkers and buoys, as lines that move by equations of their own."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.bem.modes import turned

@@ -1,7 +1,5 @@
 """Loads on a body in a run: components of its waves, streams of wind and current, given forces."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from ...environment.sea import Components, joined

@@ -1,7 +1,5 @@
 """A moored body, ready for simulation: everything independent of the weather is prepared once, for all seeds."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 

@@ -1,7 +1,5 @@
 """One seed of a moored body in time."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import NamedTuple
 

@@ -14,8 +14,6 @@ ropes in their quasi-static regime, every second one differed by more than a ten
 (`tests/bench/line_regimes.py`).
 """
 
-from __future__ import annotations
-
 import time
 from dataclasses import replace
 from typing import NamedTuple

@@ -6,8 +6,6 @@ so that the steps after an instant and those before it cost the same two sums.  
 eight steps at once, in a fixed order: a sum has the same bits whatever is summed beside it.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.bem.kernels.jit import kernel

@@ -12,8 +12,6 @@ current of components U, W changes at the rate r (W, −U).  With T of the body 
 so that a body that drifts with the current moves as in water at rest.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -10,8 +10,6 @@ h such that a node at rest has p = h and lies on the bed; damping c min(1, p/h) 
 the elastic displacement s of the node along the bed, −μN s/δ with |s| ≤ δ (elastic up to δ, then sliding).
 """
 
-from __future__ import annotations
-
 import math
 
 from hakobune.bem.kernels.jit import kernel
