@@ -251,6 +251,43 @@ def test_hours_of_downtime_at_model_scale_are_printed_with_three_digits_and_kept
     compare(["downtime", "study.toml", "--database", "box.h5"], found, capsys)
 
 
+def test_a_design_at_model_scale_is_printed_with_three_digits_and_kept_with_all(capsys, there, tank, monkeypatch):
+    """The whole command; of its page, every number of the load cases that its table of cases has with all digits"""
+    for name in ("body_picture", "use_picture", "plans"):
+        monkeypatch.setattr(f"hakobune.pipelines.design.report.{name}", lambda *given: "")
+    (there / "box.h5").symlink_to(tank[0])
+    study = scaled(of("moor_chain_12"))
+    study = {key: value for key, value in study.items() if key not in ("waves", "wind", "current")}
+    storm = {"wind": {"speed": root(30.0)}, "waves": {"height": SCALE, "period": root(7.0)}}
+    states = [
+        {"name": "storm", "state": "abnormal", "incidence_deg": [60.0]} | storm,
+        {"name": "work", "state": "normal", "incidence_deg": [30.0], "current": {"speed_knots": root(1.0)}},
+    ]
+    files = {"study": "study.toml", "database": "box.h5", "service_life": 20.0, "probability": 0.8}
+    rules = [{"rule": "JSCE", "subject": "chain of a multi-point mooring"}]
+    project = {"project": {"name": "tank"} | files, "states": states, "rules": rules}
+    for name, tables in (("study", study), ("project", project)):
+        (there / f"{name}.toml").write_text(tomli_w.dumps(tables))
+    words = ["design", "project.toml", "--output", "out", "--no-advice"]
+    compare(words, hakobune.design("project.toml", "out", advice=False), capsys)
+
+    page = re.sub(r"(?s)<style.*?</style>|<pre.*?</pre>", "", (there / "out" / "report.html").read_text())
+    page = re.sub(r"<[^>]+>", " ", page)
+    shown = np.array(sorted(numbers(re.split(r"[\s,;()]+", page))))
+    rows = [line for line in (there / "out" / "cases.csv").read_text().splitlines() if not line.startswith("#")]
+    cases = list(csv.DictReader(rows))
+    assert len(cases) == 2
+    for case in cases:
+        turned = abs(float(case["yaw_deg"]))
+        kept = {name: float(case[name]) for name in ("excursion_m", "largest_tension_N", "horizontal_at_anchor_N")}
+        for name, value in (
+            kept | {"yaw": turned, "offset": math.hypot(float(case["x_m"]), float(case["y_m"]))}
+        ).items():
+            size = 1e-3 if name.endswith("_N") else 1.0
+            assert np.isclose(np.abs(shown), size * value, rtol=5.1e-3, atol=0.0).any(), (name, value)
+    assert not LOST.findall(page)
+
+
 def test_a_sweep_at_model_scale_is_printed_with_three_digits_and_kept_with_all(capsys, there):
     speeds = [root(0.1), root(0.15)]
     sweep = {"command": "berth", "study": "berth.toml", "vary": [{"key": "approach.speed", "values": speeds}]}
