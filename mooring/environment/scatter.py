@@ -15,8 +15,9 @@ from pathlib import Path
 import numpy as np
 
 from .allowed import rising
+from .logger_files import read_table
 from .periods import KINDS
-from .tables import TableError, read_table
+from .tables import TableError
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,7 +60,7 @@ class Scatter:
 
 def read_scatter(path):
     """Scatter of a CSV file.  Raises TableError."""
-    names, values = read_table(Path(path), blank=0.0)
+    names, values, _ = read_table(Path(path), blank=0.0)
     if names is None:
         raise TableError(f"{path} begins with a number; allowed: {', '.join(KINDS)}, then periods in s")
     kind, *periods = names

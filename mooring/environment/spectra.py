@@ -25,9 +25,10 @@ from pathlib import Path
 import numpy as np
 
 from .allowed import positive, within
+from .logger_files import read_table
 from .periods import KINDS, the_one_period
 from .spectrum import Peaked, Spectrum, Tabulated
-from .tables import TableError, read_table
+from .tables import TableError
 
 __all__ = [
     "FAMILIES",
@@ -124,7 +125,7 @@ def read_spectrum(path):
     Raises TableError.
     """
     path = Path(path)
-    names, values = read_table(path)
+    names, values, _ = read_table(path)
     for (frequency, density), factor in COLUMNS.items():
         if names and {frequency, density} <= set(names):
             omega, values = values[:, names.index(frequency)] * factor, values[:, names.index(density)] / factor

@@ -1,44 +1,12 @@
-"""Tables of numbers from text files: lines with `#` are comments, the first row may contain names and units.
-
-Where semicolons separate columns a comma is a decimal mark, as in files of loggers.
-"""
+"""Columns of a table of numbers (`logger_files` reads it): their units, and times at equal steps."""
 
 import re
-from pathlib import Path
 
 import numpy as np
-
-from hakobune.meshing.text_files import is_number, read_text
 
 
 class TableError(ValueError):
     """A file cannot be read as a table; the message names the file, the place and the allowed values."""
-
-
-def read_table(path, blank=None):
-    """Names (a list, or None) and values (n, m) of a file with columns separated by commas, semicolons or blanks.
-
-    blank : value of an empty place; None allows none
-    Raises TableError.
-    """
-    path = Path(path)
-    text = read_text(path, TableError)
-    text = _decimal_points(text)
-    lines = [line for line in text.splitlines() if _has_data(line)]
-    if not lines:
-        raise TableError(f"{path} has no rows; give rows of numbers")
-    names = None if is_number(_split(lines[0])[0]) else _split(lines.pop(0))
-    if not lines:
-        raise TableError(f"{path} has no rows of numbers")
-    width = len(names or _split(lines[0]))
-    values = _all_numbers(lines, width)
-    return names, _row_by_row(path, text, names is not None, width, blank) if values is None else values
-
-
-def _decimal_points(text):
-    """A text with decimal commas, between two digits, replaced by points, where semicolons separate its columns"""
-    first = next((line for line in text.splitlines() if _has_data(line) and not line.strip()[0].isalpha()), "")
-    return re.sub(r"(?<=\d),(?=\d)", ".", text) if ";" in first else text
 
 
 COARSEST, ROUNDED = 0.25, 0.6  # last digit of times over a step; what rounding leaves, over the last digit, with room
@@ -61,29 +29,6 @@ def unit_of(path, name, kind):
         return known[bracket[1]]
     ending = re.search(r"[_ ,/]\s*([A-Za-z]+)\s*$", name)
     return known.get(ending[1], 1.0) if ending else 1.0
-
-
-def _all_numbers(lines, width):
-    """(n, m) values of rows with one kind of separator, ten times as fast as row by row; None for others"""
-    mark = next((mark for mark in (";", ",") if mark in lines[0]), None)
-    try:
-        values = np.loadtxt(lines, delimiter=mark, comments=None, ndmin=2)
-    except ValueError:
-        return None
-    return values if values.shape == (len(lines), width) and np.all(np.isfinite(values)) else None
-
-
-def _row_by_row(path, text, named, width, blank):
-    """(n, m) values of a text, without the first line of data if `named`; TableError for the first wrong value"""
-    values, rows = [], ((number, line) for number, line in enumerate(text.splitlines(), 1) if _has_data(line))
-    if named:
-        next(rows)
-    for number, line in rows:
-        row = _split(line)
-        if len(row) != width:
-            raise TableError(f"{path}: line {number} has {len(row)} columns; allowed: {width}, as in the first line")
-        values.append([_number(path, number, word, blank) for word in row])
-    return np.array(values)
 
 
 def column_of(path, names, wanted):
@@ -111,24 +56,24 @@ def without_rounding(time):
     return even if last <= COARSEST * step and np.abs(time - even).max() <= ROUNDED * last else time
 
 
-def check_even(path, time, off):
-    """Raise TableError where the times (n,) of a table have uneven steps; `off` is the tolerance over a step"""
+def check_even(path, time, off, lines):
+    """Raise TableError where the times (n,) of a table, at `lines` (n,) of its file, have steps uneven beyond `off` of
+    a step"""
     steps = np.diff(time)
     if len(steps) and not np.all(np.abs(steps - np.median(steps)) <= off * np.median(steps)):
-        raise fault_of_steps(path, time, off)
+        raise fault_of_steps(path, time, off, lines)
 
 
-def fault_of_steps(path, time, off, lines=None):
+def fault_of_steps(path, time, off, lines):
     """`TableError` for times (n,) of a table with steps uneven beyond `off` of a step: its line and a remedy
 
-    lines : (n,) line numbers in the file, where `line_of` does not apply
+    lines : (n,) line numbers in the file
     """
     steps = np.diff(time)
     usual = float(np.median(steps))
     falling, wrong = np.flatnonzero(steps <= 0), np.flatnonzero(np.abs(steps - usual) > off * abs(usual))
     i = int(falling[0]) if len(falling) else int(wrong[0]) if len(wrong) else int(np.argmax(np.abs(steps - usual)))
-    line = line_of(path, i + 1) if lines is None else lines[i + 1]
-    where, a, b = f"{path}: line {line}", time[i], time[i + 1]
+    where, a, b = f"{path}: line {lines[i + 1]}", time[i], time[i + 1]
     if len(falling):
         moved = f"stays at {a:g} s" if a == b else f"goes back from {a:.8g} to {b:.8g} s"
         return TableError(
@@ -145,34 +90,3 @@ def fault_of_steps(path, time, off, lines=None):
         f"{told}, from {steps.min():.4g} to {steps.max():.4g} s in the file; allowed: equal steps; interpolate "
         f"to equal steps"
     )
-
-
-def line_of(path, row):
-    """Line number, from 1, in the file of a row of numbers, from 0, as read by `read_table`"""
-    lines = [(n, line) for n, line in enumerate(read_text(Path(path), TableError).splitlines(), 1) if _has_data(line)]
-    named = not is_number(_split(lines[0][1])[0])
-    return lines[row + named][0]
-
-
-def _has_data(line):
-    return line.strip() and not line.lstrip().startswith("#")
-
-
-def _split(line):
-    line = line.strip()
-    for mark in (";", ","):
-        if mark in line:
-            return [word.strip() for word in line.split(mark)]
-    return re.split(r"\s+", line)
-
-
-def _number(path, line, word, blank):
-    if word == "" and blank is not None:
-        return blank
-    try:
-        value = float(word)
-    except ValueError:
-        value = np.nan
-    if not np.isfinite(value):
-        raise TableError(f"{path}: line {line} has {word!r}; allowed: finite numbers; fill in the value")
-    return value

@@ -12,7 +12,8 @@ from warnings import warn
 
 import numpy as np
 
-from ..environment.tables import TableError, fault_of_steps, line_of, read_table
+from ..environment.logger_files import read_table
+from ..environment.tables import TableError, fault_of_steps
 from ..environment.wave_records import UNEVEN, real_sum
 from ..on_current.body import carrier_of_body
 from ..on_current.waves import absolute_frequency
@@ -55,7 +56,7 @@ def read_force(path):
 
     Steps may be of any length; one of GAP usual ones causes a warning.  raises : TableError with the file and the line
     """
-    names, values = read_table(path)
+    names, values, lines = read_table(path)
     if names is None or sorted(names) != sorted(COLUMNS):
         shown = "no column names in its first row" if names is None else f"the columns {', '.join(names)}"
         raise TableError(f"{path} has {shown}; allowed: {', '.join(COLUMNS)}; rename them")
@@ -64,11 +65,11 @@ def read_force(path):
     if len(t) < 2:
         raise TableError(f"{path} has one row; allowed: 2 or more")
     if steps.min() <= 0:
-        raise fault_of_steps(path, t, UNEVEN)
+        raise fault_of_steps(path, t, UNEVEN, lines)
     i, usual = int(steps.argmax()), float(np.median(steps))
     if steps[i] > GAP * usual:
         warn(
-            f"{path}: line {line_of(path, i + 1)}: no force is given from {t[i]:g} to {t[i + 1]:g} s, and the "
+            f"{path}: line {lines[i + 1]}: no force is given from {t[i]:g} to {t[i + 1]:g} s, and the "
             f"step elsewhere is {usual:g} s; the gap is interpolated",
             stacklevel=2,
         )

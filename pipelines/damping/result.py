@@ -67,10 +67,11 @@ def damping(record: File | dict[str, np.ndarray | Sequence[float]], *, mass: flo
 
 def read_record(path: File) -> dict[str, np.ndarray]:
     """{column: (n,) array} of a CSV.  Raises ValueError."""
-    from hakobune.mooring.environment.tables import check_even, read_table, without_rounding
+    from hakobune.mooring.environment.logger_files import read_table
+    from hakobune.mooring.environment.tables import check_even, without_rounding
     from hakobune.mooring.identification.record import UNEVEN
 
-    names, values = read_table(path)
+    names, values, lines = read_table(path)
     if (decay := _decay_by_units(path, names, values)) is not None:
         names, values = decay
     wrong = [name for name in names or () if name not in COLUMNS]
@@ -82,7 +83,7 @@ def read_record(path: File) -> dict[str, np.ndarray]:
         )
     columns = dict(zip(names, values.T, strict=True))
     columns["time_s"] = without_rounding(columns["time_s"])
-    check_even(path, columns["time_s"], UNEVEN)
+    check_even(path, columns["time_s"], UNEVEN, lines)
     return columns
 
 

@@ -196,11 +196,12 @@ def _spectrum(table):
 
 
 def _ground(table, folder):
-    from hakobune.mooring.environment.tables import TableError, check_even, read_table
+    from hakobune.mooring.environment.logger_files import read_table
+    from hakobune.mooring.environment.tables import TableError, check_even
 
     path = folder / table.file
     try:
-        names, values = read_table(path)
+        names, values, lines = read_table(path)
     except TableError as error:
         raise StudyError(str(error)) from None
     names = [name.strip() for name in names or ()]
@@ -215,7 +216,7 @@ def _ground(table, folder):
     scale = positive("record.scale", table.scale) * COLUMNS[known[0]]
     time, shaken = values[:, names.index("time_s")], scale * values[:, names.index(known[0])]
     try:
-        check_even(path, time, UNEVEN)
+        check_even(path, time, UNEVEN, lines)
     except TableError as error:
         raise StudyError(str(error)) from None
     try:

@@ -14,7 +14,8 @@ import msgspec
 
 from hakobune.mooring.environment.allowed import positive
 from hakobune.mooring.environment.current_profile import CurrentProfile
-from hakobune.mooring.environment.tables import column_of, read_table
+from hakobune.mooring.environment.logger_files import read_table
+from hakobune.mooring.environment.tables import column_of
 from hakobune.mooring.environment.wind_profile import TEN_MINUTES, speed_10
 from hakobune.mooring.response.return_period import probability_not_exceeded, return_period
 from hakobune.mooring.site.extremes import Extreme, extreme
@@ -256,6 +257,6 @@ def _extreme(where, table, given, years, confidence, folder, findings):
 def _maxima(table, folder):
     if table.maxima is not None:
         return table.maxima
-    names, values = read_table(Path(folder) / table.file)
+    names, values, _ = read_table(Path(folder) / table.file)
     column = -1 if table.column is None else column_of(table.file, names, table.column)
     return values[:, column]

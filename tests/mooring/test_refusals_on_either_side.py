@@ -8,9 +8,10 @@ import pytest
 from hakobune.mooring.criteria.rules import RuleError, of_rule
 from hakobune.mooring.criteria.strength import equipment_number
 from hakobune.mooring.downtime.clock import _offsets
+from hakobune.mooring.environment.logger_files import read_table
 from hakobune.mooring.environment.spectrum_estimate import estimate
 from hakobune.mooring.environment.spreading import Mitsuyasu
-from hakobune.mooring.environment.tables import TableError, read_table
+from hakobune.mooring.environment.tables import TableError
 from hakobune.mooring.fenders.fender import FenderError, fender_of_points
 from hakobune.mooring.fenders.inclined import inclined
 from hakobune.mooring.lines.catalogue import line_type

@@ -8,12 +8,13 @@ import pytest
 
 from hakobune.mooring.environment.current_profile import power_law, table, wind_drift
 from hakobune.mooring.environment.gusts import MissingVariance, davenport, gust_components, hino, kaimal, npd
+from hakobune.mooring.environment.logger_files import read_table
 from hakobune.mooring.environment.scatter import Scatter
 from hakobune.mooring.environment.sea import Sea, linear_weights
 from hakobune.mooring.environment.spectra import issc, jonswap, jonswap_fetch, tabulated
 from hakobune.mooring.environment.spectrum import Peaked
 from hakobune.mooring.environment.spreading import CosinePower, HalfCosinePower, Mitsuyasu, WrappedNormal
-from hakobune.mooring.environment.tables import TableError, column_of, read_table, unit_of
+from hakobune.mooring.environment.tables import TableError, column_of, unit_of
 from hakobune.mooring.environment.wave_records import Record, components_of, read_record
 from hakobune.mooring.environment.wind_profile import froya_speed_at, mean_over, speed_at
 from hakobune.mooring.seas.breaking import BreakingError, too_high
@@ -290,7 +291,7 @@ def test_a_unit_in_a_name_is_what_it_is(name, kind, factor):
 
 def test_a_table_has_decimal_commas_between_semicolons_and_a_fault_has_its_line(tmp_path):
     path = written(tmp_path, "# of a logger\nt;eta\n0,5;1,25\n1;-3\n")
-    names, values = read_table(path)
+    names, values, _ = read_table(path)
     assert names == ["t", "eta"] and values.tolist() == [[0.5, 1.25], [1.0, -3.0]]
     assert column_of(path, names, "eta") == 1
     with pytest.raises(TableError, match="line 4 has 3 columns; allowed: 2"):
