@@ -25,8 +25,8 @@ def berth(
     hakobune berth berth_tanker.toml --plot berth.png
     """
     from ..common.picture import PLOTS, check_picture
+    from ..results.output import finish
     from ..results.records import check_records, write_records
-    from ..results.tables import printed
     from .result import berth
 
     if measured == (study is not None):
@@ -37,32 +37,22 @@ def berth(
         given = [name for name, value in (("database", database), ("output", output), ("plot", plot)) if value]
         if given:
             raise ValueError(f"--{given[0]} is given with --measured; it needs a study")
-        return printed(fifty())
+        return finish(fifty())
     check_records(output, "berth", [study, *([database] if database else [])])
     check_picture(plot, PLOTS)
     result = berth(study, database)
-    approach, course = result.detail
-    written = [path for path in (output, plot) if path is not None and course is not None]
-    if output in written:
-        write_records(result, output)
-    if plot in written:
-        _draw(approach, course, plot)
-    status = printed(result)
-    for path in written:
-        print(path)
-    return status
+    in_time = result.detail[1] is not None
+    return finish(result, *([(output, write_records), (plot, _draw)] if in_time else []))
 
 
-def _draw(approach, course, path):
-    """Forces and deflections of the fenders, and energies, in time
-
-    approach : `study.Approach`; course : `mooring.berthing.memory.Berthing`
-    """
+def _draw(result, path):
+    """Forces and deflections of the fenders, and energies, in time"""
     from matplotlib.figure import Figure
 
     from ..common.picture import save
     from ..common.units import KN
 
+    approach, course = result.detail  # `study.Approach`, `mooring.berthing.memory.Berthing`
     figure = Figure(figsize=(8.0, 8.0), layout="constrained")
     force, deep, energy = figure.subplots(3, sharex=True)
     for k, (fender, x, _) in enumerate(approach.meetings):

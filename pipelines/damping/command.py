@@ -31,7 +31,7 @@ def damping(
 
     check_picture(plot, PLOTS)
     result = damping(record, mass=None if mass is None else 1e3 * mass)
-    return finish(result, plot=plot, draw=_draw)
+    return finish(result, (plot, _draw))
 
 
 def _draw(result, path):

@@ -25,28 +25,21 @@ def earthquake(
     """
     from ..common.picture import PLOTS, check_picture
     from ..common.quantities import StudyError
+    from ..results.output import finish
     from ..results.records import check_records, is_hdf5, write_records
-    from ..results.tables import printed
     from .result import earthquake
 
     check_records(output, "earthquake", [study, *([database] if database else [])])
     check_picture(plot, PLOTS)
     result = earthquake(study, database)
-    run = "course.body" in result
     if output is not None and not is_hdf5(output) and result.detail.ground is None:
         raise StudyError(
             "--output is a time series, which needs [record] in the study; give [record], or an .h5 file as --output"
         )
-    written = [path for path in (output, plot) if path is not None and (run or path != output or is_hdf5(output))]
-    if output in written:
-        write_records(result, output)
-    if plot is not None:
-        _draw(result, plot)
-    status = printed(result)
-    if output is not None and output not in written:
+    kept = output is None or "course.body" in result or is_hdf5(output)
+    status = finish(result, (output if kept else None, write_records), (plot, _draw))
+    if not kept:
         print(f"warning: {output} is not written, since the record gave no time series")
-    for path in written:
-        print(path)
     return status
 
 

@@ -60,7 +60,7 @@ def fender(
     check_picture(plot, PLOTS)
     joules = None if energy is None else 1e3 * energy
     result = fender(FenderTable(height=height, **given), strain=strain, deflection=deflection, energy=joules)
-    return finish(result, plot=plot, draw=_draw)
+    return finish(result, (plot, _draw))
 
 
 def _draw(result, path):

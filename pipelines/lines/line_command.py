@@ -6,7 +6,7 @@ from hakobune.mooring.lines.one_line import tension_curve
 
 from ..common.picture import PLOTS, check_picture, save
 from ..common.units import KN
-from ..results.output import check_result, finish
+from ..results.output import check_result, finish, write_result
 from .line_result import line
 
 
@@ -17,7 +17,7 @@ def line_command(output, plot, **words):
     """
     check_result(output, "line")
     check_picture(plot, PLOTS)
-    return finish(line(**words), output, plot, draw)
+    return finish(line(**words), (output, write_result), (plot, draw))
 
 
 def draw(result, path):

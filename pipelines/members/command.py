@@ -23,7 +23,7 @@ def members(
     from .result import members
 
     check_picture(plot, PLOTS)
-    return finish(members(study), plot=plot, draw=_draw)
+    return finish(members(study), (plot, _draw))
 
 
 def _draw(result, path):

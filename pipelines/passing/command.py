@@ -26,8 +26,7 @@ def passing(
 
     from ..common.outputs import check_ending
     from ..common.picture import PLOTS, check_picture
-    from ..results.output import check_result
-    from ..results.tables import printed
+    from ..results.output import check_result, finish, write_result
     from .result import passing
 
     check_picture(plot, PLOTS)
@@ -35,32 +34,23 @@ def passing(
         check_ending(forces, (".csv",))
         check_place(forces)
     check_result(output, "passing", [study])
-    result = passing(study)
-    if forces is not None:
-        _table(result.detail.in_time, forces)
-    if output is not None:
-        result.write(output)
-    if plot is not None:
-        _draw(result.detail, plot)
-    status = printed(result)
-    for path in (path for path in (forces, output, plot) if path is not None):
-        print(path)
-    return status
+    return finish(passing(study), (forces, _table), (output, write_result), (plot, _draw))
 
 
-def _table(given, path):
+def _table(result, path):
     """A CSV file that `[[simulation.force]]` reads"""
     import numpy as np
 
     from hakobune.meshing.whole_files import write_whole
     from hakobune.mooring.motion.given_forces import COLUMNS
 
+    given = result.detail.in_time
     rows = np.column_stack([given.times, given.force])
     lines = [",".join(COLUMNS), *(",".join(f"{value:.10g}" for value in row) for row in rows)]
     write_whole(path, ("\n".join(lines) + "\n").encode())
 
 
-def _draw(passage, path):
+def _draw(result, path):
     """Surge and sway over the place of the passing ship, yaw below"""
     from matplotlib.figure import Figure
 
@@ -68,7 +58,7 @@ def _draw(passage, path):
     from ..common.units import KN
     from .result import LARGEST
 
-    figure = Figure(figsize=(8.0, 6.0), layout="constrained")
+    passage, figure = result.detail, Figure(figsize=(8.0, 6.0), layout="constrained")
     above, below = figure.subplots(2, 1, sharex=True)
     for name, style in (("surge", "-"), ("sway", "--")):
         above.plot(passage.stagger, passage.force[:, LARGEST[name]] / KN, style, label=name)

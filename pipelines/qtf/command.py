@@ -44,7 +44,7 @@ def qtf(
     from hakobune.bem.database import open_database
 
     from ..common.picture import PLOTS, check_picture
-    from ..results.tables import printed
+    from ..results.output import finish
     from .question import listed
     from .result import qtf as found
 
@@ -58,11 +58,10 @@ def qtf(
         headings=None if heading is None else np.radians(listed("--heading", heading)), sums=sums, fixed=fixed,
         moored=moored, level=level, method=method, fresh=fresh,
     )  # fmt: skip
-    if plot is not None:
+
+    def drawn(result, path):
         from .plot import draw
 
-        draw(result.detail, db, plot)
-    status = printed(result)
-    if plot is not None:
-        print(plot)
-    return status
+        draw(result.detail, db, path)
+
+    return finish(result, (plot, drawn))

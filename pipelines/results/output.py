@@ -27,19 +27,18 @@ def write_result(result, path):
         result.write(path)
 
 
-def finish(result, output=None, plot=None, draw=None):
-    """Write, draw and print a result, then print the names of its files; returns the exit status
+def finish(result, *files):
+    """Write the files of a result and print it, then print their names; returns the exit status
 
-    output, plot : paths that were checked before, or None; draw : function of a result and a path
+    files : (path, function of the result and the path), paths that were checked before; None for a file not wanted
     """
     from .tables import printed
 
-    if output is not None:
-        write_result(result, output)
-    if plot is not None:
-        draw(result, plot)
+    files = [(path, write) for path, write in files if path is not None]
+    for path, write in files:
+        write(result, path)
     status = printed(result)
-    for path in (path for path in (output, plot) if path is not None):
+    for path, _ in files:
         print(path)
     return status
 

@@ -59,8 +59,7 @@ def sections(
 
 def _side_by_side(study, output, flags):
     """The result of a study, printed and written; returns the exit status"""
-    from ..results.output import check_result, write_result
-    from ..results.tables import printed
+    from ..results.output import check_result, finish, write_result
     from .result import sections
 
     given = [flag for flag, text in flags.items() if text is not None]
@@ -68,12 +67,7 @@ def _side_by_side(study, output, flags):
         raise ValueError(f"{given[0]} is given and {study}; allowed: {given[0]} without a study")
     if output is not None:
         check_result(output, "sections", [study])
-    result = sections(study)
-    status = printed(result)
-    if output is not None:
-        write_result(result, output)
-        print(output)
-    return status
+    return finish(sections(study), (output, write_result))
 
 
 def _listed(flag, text):

@@ -33,8 +33,7 @@ def waves(
 
     from ..common.outputs import DATABASE, check_ending
     from ..common.picture import PLOTS, check_picture
-    from ..results.output import check_result
-    from ..results.tables import printed
+    from ..results.output import check_result, finish
     from .result import waves
 
     if output is not None:
@@ -47,16 +46,13 @@ def waves(
     result = waves(
         database, period=period, omega=omega, heading=math.radians(heading), fixed=fixed, width=width, at=spots
     )
-    if output is not None:
-        _write(output, result)
-    if plot is not None:
-        from .picture import draw
+    return finish(result, (output, _write), (plot, _draw))
 
-        draw(plot, result.detail)
-    status = printed(result)
-    for path in (path for path in (output, plot) if path is not None):
-        print(path)
-    return status
+
+def _draw(result, path):
+    from .picture import draw
+
+    draw(path, result.detail)
 
 
 def _spot(text):
@@ -71,7 +67,7 @@ def _spot(text):
     return values
 
 
-def _write(output, result):
+def _write(result, output):
     """The points of the map as CSV, or the whole result"""
     import numpy as np
 

@@ -26,7 +26,7 @@ def passage(opposite=False):
 
 def test_forces_are_drawn_over_the_place_of_the_other_ship_in_kilonewtons(pictures, tmp_path):
     """Surge and sway above, yaw below, each of both parts together"""
-    command._draw(passage(), tmp_path / "p.png")
+    command._draw(SimpleNamespace(detail=passage()), tmp_path / "p.png")
     above, below = pictures[0].axes
     surge, sway = above.lines
     assert surge.get_xydata() == pytest.approx(np.array([[-20, 1.5], [0, -4.5], [20, 3.0]]))
@@ -42,7 +42,7 @@ def test_forces_are_drawn_over_the_place_of_the_other_ship_in_kilonewtons(pictur
 )
 def test_the_table_has_the_forces_in_the_order_of_their_times(tmp_path, opposite, first):
     """40 m at 2 m/s take 20 s; a ship that comes from ahead passes the places the other way round"""
-    command._table(passage(opposite).in_time, tmp_path / "f.csv")
+    command._table(SimpleNamespace(detail=passage(opposite)), tmp_path / "f.csv")
     lines = (tmp_path / "f.csv").read_text().splitlines()
     assert lines[0] == "t,Fx,Fy,Fz,Mx,My,Mz" and lines[1] == first
     assert lines[2] == "10,-4500,12000,7.5,9,10.5,0" and lines[3].startswith("20,") and len(lines) == 4
@@ -66,8 +66,8 @@ def test_what_was_asked_for_is_written_and_named_in_order(tmp_path, monkeypatch,
     kept = []
     found = SimpleNamespace(detail=SimpleNamespace(in_time="rows"), write=lambda path: kept.append(("result", path)))
     monkeypatch.setattr(result, "passing", lambda path: found)
-    monkeypatch.setattr(command, "_table", lambda rows, path: kept.append((rows, path)))
-    monkeypatch.setattr(command, "_draw", lambda detail, path: kept.append((detail, path)))
+    monkeypatch.setattr(command, "_table", lambda made, path: kept.append((made.detail.in_time, path)))
+    monkeypatch.setattr(command, "_draw", lambda made, path: kept.append((made.detail, path)))
     monkeypatch.setattr("hakobune.pipelines.results.tables.printed", lambda made: 1 if made is found else 9)
     places = {key: tmp_path / name for key, name in (("forces", "f.csv"), ("output", "r.h5"), ("plot", "p.png"))}
     assert command.passing(tmp_path / "study.toml", **places) == 1
