@@ -1,7 +1,5 @@
 """Reading of the result of any study from its file."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from .results.given import File

@@ -1,7 +1,5 @@
 """One body from a database of several: the forces on this body, and its motions."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any

@@ -1,8 +1,6 @@
 """The file of a database: it is opened only if it is valid, laid out with its full size, and visible only when
 complete."""
 
-from __future__ import annotations
-
 import contextlib
 import json
 import os

@@ -6,8 +6,6 @@ The natural frequency of the j-th smallest eigenvalue λⱼ(ω) is the root of �
 bounded, so every j has a root, whichever motion dominates the mode at each frequency.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

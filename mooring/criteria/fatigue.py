@@ -9,8 +9,6 @@ Curves: from a table, or the user's own; SR179 report (1982), chapter 4, 2.1 and
 they depend on: corrosion, preload, terminations, bending over a fairlead.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

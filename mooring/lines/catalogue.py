@@ -21,8 +21,6 @@ Drag: coefficients on the nominal diameter of DNV-OS-E301 (2013) ch. 2 sec. 2, w
 along a chain 0.5 of its displaced water, as in NREL's library.
 """
 
-from __future__ import annotations
-
 import re
 from typing import NamedTuple
 

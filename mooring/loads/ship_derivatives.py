@@ -13,8 +13,6 @@ hull design using linear theory", Transactions of RINA 125 (1983), with T the dr
 about midship, x forward and y to starboard or to port: all eight keep their sign.  Deep water.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

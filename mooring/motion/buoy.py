@@ -14,8 +14,6 @@ buoy.  Lines have their static form.  Waves scattered by the body are not includ
 each window, as are wave forces (`wave_loads`), at the position of the buoy at the begin of the window before.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple

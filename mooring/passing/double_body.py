@@ -9,8 +9,6 @@ The first part is the force of the unsteady pressure, the second part the force 
 part is smaller by an order of the ship's slenderness; it is computed for surge, sway and yaw only, and at fewer places.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable
 
 import numpy as np

@@ -12,8 +12,6 @@ Long-crested waves only: all travel in one direction, and Ω/κ lies between the
 Ω/κ the force is a polynomial, whose last coefficients are the estimated error.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -4,8 +4,6 @@ In one family of spectra σ is proportional to the height, so that a column of t
 that of `sea_state` over the same frequencies.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import NamedTuple
 

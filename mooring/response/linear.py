@@ -6,8 +6,6 @@ X is that of `bem.database.reader.Reader`, solved at every requested frequency; 
 per heading.  SR179 report (1982), section 2.1.2 and design guideline 7.4.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -8,8 +8,6 @@ p_s is the share of time of state s (height, period, direction), σ_s = √m₀ 
 it.  Maxima are those of a narrow spectrum; for wide spectra Q is then conservative, and N exact for high x.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -18,8 +18,6 @@ field does not describe the water between hulls.  A `Pair` is the displacement o
 the first, along the axes of the body of the first.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

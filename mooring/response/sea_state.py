@@ -4,8 +4,6 @@ The spectrum is integrated over the stored frequencies only.  The part of a resp
 estimated with constant transfer functions, and reported if above 1 %.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -27,8 +27,6 @@ the energy
 hours. `half_waves(…, amplitude="energy")` removes the first part.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

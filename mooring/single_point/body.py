@@ -6,8 +6,6 @@ place at rest to the bow (eq. 3.6.5).  The energy of the lines is a convex funct
 only one place of rest.  Axes of the body: x forward, y to port, from its centre of mass.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 from math import atan2, cos, hypot, inf, isfinite, pi, sin

@@ -11,8 +11,6 @@ at the attachment.  SR179 report (1982), eq. 3.6.17–3.6.23: in 3.6.17 Y_β = �
 there contains −MU; all four of A, B, C, D have to be positive (the printed sum is a misprint).
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

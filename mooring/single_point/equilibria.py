@@ -10,8 +10,6 @@ a given force at one place of the buoy (`System`, Newton's method), and the body
 hawsers either both are taut, and their pull meets at the apex ahead, or one is, and the other must be slack.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 

@@ -1,7 +1,5 @@
 """Results of a run in time: tensions of the lines, watch circle, whether slewing decays or persists."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -3,8 +3,6 @@
 Significant values are the SR179 report's (1982, 3.6): steady + ⅔ of the largest amplitude.
 """
 
-from __future__ import annotations
-
 import warnings
 from typing import NamedTuple
 

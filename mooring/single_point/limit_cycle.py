@@ -6,8 +6,6 @@ from the mean of the period is scaled to it.  A cycle attracts the motion if g f
 continues without scaling, and after MOST periods the result is the range of the heading.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

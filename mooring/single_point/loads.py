@@ -11,8 +11,6 @@ or that of current coefficients with the cross flow of a turning body, −N₂ r
 contain the force of the current.  Velocities u, v are relative to the water, r is the yaw rate.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 

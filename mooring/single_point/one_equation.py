@@ -6,8 +6,6 @@ the body, whose lines then end at it.  Loads are those of the statics and of the
 tests or coefficients, for all directions; drift is that of every pair of waves, or the mean drift given in a study.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 import numpy as np

@@ -5,8 +5,6 @@ does), `full_run` slow and wave motion in one equation.  Gusts are those of the 
 static, with their ends moved by all motions together.
 """
 
-from __future__ import annotations
-
 import warnings
 from dataclasses import dataclass
 

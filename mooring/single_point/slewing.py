@@ -8,8 +8,6 @@ inertia of the turning model.  SR179 report (1982), eq. 3.6.1 and 3.6.8, with uÌ
 with velocities through the water on both sides, so that a mooring that drifts with the current has no load.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -10,8 +10,6 @@ the slewing alone.  Wave motion is integrated by Newmark's method of mean accele
 predicted position.  The slow drift is not included: the report adds a fifth to the tension.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -16,8 +16,6 @@ Y_r of `Lateral` is that of the motion over the ground, in axes that do not turn
 the ship's axes.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

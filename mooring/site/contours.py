@@ -14,8 +14,6 @@ Both distributions have the largest likelihood of the counts in classes, the per
 class.  Beyond the table they are an extrapolation, which a finding reports.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -13,8 +13,6 @@ largest motions of both.  Fenders and ropes at a berth or between bodies, and hi
 the equilibrium and the periods; in waves hinges alone change the motions of the free bodies.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from functools import cached_property
 

@@ -1,7 +1,5 @@
 """Natural periods of a body on its mooring, and at a berth."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.bem.database.natural_periods import natural_periods

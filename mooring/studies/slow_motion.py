@@ -20,8 +20,6 @@ seas is a third above that of a Gaussian of the same variance.  The rule for com
 2) is the larger of slow significant + fast largest and slow largest + fast significant, both Gaussian.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import NamedTuple
 

@@ -4,8 +4,6 @@ Free points and other bodies follow a small motion of one body quasi-statically.
 those of the body, its stiffness is the Schur complement K_bb − K_be K_ee⁻¹ K_eb.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -118,23 +118,6 @@ class SeaTable(SpectrumTable):
         return self.spreading is None and self.obliquity_deg == 0
 
 
-class SinkerTable(Table):
-    """A block on the bed under each line
-
-    friction : coefficient of friction between block and bed
-    width : m, width of the block
-    unit_weight_kN_per_m3 : unit weight of the block in air
-    weight_kN_per_m : submerged weight of an existing block for each metre of breakwater, to be checked
-    lifted : whether the block must also carry the upward pull of the line
-    """
-
-    friction: float
-    width: float
-    unit_weight_kN_per_m3: float
-    weight_kN_per_m: float | None = None
-    lifted: bool = False
-
-
 class CommonSinkerTable(Table):
     """One block on the bed under both lines
 
@@ -148,6 +131,15 @@ class CommonSinkerTable(Table):
     width: float
     unit_weight_kN_per_m3: float
     weight_kN_per_m: float | None = None
+
+
+class SinkerTable(CommonSinkerTable):
+    """A block on the bed under each line
+
+    lifted : whether the block must also carry the upward pull of the line
+    """
+
+    lifted: bool = False
 
 
 class PileTable(Table):

@@ -3,8 +3,6 @@
 Segments, and the bodies between them, count from the first end of the line: its anchor, or the point named in `from`.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """Tables of TOML as typed values, and one line on the first fault in the tables."""
 
-from __future__ import annotations
-
 import difflib
 import re
 import tomllib

@@ -1,7 +1,5 @@
 """Import of another program's results into a database; data that contradict the hull are refused."""
 
-from __future__ import annotations
-
 import sys
 from dataclasses import replace
 from importlib import import_module

@@ -6,8 +6,6 @@ heading, all other headings
 follow by rotation.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from importlib import import_module
 

@@ -5,8 +5,6 @@ TOML, in m, kg and degrees, with [water], [types.<name>] as in a mooring study, 
 [[fairleads]], [[points]] (free: buoys, sinkers, joints) and [[lines]].
 """
 
-from __future__ import annotations
-
 import math
 import warnings
 from dataclasses import dataclass, field

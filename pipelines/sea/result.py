@@ -1,7 +1,5 @@
 """`hakobune.sea`: a wave spectrum from parameters, a table or a record: moments, periods, heights."""
 
-from __future__ import annotations
-
 import math
 import warnings
 from pathlib import Path

@@ -4,8 +4,6 @@ A key is the path of a number in the study, such as "hawser.length"; "hull.lengt
 and draft, and the relative place of the attachment along the hull.
 """
 
-from __future__ import annotations
-
 import copy
 import math
 from pathlib import Path

@@ -3,8 +3,6 @@
 Waves need a database, a period and a scheme other than "slow"; gusts are those of [wind].
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.mooring.lines.ropes import RopePart

@@ -1,7 +1,5 @@
 """Conversion of a single-point study to SI: its lines, masses, loads, and its `SinglePoint`."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from typing import NamedTuple

@@ -1,8 +1,6 @@
 """From a scene to panels on its bodies and their lid, a coarser mesh of hull and lid, and the findings of the check of
 the meshes."""
 
-from __future__ import annotations
-
 import math
 import tomllib
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Remarks on a scene before a run, one line each: doubtful numbers, and omitted results."""
 
-from __future__ import annotations
-
 from hakobune.bem.database.schema import NEEDS_MOTION
 
 from ..scene.methods import names_given

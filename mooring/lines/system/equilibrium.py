@@ -5,8 +5,6 @@ support has no friction.  A step is halved while the remaining force points back
 damping makes the step follow the force.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass, replace
 

@@ -7,8 +7,6 @@ acts on lines that end at an anchor on it: between free points it would depend o
 SR179 report (1982), sections 3.1.5 and 3.5.1.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple

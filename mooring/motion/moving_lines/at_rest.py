@@ -1,7 +1,5 @@
 """Moving lines at rest: their pull, and their state at the start of a run."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from hakobune.bem.kernels.jit import kernel

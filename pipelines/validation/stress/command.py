@@ -1,7 +1,5 @@
 """`hakobune stress`: random scenes over the whole range, tested against laws, failures with their command."""
 
-from __future__ import annotations
-
 import math
 import sys
 from pathlib import Path
