@@ -1,5 +1,7 @@
 """Reading of the result of any study from its file."""
 
+from __future__ import annotations
+
 from pathlib import Path
 
 from .results.given import File

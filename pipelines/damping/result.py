@@ -1,5 +1,7 @@
 """`hakobune.damping`: linear and quadratic damping from a record of a forced oscillation or of a free decay."""
 
+from __future__ import annotations
+
 import re
 from collections.abc import Sequence
 from dataclasses import replace

@@ -1,6 +1,8 @@
 """`hakobune.fender`: the characteristic of a fender, of its softest and of its stiffest variant, and one compression of
 all three."""
 
+from __future__ import annotations
+
 from typing import NamedTuple
 
 import numpy as np

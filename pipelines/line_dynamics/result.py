@@ -1,5 +1,7 @@
 """`hakobune.line_dynamics`: one line with a moving fairlead, its tensions, slack and work, and its statics."""
 
+from __future__ import annotations
+
 import os
 from collections.abc import Callable
 from pathlib import Path

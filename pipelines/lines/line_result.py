@@ -1,5 +1,7 @@
 """`hakobune.line`: one uniform line at a span, or at the span with a given horizontal tension."""
 
+from __future__ import annotations
+
 import numpy as np
 
 from hakobune.mooring.criteria.failing import fails

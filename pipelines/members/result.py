@@ -1,5 +1,7 @@
 """`hakobune.members`: forces on slender members over one wave, the largest of each and of all, and their phases."""
 
+from __future__ import annotations
+
 import numpy as np
 
 from hakobune.mooring.criteria.failing import fails

@@ -1,5 +1,7 @@
 """`hakobune.passing`: the largest surge, sway and yaw of a passage, and the forces over time."""
 
+from __future__ import annotations
+
 import math
 
 import numpy as np

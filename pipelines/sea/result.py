@@ -1,5 +1,7 @@
 """`hakobune.sea`: a wave spectrum from parameters, a table or a record: moments, periods, heights."""
 
+from __future__ import annotations
+
 import math
 import warnings
 from pathlib import Path

@@ -1,5 +1,7 @@
 """`hakobune.sections`: sectional coefficients of rectangles over B/d, H/d and ξ_B."""
 
+from __future__ import annotations
+
 import math
 import sys
 from collections.abc import Sequence

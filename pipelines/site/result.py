@@ -1,5 +1,7 @@
 """`hakobune.site`: design values of a site, from its measurements and rules."""
 
+from __future__ import annotations
+
 import os
 from pathlib import Path
 from typing import NamedTuple

@@ -1,5 +1,7 @@
 """Many cases of one study as a function."""
 
+from __future__ import annotations
+
 import os
 import tempfile
 from collections.abc import Callable
