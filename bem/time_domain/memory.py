@@ -17,7 +17,7 @@ their poles those of `rational`, and output follows from a matrix P ≥ 0 such t
 
     d/dt ½ xᵀP x = yᵀν − ½ |lossᵀ x|²,    y = 0 in steady motion.
 
-Within the band the fit is more accurate than the tolerance where the body is sensitive to its error (`sensitivity`).
+The fewest states within tolerance are those of `fewest_states`.
 """
 
 from dataclasses import dataclass
@@ -30,27 +30,18 @@ from ..database.reader import Reader, reader, without_rows
 from ..kernels.in_memory import in_memory
 from ..kernels.threads import blas_threads
 from ..modes import words_of
-from .kept_fits import kept_fit
-from .passive_fit import MOVABLE, MOVED, passive_fit
-from .rational import balanced, fitted
+from .fewest_states import fewest_states
 from .sensitivity import sensitivity
 from .whole_axis import Causal, WholeAxis, ends_of, whole_axis, without_negative
 
 FEWEST = 8  # frequencies
 POINTS = 800  # points of the band, linear in between
-POLES = (32, 48, 64)  # numbers of poles, per input, from which states are selected
-MOST = (76, 4)  # states of coupled motions, and for each of them
 STILL = 1e-4  # √ of the impedance of a motion that moves no water, relative to the largest of its kind
 FACETS = 1e-3, 1e-4  # change of A and B/ω over the band, relative to M + A, that are none: yaw of a mesh of revolution
 SHORTER = (0.9, 0.8, 0.7, 0.6, 0.5)  # fractions of the band tried if its upper end contradicts the rest
 SPREAD = (30.0, 8.0)  # range of the fit below and above the band, as a factor
 FELT = 0.05  # error scale over ω (M + A), for motions that radiate little, such as heave of a semi-submersible
 CLOSE = (0.03, 0.1)  # deviation of the fitted transform from the database: above these it is reported, refused
-ANSWERED, NEARER = 2.0, 8.0  # times sensitivity and number of coupled motions: the factor by which memory is nearer,
-# and the largest one.  Free decay of boxes and a buoy is then within 8e-5 of its start for a tolerance of 3e-4
-LESS = (1.0, 0.5, 0.0)  # powers of that factor, tried one after the other
-PATIENCE = 6  # passive fits in a row that are no nearer than one before; then more states of a system do not help
-COARSER = 2.0  # error of the best system over the smallest tolerance that can be met, where no modes are moved
 
 
 @in_memory
@@ -146,21 +137,13 @@ class _Goal(NamedTuple):
     damping: np.ndarray
 
 
-class FitError(ValueError):
-    """A tolerance that is not met; within : tolerance below which no tolerance is met either"""
-
-    def __init__(self, message, within):
-        super().__init__(message)
-        self.within = within
-
-
 def memory_of_database(db, tolerance=1e-3, motions=None):
     """`Memory` of a `bem.database.Database` or `Reader`, with the fewest states found within tolerance.
 
     tolerance : of the transform, relative to the largest of each motion, 1e-5 to 0.1
     motions : indices of those of a study, None for all; the others are neither read nor fitted
     raises : ValueError if damping or added mass are unknown for these, at too few frequencies, or contradict
-    each other because the band is too short; FitError if the tolerance is not reached
+    each other because the band is too short; `fewest_states.FitError` if the tolerance is not reached
     """
     if not 1e-5 <= tolerance <= 0.1:
         raise ValueError(f"tolerance of the memory is {tolerance:g}; allowed: 1e-5 to 0.1")
@@ -187,7 +170,7 @@ def _memory(body, tolerance, motions):
     answered = sensitivity(body, at, wanted, axis.added_mass_infinity, size, body.rigid)
     answered[(at < band[0]) | (at > band[1])] = 0.0  # damping outside the band is an assumed power law
     parts = [
-        _kept(at, wanted[np.ix_(range(len(at)), g, g)], size[list(g)], g, tolerance, answered[:, g], body.words)
+        fewest_states(at, wanted[np.ix_(range(len(at)), g, g)], size[list(g)], g, tolerance, answered[:, g], body.words)
         for g in groups
     ]
     arrays, storage, loss = _joined(parts, groups, size)
@@ -346,51 +329,6 @@ def _groups(coupled):
         found.append(tuple(sorted(group)))
         left = [i for i in left if i not in group]
     return tuple(found)
-
-
-def _kept(omega, wanted, size, group, tolerance, answered, words):
-    """`_fitted`, computed now or before"""
-    return kept_fit(
-        __file__,
-        lambda: _fitted(omega, wanted, size, group, tolerance, answered, words),
-        omega, wanted, size, tolerance, answered,
-    )  # fmt: skip
-
-
-def _fitted(omega, wanted, size, group, tolerance, answered, words):
-    """`Passive` of coupled motions, in units of `size`, with the fewest states found within tolerance
-
-    answered : (q, m) `sensitivity` of the motions
-    """
-    wanted, s = wanted.conj() / np.outer(size, size), 1j * omega
-    nearer = np.sqrt(np.clip(ANSWERED * len(group) * answered, 1.0, NEARER if len(group) <= MOVED else 1.0))
-    best, most = np.inf, MOST[0] + MOST[1] * len(group)
-    for power in LESS if np.any(nearer > 1) else LESS[:1]:
-        weight = (nearer[:, :, None] * nearer[:, None, :]) ** power
-        for poles in POLES:
-            system, off = fitted(s, wanted, poles, weight)
-            if off > tolerance:
-                best = min(best, off)
-                continue
-            whole = balanced(system)
-            fewest = max(4, len(group) + 1, int(np.sum(whole.values > tolerance)))
-            nearest, tried = np.inf, 0
-            for states in range(fewest, min(most, len(whole.values)) + 1, max(1, len(group) - 1)):
-                made, error = passive_fit(*whole.reduced(states)[:2], s, wanted, 0.99 * tolerance, weight)
-                best = min(best, error)
-                if error <= tolerance:
-                    return made
-                if made is not None:
-                    tried = 0 if error < nearest else tried + 1
-                    nearest = min(nearest, error)
-                    if tried == PATIENCE:
-                        break
-    raise FitError(
-        f"the memory of {', '.join(words[i] for i in group)} has an error of {best:.2g} with the best system that was "
-        f"tried, and the tolerance is {tolerance:g}; give a larger tolerance, or solve the database to a smaller "
-        f"tolerance",
-        best / (MOVABLE if len(group) <= MOVED else COARSER),
-    )
 
 
 def _joined(parts, groups, size):

@@ -5,6 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from hakobune.bem.time_domain import fewest_states
 from hakobune.bem.time_domain import memory as module
 from hakobune.bem.time_domain.memory import Memory, memory_of_database, no_memory
 
@@ -155,28 +156,28 @@ def test_water_that_rings_is_told_what_helps():
 
 def test_a_memory_that_no_system_meets_is_told_with_its_best(monkeypatch):
     """A transform without causality: white noise over the frequencies"""
-    monkeypatch.setattr(module, "POLES", (8,))
+    monkeypatch.setattr(fewest_states, "POLES", (8,))
     omega = np.linspace(0.1, 2.0, 40)
     wanted = RNG.normal(size=(40, 1, 1)) + 1j * RNG.normal(size=(40, 1, 1))
     with pytest.raises(
         ValueError, match=r"the memory of b has an error of .*, and the tolerance is 1e-05; give a larger"
     ):
-        module._fitted(omega, wanted, np.ones(1), (1,), 1e-5, np.zeros((40, 1)), ("a", "b"))
+        fewest_states._fitted(omega, wanted, np.ones(1), (1,), 1e-5, np.zeros((40, 1)), ("a", "b"))
 
 
 def test_the_best_of_what_was_tried_is_told(monkeypatch):
     """Poles that miss, and states of those that do not: 0.2, then 0.15 of a passive fit"""
     offs = iter([0.5, 0.2, 0.3])
-    monkeypatch.setattr(module, "fitted", lambda s, wanted, poles, weight: (None, next(offs)))
+    monkeypatch.setattr(fewest_states, "fitted", lambda s, wanted, poles, weight: (None, next(offs)))
     wanted, none = np.ones((4, 1, 1), complex), np.zeros((4, 1))
     with pytest.raises(
         ValueError, match=r"the memory of sway has an error of 0\.2 with the best system that was tried, and the"
     ) as one:
-        module._fitted(np.arange(1.0, 5), wanted, np.ones(1), (1,), 0.01, none, ("surge", "sway"))
+        fewest_states._fitted(np.arange(1.0, 5), wanted, np.ones(1), (1,), 0.01, none, ("surge", "sway"))
     assert one.value.within == pytest.approx(0.2 / 8)  # beyond eight times a tolerance no modes are moved
     offs, many = iter([0.5, 0.2, 0.3]), np.ones((4, 4, 4), complex)
-    with pytest.raises(module.FitError) as one:
-        module._fitted(np.arange(1.0, 5), many, np.ones(4), (0, 1, 2, 3), 0.01, np.zeros((4, 4)), "abcd")
+    with pytest.raises(fewest_states.FitError) as one:
+        fewest_states._fitted(np.arange(1.0, 5), many, np.ones(4), (0, 1, 2, 3), 0.01, np.zeros((4, 4)), "abcd")
     assert one.value.within == pytest.approx(0.1)  # of four motions none are moved at all
     tried = []
 
@@ -187,16 +188,18 @@ def test_the_best_of_what_was_tried_is_told(monkeypatch):
             tried.append(states)
             return "a", "b", None
 
-    monkeypatch.setattr(module, "fitted", lambda s, wanted, poles, weight: (None, 0.001))
-    monkeypatch.setattr(module, "balanced", lambda system: Whole())
+    monkeypatch.setattr(fewest_states, "fitted", lambda s, wanted, poles, weight: (None, 0.001))
+    monkeypatch.setattr(fewest_states, "balanced", lambda system: Whole())
     errors = {6: 0.15, 7: 0.3}
-    monkeypatch.setattr(module, "passive_fit", lambda a, b, s, H, most, weight: (most, errors[tried[-1]]))
-    monkeypatch.setattr(module, "POLES", (8,))
+    monkeypatch.setattr(fewest_states, "passive_fit", lambda a, b, s, H, most, weight: (most, errors[tried[-1]]))
+    monkeypatch.setattr(fewest_states, "POLES", (8,))
     with pytest.raises(ValueError, match=r"an error of 0\.15 with"):
-        module._fitted(np.arange(1.0, 5), wanted, np.ones(1), (1,), 0.01, none, ("surge", "sway"))
+        fewest_states._fitted(np.arange(1.0, 5), wanted, np.ones(1), (1,), 0.01, none, ("surge", "sway"))
     assert tried == [6, 7]  # as many as values above the tolerance, and more
     errors[7] = 0.01
-    assert module._fitted(np.arange(1.0, 5), wanted, np.ones(1), (1,), 0.01, none, ("a", "b")) == pytest.approx(0.0099)
+    assert fewest_states._fitted(np.arange(1.0, 5), wanted, np.ones(1), (1,), 0.01, none, ("a", "b")) == pytest.approx(
+        0.0099
+    )
 
 
 def test_more_states_are_not_tried_where_six_fits_in_a_row_came_no_nearer(monkeypatch):
@@ -212,13 +215,13 @@ def test_more_states_are_not_tried_where_six_fits_in_a_row_came_no_nearer(monkey
             return "a", "b", None
 
     errors = {30: (None, 0.9), 31: ("made", 0.4), 32: ("made", 0.3), 33: ("made", 0.2)}
-    monkeypatch.setattr(module, "fitted", lambda s, wanted, poles, weight: (None, 1e-3))
-    monkeypatch.setattr(module, "balanced", lambda system: Whole())
-    monkeypatch.setattr(module, "passive_fit", lambda *_: errors.get(tried[-1], ("made", 0.25)))
-    monkeypatch.setattr(module, "POLES", (8, 9))
+    monkeypatch.setattr(fewest_states, "fitted", lambda s, wanted, poles, weight: (None, 1e-3))
+    monkeypatch.setattr(fewest_states, "balanced", lambda system: Whole())
+    monkeypatch.setattr(fewest_states, "passive_fit", lambda *_: errors.get(tried[-1], ("made", 0.25)))
+    monkeypatch.setattr(fewest_states, "POLES", (8, 9))
     wanted = np.ones((4, 1, 1), complex)
     fewest = int(np.sum(values > 0.03))
     assert fewest == 30
-    with pytest.raises(module.FitError, match=r"an error of 0\.2 with the best"):
-        module._fitted(np.arange(1.0, 5), wanted, np.ones(1), (0,), 0.03, np.zeros((4, 1)), ("surge",))
-    assert tried == 2 * list(range(30, 34 + module.PATIENCE))
+    with pytest.raises(fewest_states.FitError, match=r"an error of 0\.2 with the best"):
+        fewest_states._fitted(np.arange(1.0, 5), wanted, np.ones(1), (0,), 0.03, np.zeros((4, 1)), ("surge",))
+    assert tried == 2 * list(range(30, 34 + fewest_states.PATIENCE))

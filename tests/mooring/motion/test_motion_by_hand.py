@@ -8,7 +8,7 @@ import pytest
 from scipy.interpolate import PchipInterpolator
 
 from hakobune.bem.modes import words_of
-from hakobune.bem.time_domain.memory import FitError
+from hakobune.bem.time_domain.fewest_states import FitError
 from hakobune.mooring.environment.gusts import davenport, gust_components
 from hakobune.mooring.environment.sea import Components, Sea
 from hakobune.mooring.environment.spectra import issc
