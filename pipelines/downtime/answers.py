@@ -4,11 +4,12 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hakobune.mooring.downtime.largest import return_values
 from hakobune.mooring.downtime.windows import in_windows, waiting, windows
 from hakobune.mooring.downtime.years import by_group, share_with_interval
 
 from ..results.quantity import Quantity
-from ..results.result import labels
+from ..results.result import labels, records
 
 YEAR = 8766.0  # h
 ALL, MONTHS, YEARS, SECTORS = "downtime", "downtime by month", "downtime by year", "downtime by direction of the waves"
@@ -195,3 +196,17 @@ def _by_arrival(waited, hindcast, years):
     late = [np.quantile(waited[sure & (hindcast.month == m)], 0.9) if np.any(sure & (hindcast.month == m)) else np.nan
             for m in range(1, 13)]  # fmt: skip
     return np.stack(share_with_interval(total, count, most=np.inf)), np.array(late)
+
+
+def of_years(names, units, years, maxima, period):
+    """Return values of responses by `largest.return_values`, once in `period` years, with their yearly maxima (r, y) in
+    whole years (y,); names, units : (r,).  returns : quantities and labels"""
+    value, low, high = return_values(maxima.T, period)
+    shown = RETURN if np.any(np.isfinite(value)) else ""
+    made = {
+        "return.value": Quantity(value, ("response",), units, f"once in {period:g} years", shown),
+        "return.low": Quantity(low, ("response",), units, "90 % from", shown),
+        "return.high": Quantity(high, ("response",), units, "90 % to", shown),
+        **records({"return.maxima": (maxima, ("response", "whole_year"), units, "largest of each year, as drawn")}),
+    }
+    return made, labels("response", names) | labels("whole_year", years)

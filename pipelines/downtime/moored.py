@@ -13,7 +13,7 @@ import numpy as np
 
 from hakobune.mooring.criteria.failing import fails
 from hakobune.mooring.downtime.hindcast import Hindcast
-from hakobune.mooring.downtime.largest import return_values, whole_years
+from hakobune.mooring.downtime.largest import whole_years
 from hakobune.mooring.downtime.representative import features
 
 from ..common.quantities import StudyError
@@ -21,7 +21,7 @@ from ..executors.choice import executor_of
 from ..results.heard import heard
 from ..results.quantity import Quantity
 from ..results.result import labels, records
-from .answers import DIRECTIONS, NORMAL, PERIODS, RETURN, Verdicts
+from .answers import DIRECTIONS, NORMAL, PERIODS, Verdicts, of_years
 from .limits import limits_of
 from .passages import record_with_passages
 from .tables import AlternativeTable, DowntimeStudy
@@ -167,16 +167,7 @@ def _returned(read, hindcast, limits, found):
         maxima.append([size * largest[year == one].max() for one in years])
         names.append(re.sub(r" [≤≥].*", "", limits[i].label))
         units.append(unit)
-    maxima, units = np.array(maxima), tuple(units)
-    value, low, high = return_values(maxima.T, read.return_years)
-    shown = RETURN if np.any(np.isfinite(value)) else ""
-    made = {
-        "return.value": Quantity(value, ("response",), units, f"once in {read.return_years:g} years", shown),
-        "return.low": Quantity(low, ("response",), units, "90 % from", shown),
-        "return.high": Quantity(high, ("response",), units, "90 % to", shown),
-        **records({"return.maxima": (maxima, ("response", "whole_year"), units, "largest of each year, as drawn")}),
-    }
-    return made, labels("response", names) | labels("whole_year", years)
+    return of_years(names, tuple(units), years, np.array(maxima), read.return_years)
 
 
 def _limiting(read, hindcast, found):

@@ -13,7 +13,7 @@ import numpy as np
 from hakobune.mooring.criteria.failing import fails
 from hakobune.mooring.downtime.every_hour import Response, moments_of_hours, response_of
 from hakobune.mooring.downtime.hindcast import WaveHours
-from hakobune.mooring.downtime.largest import drawn_of_years, largest_of_hours, return_values
+from hakobune.mooring.downtime.largest import drawn_of_years, largest_of_hours
 from hakobune.mooring.downtime.planes import moments_of_planes
 from hakobune.mooring.downtime.years import FEWEST
 from hakobune.mooring.response.findings import MISSED
@@ -28,7 +28,7 @@ from ..results.heard import heard
 from ..results.provenance import provenance
 from ..results.quantity import Quantity
 from ..results.result import Result, labels, records
-from .answers import DIRECTIONS, PERIODS, RETURN, YEAR, answers, judged
+from .answers import DIRECTIONS, PERIODS, YEAR, answers, judged, of_years
 from .lee import lee
 from .limits import Hours, limits_of, used_of, value_of
 from .moored import Detail, Found, moored
@@ -199,15 +199,7 @@ def _returned(read, hindcast, hours):
         return {}, {}
     years, maxima = drawn_of_years(hours.m0[:, some], hours.m2[:, some], hindcast.year, hindcast.step)
     units = tuple(hours.units[i] for i in some)
-    value, low, high = return_values(maxima, read.return_years)
-    shown = RETURN if np.any(np.isfinite(value)) else ""
-    made = {
-        "return.value": Quantity(value, ("response",), units, f"once in {read.return_years:g} years", shown),
-        "return.low": Quantity(low, ("response",), units, "90 % from", shown),
-        "return.high": Quantity(high, ("response",), units, "90 % to", shown),
-        **records({"return.maxima": (maxima.T, ("response", "whole_year"), units, "largest of each year, as drawn")}),
-    }
-    return made, labels("response", [hours.names[i] for i in some]) | labels("whole_year", years)
+    return of_years([hours.names[i] for i in some], units, years, maxima.T, read.return_years)
 
 
 def _limiting(read, record, response, limits):
