@@ -9,6 +9,7 @@ import csv
 import io
 import json
 import math
+import os
 import re
 import tomllib
 
@@ -302,13 +303,14 @@ def test_a_sweep_at_model_scale_is_printed_with_three_digits_and_kept_with_all(c
 
 
 def compare(words, made, capsys, outputs=None, shown=None):
-    """What a command prints beside the result of its function
+    """What a command prints beside the result of its function; CSV and JSON in a pipe of 40 columns
 
     outputs : flags that go with a form; shown : names of what is printed, by default all that tables have
     """
     said = {}
     for form in ("", "--csv", "--json"):
         capsys.readouterr()
+        os.environ["COLUMNS"] = "40" if form else "600"  # `there` puts it back
         assert main([*words, *([form] if form else []), *(outputs or {}).get(form, ())]) == made.status
         said[form] = capsys.readouterr()
     kept = json.loads(said["--json"].out.splitlines()[0])["quantities"]
