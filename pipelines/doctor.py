@@ -14,6 +14,7 @@ from cyclopts import Parameter
 import hakobune
 from hakobune.mooring.criteria.failing import fails
 
+from .executors.beside import processors
 from .printing.verdict import tell
 
 NEEDED = ("numpy", "scipy", "numba", "h5py", "gmsh", "meshio", "pyvista", "matplotlib", "msgspec", "cyclopts", "rich")
@@ -45,7 +46,7 @@ def doctor(
         print(f"  {name:<12}{_version(name) or 'missing'}   optional, {use}")
     amiss += [said for said in (_gmsh(), _cache(), _left_over()) if said]
     print(f"  {'memory':<12}{available_memory() / 1e9:.1f} GB free")
-    print(f"  {'processors':<12}{len(os.sched_getaffinity(0)) if hasattr(os, 'sched_getaffinity') else os.cpu_count()}")
+    print(f"  {'processors':<12}{processors()}")
     if compile and not amiss:
         from .compiling import compile_all
 
