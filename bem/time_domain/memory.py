@@ -27,10 +27,10 @@ from warnings import warn
 import numpy as np
 
 from ..database.reader import Reader, reader, without_rows
-from ..kernels.in_memory import in_memory
 from ..kernels.threads import blas_threads
 from ..modes import words_of
 from .kept_fits import kept_fit
+from .memory_kernels import MemoryArrays
 from .passive_fit import MOVABLE, MOVED, passive_fit
 from .rational import balanced, fitted
 from .sensitivity import sensitivity
@@ -51,16 +51,6 @@ ANSWERED, NEARER = 2.0, 8.0  # times sensitivity and number of coupled motions: 
 LESS = (1.0, 0.5, 0.0)  # powers of that factor, tried one after the other
 PATIENCE = 6  # passive fits in a row that are no nearer than one before; then more states of a system do not help
 COARSER = 2.0  # error of the best system over the smallest tolerance that can be met, where no modes are moved
-
-
-@in_memory
-class MemoryArrays(NamedTuple):
-    """Arguments of kernels: decay (n,) 1/s, turn (p,) rad/s, input and output (6N, n) of the module, all contiguous"""
-
-    decay: np.ndarray
-    turn: np.ndarray
-    input: np.ndarray
-    output: np.ndarray
 
 
 @dataclass(frozen=True, eq=False)
