@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import platform
 import sysconfig
-from importlib import metadata
 from pathlib import Path
 from typing import Annotated
 
@@ -60,6 +59,8 @@ def doctor(
 
 
 def _version(name):
+    from importlib import metadata
+
     try:
         return metadata.version(name)
     except metadata.PackageNotFoundError:
