@@ -11,7 +11,7 @@ import numpy as np
 
 from hakobune.bem.kernels.in_memory import in_memory
 from hakobune.bem.kernels.jit import kernel
-from hakobune.bem.kernels.simd import added, address, load_vector, repeated, scaled, store_vector
+from hakobune.bem.kernels.simd import address, load_vector, repeated, store_vector
 
 from .harmonics import at_step, sine_and_cosine, sum_waves, zeros_in_lines
 from .interpolation import EDGE, lagrange_weights
@@ -115,8 +115,8 @@ def fill_rows(waves, pose, start, body=0):
         low = high = repeated(0.0)
         for n in range(6):
             at = ((body * table.omega.size + i) * HEADINGS + (first + n) % HEADINGS) * 16
-            low = added(low, scaled(load_vector(force, at), weights[n]))
-            high = added(high, scaled(load_vector(force, at + 8), weights[n]))
+            low = low + load_vector(force, at) * weights[n]
+            high = high + load_vector(force, at + 8) * weights[n]
         store_vector(into, 0, low)
         store_vector(into, 8, high)
         put_rows(waves.rows[i, 0], waves.rows[i, 1], turns[0, i], turns[1, i], parts)
