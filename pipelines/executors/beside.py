@@ -11,6 +11,8 @@ from pathlib import Path
 
 from hakobune.bem.kernels.jit import ROOT, cache_folder
 
+_begun = []  # the process that this process has begun; one is enough
+
 
 def begin_beside(command, source, *words):
     """Begin such a process, until this one ends, if kernels are not there and there are two processors.
@@ -21,7 +23,7 @@ def begin_beside(command, source, *words):
         folder = cache_folder(ROOT / source, ROOT)
         there = folder.exists()
         folder.parent.mkdir(parents=True, exist_ok=True)
-        if there or processors() < 2 or not os.access(folder.parent, os.W_OK):
+        if _begun or there or processors() < 2 or not os.access(folder.parent, os.W_OK):
             return
         process = subprocess.Popen(
             [sys.executable, "-m", "hakobune.pipelines.compiling", command, *map(str, words)],
@@ -29,6 +31,7 @@ def begin_beside(command, source, *words):
         )  # fmt: skip
     except OSError:  # then the command compiles alone
         return
+    _begun.append(process)
     atexit.register(process.kill)
 
 

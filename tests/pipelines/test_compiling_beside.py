@@ -28,6 +28,7 @@ def begun(monkeypatch, tmp_path):
     monkeypatch.setattr(beside.subprocess, "Popen", popen)
     monkeypatch.setattr(beside, "processors", lambda: 2)
     monkeypatch.setattr(beside.atexit, "register", lambda call: call())
+    monkeypatch.setattr(beside, "_begun", [])
     jit._sources.cache_clear()
     return found
 
@@ -35,6 +36,9 @@ def begun(monkeypatch, tmp_path):
 def test_a_second_process_begins_where_kernels_lack_and_ends_with_the_command(begun):
     beside.begin_beside("simulate", SOURCE, "a.toml", "box.h5")
     assert begun == [["-m", "hakobune.pipelines.compiling", "simulate", "a.toml", "box.h5"], "killed"]
+    beside.begin_beside("simulate", SOURCE, "b.toml", "box.h5")
+    assert len(begun) == 2  # one is enough
+    beside._begun.clear()
     jit.cache_folder(jit.ROOT / SOURCE, jit.ROOT).mkdir(parents=True)
     beside.begin_beside("simulate", SOURCE, "a.toml", "box.h5")
     assert len(begun) == 2
