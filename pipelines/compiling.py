@@ -1,12 +1,17 @@
-"""`hakobune doctor --compile`: compile every kernel ahead, by small studies in a temporary folder."""
+"""Kernels compiled ahead, by small studies in a temporary folder, or beside a command, by a second process.
 
-import os
+`hakobune doctor --compile` compiles all kernels ahead.  A command whose kernels are not there begins a second process,
+which runs this module and compiles those that the command needs last (`executors.beside`).
+"""
+
 import subprocess
 import sys
 import tempfile
 import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+
+from .executors.beside import environment, processors
 
 SCENES = Path(__file__).parent / "scenes"
 BOX = ("--database", "box.h5")
@@ -24,6 +29,7 @@ BODIES = (
     ("a moored body in time", "simulate", SCENES / "simulate_chain_12.toml", *BOX,
      "--output", "run.h5", "--seeds", "1", "--duration", "60"),
 )  # fmt: skip
+SHORT = 18.0  # s, of runs that only compile: two cycles of the chain of 315 m
 
 
 def compile_all(tables=(LINES, BODIES)):
@@ -34,7 +40,7 @@ def compile_all(tables=(LINES, BODIES)):
         said = []
         for name, *words in table:
             command = [sys.executable, "-m", "hakobune", *map(str, words)]
-            ended = subprocess.run(command, cwd=folder, capture_output=True, text=True, env=_environment())
+            ended = subprocess.run(command, cwd=folder, capture_output=True, text=True, env=environment())
             done.append(name)
             print(f"  {len(done)} of {count} {name:<24}{time.monotonic() - begin:5.0f} s", flush=True)
             if ended.returncode not in (0, 1):  # 1 is a verdict
@@ -43,12 +49,54 @@ def compile_all(tables=(LINES, BODIES)):
         return said
 
     print("compiling kernels, by studies")
-    processors = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
-    with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(min(len(tables), processors)) as pool:
+    with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(min(len(tables), processors())) as pool:
         return [line for said in pool.map(run, tables, [folder] * len(tables)) for line in said]
 
 
-def _environment():
-    """Environment in which these processes find this package"""
-    root = Path(__file__).parents[1]
-    return os.environ | {"PYTHONPATH": os.pathsep.join(filter(None, (str(root), os.environ.get("PYTHONPATH"))))}
+def _of_line_dynamics(study):
+    """Steps of the line of a study, from a straight line in place of its shape at rest"""
+    import numpy as np
+
+    from hakobune.mooring.lines.dynamics.lumped.system import State
+    from hakobune.mooring.lines.dynamics.simulation import simulate
+
+    from .line_dynamics.motion import course_of
+    from .line_dynamics.parts import current_of, line_of, wave_of
+    from .line_dynamics.study import read_line_dynamics
+
+    read = read_line_dynamics(study)[0]
+    line, course = line_of(read)[0], course_of(read, Path(study).parent)
+    along = (line.nodes / line.length)[:, None]
+    place = (1 - along) * line.anchor + along * course.motion.at(0.0)[0]
+    zero = np.zeros_like(place)
+    start = State(0.0, place, zero, zero.copy(), zero.copy(), np.inf)
+    simulate(line, course.motion, SHORT, start=start, current=current_of(read), waves=wave_of(read, None))
+
+
+def _of_simulate(study, database):
+    """Pairs of waves of a study, a line in motion, and a short run whose lines all move"""
+    from msgspec.structs import replace
+
+    from .line_dynamics.result import line_dynamics
+    from .moor.study import SimulationTable
+    from .results.given import database_of
+    from .simulate.result import simulate
+    from .simulate.run import input_of
+    from .simulate.study import moving_lines, plan_of
+    from .simulate.work import with_pairs
+
+    read, _, folder, _ = input_of(study)
+    db, table = database_of(database), read.simulation or SimulationTable()
+    if not (db.bodies or db.modes):
+        reader = db.bodies_reader
+        with_pairs(plan_of(read, reader.omega, 1, SHORT, folder, reader.words), read, db, reader)
+    if (read.lines or read.spreads) and moving_lines(table):
+        line_dynamics(SCENES / "line_chain_60m.toml", duration=SHORT)
+        simulate(replace(read, simulation=replace(table, dynamic_lines="all")), db, seeds=1, duration=SHORT)
+
+
+OF_COMMANDS = {"simulate": _of_simulate, "line-dynamics": _of_line_dynamics}
+
+
+if __name__ == "__main__":
+    OF_COMMANDS[sys.argv[1]](*sys.argv[2:])

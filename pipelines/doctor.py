@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import platform
 import sysconfig
-from importlib import metadata
 from pathlib import Path
 from typing import Annotated
 
@@ -14,6 +13,7 @@ from cyclopts import Parameter
 import hakobune
 from hakobune.mooring.criteria.failing import fails
 
+from .executors.beside import processors
 from .printing.verdict import tell
 
 NEEDED = ("numpy", "scipy", "numba", "h5py", "gmsh", "meshio", "pyvista", "matplotlib", "msgspec", "cyclopts", "rich")
@@ -45,7 +45,7 @@ def doctor(
         print(f"  {name:<12}{_version(name) or 'missing'}   optional, {use}")
     amiss += [said for said in (_gmsh(), _cache(), _left_over()) if said]
     print(f"  {'memory':<12}{available_memory() / 1e9:.1f} GB free")
-    print(f"  {'processors':<12}{len(os.sched_getaffinity(0)) if hasattr(os, 'sched_getaffinity') else os.cpu_count()}")
+    print(f"  {'processors':<12}{processors()}")
     if compile and not amiss:
         from .compiling import compile_all
 
@@ -59,6 +59,8 @@ def doctor(
 
 
 def _version(name):
+    from importlib import metadata
+
     try:
         return metadata.version(name)
     except metadata.PackageNotFoundError:

@@ -12,11 +12,12 @@ from typing import Any
 import h5py
 import numpy as np
 
-from hakobune import bem
 from hakobune.meshing.panels import PanelMesh
 from hakobune.meshing.seals import damage, kind_filled_in
 from hakobune.meshing.whole_files import NotWritten, write_whole
 
+from .. import __doc__ as CONVENTION
+from .. import __version__
 from ..flexible.beams import Beam
 from ..flexible.tables import Table
 from ..modes import Body, Mode
@@ -240,8 +241,8 @@ def _attributes(header):
     return {
         "format": FORMAT,
         "schema_version": SCHEMA_VERSION,
-        "software_version": bem.__version__,
-        "convention": bem.__doc__,
+        "software_version": __version__,
+        "convention": CONVENTION,
         "water_depth": float(header.water_depth),
         "density": float(header.density),
         "gravity": float(header.gravity),

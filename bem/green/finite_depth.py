@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..kernels.jit import kernel
-from ..kernels.simd import added, address, bits_to_float, float_to_bits, scaled
+from ..kernels.simd import address, bits_to_float, float_to_bits
 from .deep_water import ONE, deep_water
 from .deep_water import bessel as bessel_functions
 from .piecewise_polynomials import sum_over_x, sum_over_y
@@ -162,7 +162,7 @@ def _tabulated_both_ways(position, upwards, view):
     zones, first = view.zones, 9 * n
     f, fy = sum_over_y(view.pieces, surface, y)
     b, bv = sum_over_y(view.pieces, bed, v)
-    value, slope = sum_over_x(added(f, b), x)
+    value, slope = sum_over_x(f + b, x)
     of_surface, of_bed = sum_over_x(fy, x)[0], sum_over_x(bv, x)[0]
     sinking, rising = -2 * zones[first + 2] * of_surface, 2 * upwards * zones[first + 3] * of_bed
     return value, 2 * zones[first + 1] * slope, sinking + rising, sinking - rising
@@ -175,8 +175,8 @@ def _tabulated(position, upwards, view):
     zones, first = view.zones, 9 * n
     f, fy = sum_over_y(view.pieces, surface, y)
     b, bv = sum_over_y(view.pieces, bed, v)
-    value, slope = sum_over_x(added(f, b), x)
-    rise, _ = sum_over_x(added(scaled(bv, 2 * upwards * zones[first + 3]), scaled(fy, -2 * zones[first + 2])), x)
+    value, slope = sum_over_x(f + b, x)
+    rise, _ = sum_over_x(bv * (2 * upwards * zones[first + 3]) + fy * (-2 * zones[first + 2]), x)
     return value, 2 * zones[first + 1] * slope, rise
 
 

@@ -12,7 +12,7 @@ from functools import cache
 import numpy as np
 
 from ..kernels.jit import kernel
-from ..kernels.simd import added, load_vector, scaled, split_halves, to_scalars
+from ..kernels.simd import load_vector, split_halves, to_scalars
 
 ORDER = 8
 
@@ -70,9 +70,9 @@ def sum_over_y(pieces, n, y):
     """Piece n at y: Σ_b c[b, a] yᵇ as a SIMD vector over a = 0 … 7, and its ∂/∂y"""
     s = t = load_vector(pieces, 64 * n + 56)
     for b in range(6, 0, -1):
-        s = added(scaled(s, y), load_vector(pieces, 64 * n + 8 * b))
-        t = added(scaled(t, y), s)
-    return added(scaled(s, y), load_vector(pieces, 64 * n)), t
+        s = s * y + load_vector(pieces, 64 * n + 8 * b)
+        t = t * y + s
+    return s * y + load_vector(pieces, 64 * n), t
 
 
 @kernel(inline=True)
@@ -80,10 +80,10 @@ def sum_over_x(c, x):
     """Σ_a c[a] xᵃ of a SIMD vector c, and its ∂/∂x, by halves: upper times x⁴ (then x², x) plus lower"""
     square = x * x
     low, high = split_halves(c)
-    s, t = added(scaled(high, square * square), low), scaled(high, 4 * x * square)
+    s, t = high * (square * square) + low, high * (4 * x * square)
     low, high = split_halves(s)
     low_slope, high_slope = split_halves(t)
-    s, t = added(scaled(high, square), low), added(added(scaled(high_slope, square), low_slope), scaled(high, 2 * x))
+    s, t = high * square + low, high_slope * square + low_slope + high * (2 * x)
     low, high = to_scalars(s)
     low_slope, high_slope = to_scalars(t)
     return low + high * x, low_slope + high_slope * x + high
@@ -102,6 +102,6 @@ def evaluate_line(lines, n, x):
     """Four functions of one variable on piece n at −1 ≤ x ≤ 1; lines : `address` of coefficients of `fit_line`"""
     s = load_vector(lines, 32 * n + 24)
     for a in range(2, -1, -1):
-        s = added(scaled(s, x * x), load_vector(lines, 32 * n + 8 * a))
+        s = s * (x * x) + load_vector(lines, 32 * n + 8 * a)
     even, odd = split_halves(s)
-    return to_scalars(added(scaled(odd, x), even))
+    return to_scalars(odd * x + even)

@@ -15,7 +15,6 @@ from pathlib import Path
 from threading import RLock
 
 from .in_memory import marked
-from .sources import Sources
 
 ROOT = Path(__file__).parents[2]
 _one_at_a_time = RLock()
@@ -57,6 +56,8 @@ def cache_folder(file, root):
 
 @cache
 def _sources(root, base):
+    from .sources import Sources
+
     return Sources(root, base / f"sources{root.replace(os.sep, '+')}.json")
 
 

@@ -2,7 +2,8 @@
 
 Numba links the code of a kernel into all its callers and optimises and assembles it there again: a kernel six calls
 deep is compiled six times.  Here a kernel of more than a few instructions is compiled once.  Its callers use its symbol
-alone, and their files list the kernels to be loaded before them.
+alone, and their files list the kernels to be loaded before them.  Processes share the work: a kernel that another
+process is compiling is waited for (`claimed`).  None waits in a circle, since kernels wait for their callees alone.
 
 Private parts of numba, all used only here: `CompileResult._reduce` and `_rebuild`, the pickled form of a kernel;
 `CodeLibrary._shared_module`, which callers link, and `_reload_init`, called before a kernel is loaded.
@@ -11,6 +12,8 @@ Private parts of numba, all used only here: `CompileResult._reduce` and `_rebuil
 import hashlib
 import pickle
 import sys
+import time
+from contextlib import suppress
 from importlib import import_module
 
 import numba
@@ -23,6 +26,7 @@ from numba.core.types import Array
 from .sources import put_file
 
 SMALL = 100  # instructions: kernels up to this size, which the compiler may inline, are linked
+PATIENCE = 60.0  # s, time given to another process for a kernel: the longest and its callees take 12 alone
 
 
 class _StaleError(Exception):
@@ -30,12 +34,7 @@ class _StaleError(Exception):
 
 
 class Callee:
-    """Loads a kernel before another kernel whose file lists it as a callee
-
-    kept : whether its file has this very kernel, not an equal one compiled by another process at the same time
-    """
-
-    kept = True
+    """Loads a kernel before another kernel whose file lists it as a callee"""
 
     def __init__(self, function, signature, symbol):
         self.module, self.name = function.__module__, function.__qualname__
@@ -57,12 +56,29 @@ class Kept:
 
     def __init__(self, function, folder, linked, failed):
         self.function, self.folder, self.linked, self.failed = function, folder, linked, failed
-        self.cache_path, self.worthless = str(folder), set()
+        self.cache_path, self.worthless, self.claims = str(folder), set(), {}
 
     def load_overload(self, signature, context):
-        """The kernel with this signature, or None"""
+        """The kernel with this signature, or None for a kernel that this process has to compile"""
         rtsys.initialize(context)  # runtime called by machine code for arrays
         file = self._file(signature, context)
+        result = self._loaded(file, signature, context)
+        if result is None and file not in self.claims:
+            self.claims[file] = claimed(file)
+            result = self._loaded(file, signature, context)  # compiled by another process meanwhile
+            if result is not None:
+                self._leave(file)
+        return result
+
+    def _leave(self, file):
+        """Let other processes have a kernel"""
+        lock = self.claims.pop(file, None)
+        if lock is not None:
+            with suppress(OSError):
+                file.with_suffix(".lock").unlink()
+            lock.close()
+
+    def _loaded(self, file, signature, context):
         try:
             apart, data = pickle.loads(file.read_bytes())
             result = CompileResult._rebuild(context, *data)
@@ -77,6 +93,15 @@ class Kept:
     def save_overload(self, signature, result):
         """Let other kernels call a kernel that was just compiled by its symbol, and store it unless another process has
         done so"""
+        file = self._file(signature, result.target_context)
+        try:
+            self._save(file, signature, result)
+        except OSError as error:
+            self.failed(error)
+        finally:
+            self._leave(file)
+
+    def _save(self, file, signature, result):
         kind = result.signature.return_type
         if not result.target_context.enable_nrt and any(
             isinstance(one, Array) for one in getattr(kind, "types", [kind])
@@ -84,17 +109,8 @@ class Kept:
             raise TypeError(f"kernel {self.function.__qualname__} returns an array; allowed: with counted=True")
         apart = not (self.linked or _is_inner_loop(signature)) and _instructions(result) > SMALL
         self._called_by(signature, result, apart)
-        file = self._file(signature, result.target_context)
-        taken = file.exists() and file not in self.worthless
-        if taken or not all(one.kept for one in result.reload_init):
-            if apart:
-                (own,) = result.library._reload_init
-                own.kept = False
-            return
-        try:
+        if not file.exists() or file in self.worthless:
             put_file(file, dumps((apart, result._reduce())))
-        except OSError as error:
-            self.failed(error)
 
     def _called_by(self, signature, result, apart):
         """What others link, and load before it: nothing and the kernel, or itself and what it calls"""
@@ -111,6 +127,32 @@ class Kept:
         machine = f"{kinds} {context.codegen().magic_tuple()} {sys.version_info[:2]} {numba.__version__}"
         name, digest = self.function.__qualname__, hashlib.sha256(f"{self.function.__module__} {machine}".encode())
         return self.folder / f"{name}-{digest.hexdigest()[:16]}.kernel"
+
+
+def claimed(file):
+    """The open lock of a kernel that this process is to compile, after the process that compiles it now, if any
+
+    None where files cannot be locked, or another process takes longer than PATIENCE: both then compile the kernel.  The
+    lock of a process that ends, by whatever cause, is free.
+    """
+    try:
+        from fcntl import LOCK_EX, LOCK_NB, flock
+
+        file.parent.mkdir(parents=True, exist_ok=True)
+        lock = open(file.with_suffix(".lock"), "w")  # noqa: SIM115 - closed by whoever holds it
+    except (ImportError, OSError):
+        return None
+    end = time.monotonic() + PATIENCE
+    while time.monotonic() < end:
+        try:
+            flock(lock, LOCK_EX | LOCK_NB)
+            return lock
+        except BlockingIOError:
+            time.sleep(0.005)
+        except OSError:
+            break
+    lock.close()
+    return None
 
 
 def _is_inner_loop(signature):

@@ -82,26 +82,6 @@ def repeated(typing, number):
 
 
 @intrinsic
-def scaled(typing, a, x):
-    """a x of a vector a and a number x"""
-
-    def build(context, builder, signature, arguments):
-        return builder.fmul(arguments[0], _broadcast(builder, a, arguments[1]), flags=CONTRACT)
-
-    return a(a, types.float64), build
-
-
-@intrinsic
-def added(typing, a, b):
-    """a + b of two vectors"""
-
-    def build(context, builder, signature, arguments):
-        return builder.fadd(*arguments, flags=CONTRACT)
-
-    return a(a, a), build
-
-
-@intrinsic
 def split_halves(typing, a):
     """The first and the second half of a vector"""
     half = SimdVector(a.width // 2)
@@ -228,7 +208,6 @@ def bits_to_float(typing, integer):
 
 if config.DISABLE_JIT:
     from .simd_plain import (  # noqa: F401 - in place of those above
-        added,
         address,
         bits_to_float,
         choose_less,
@@ -237,7 +216,6 @@ if config.DISABLE_JIT:
         load_vector,
         repeated,
         root,
-        scaled,
         split_halves,
         store_vector,
         to_scalars,

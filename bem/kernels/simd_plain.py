@@ -21,16 +21,6 @@ def repeated(number):
     return np.full(8, number)
 
 
-def scaled(a, x):
-    """a x of a vector a and a number x"""
-    return a * x
-
-
-def added(a, b):
-    """a + b of two vectors"""
-    return a + b
-
-
 def split_halves(a):
     """The first and the second half of a vector"""
     half = len(a) // 2

@@ -10,36 +10,25 @@ import ast
 import hashlib
 import json
 import os
-import re
 import time
 from contextlib import suppress
-from functools import cache
 from pathlib import Path
 
 TICK = 2_000_000_000  # ns, the coarsest clock of a file system that is common (FAT)
 PACKAGE = "hakobune."  # package prefix of the folders at the root
-# `from X import a, (b)` and `import X`; ast.parse would take 3 ms a file
-_IMPORT = re.compile(
-    r"^[ \t]*(?:from[ \t]+(\.*[\w.]*)[ \t]+import[ \t]+(\([^)]*\)|[^\n#]*)|import[ \t]+([^\n#]*))", re.M
-)
-_NAME = re.compile(r"(\w[\w.]*)(?:\s+as\s+\w+)?\s*(?:#[^\n]*)?(?:,|$)")
 
 
-@cache
-def imported(file, root):
-    """Source files below `root` imported directly by a source file, as a tuple of Paths"""
-    out = []
-    for origin, names, plain in _IMPORT.findall(file.read_bytes().decode()):
-        if plain:
-            out += [_module(root, name) for name in _NAME.findall(plain)]
+def imported(file, root, imports=None):
+    """Source files below `root` imported directly by a source file, a set of Paths; imports : of `parsed`, if known"""
+    found = []
+    for one in parsed(file.read_bytes())[1] if imports is None else imports:
+        if isinstance(one, ast.Import):
+            found += [_module(root, alias.name) for alias in one.names]
             continue
-        name = origin.lstrip(".")
-        dots = len(origin) - len(name)
-        folder = file.parents[dots - 1] if dots else root
-        out.append(_module(folder, name))
+        folder, name = file.parents[one.level - 1] if one.level else root, one.module or ""
         # an imported name may itself be a module
-        out += [_module(folder, f"{name}.{part}".lstrip(".")) for part in _NAME.findall(names.strip("()"))]
-    return tuple(source for source in out if source is not None)
+        found += [_module(folder, name), *(_module(folder, f"{name}.{alias.name}".lstrip(".")) for alias in one.names)]
+    return {source for source in found if source is not None}
 
 
 def _module(folder, name):
@@ -51,17 +40,19 @@ def _module(folder, name):
     return None
 
 
-def meant(text):
-    """The syntax tree of a source, as text, without its docstrings"""
-    tree = ast.parse(text)
+def parsed(text):
+    """The syntax tree of a source, as text, without its docstrings, and its import statements"""
+    tree, imports = ast.parse(text), []
     waiting = [tree]
     while waiting:
         one = waiting.pop()
+        if isinstance(one, ast.Import | ast.ImportFrom):
+            imports.append(one)
         if isinstance(one, ast.Module | ast.ClassDef | ast.FunctionDef) and ast.get_docstring(one, clean=False):
             del one.body[0]
         for part in ("body", "orelse", "handlers", "finalbody"):
             waiting += getattr(one, part, ())
-    return ast.dump(tree)
+    return ast.dump(tree), imports
 
 
 class Sources:
@@ -111,13 +102,13 @@ class Sources:
         return self._now[source]
 
     def _read(self, source, stat):
-        own = hashlib.sha256(meant(Path(source).read_bytes()).encode()).hexdigest()
+        tree, imports = parsed(Path(source).read_bytes())
         settled = time.time_ns() - stat.st_mtime_ns > TICK
         return [
             stat.st_mtime_ns if settled else None,
             stat.st_size,
-            own,
-            sorted({str(one) for one in imported(Path(source), self.root)}),
+            hashlib.sha256(tree.encode()).hexdigest(),
+            sorted(map(str, imported(Path(source), self.root, imports))),
         ]
 
     def _keep(self):

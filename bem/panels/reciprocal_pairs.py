@@ -11,7 +11,7 @@ import numpy as np
 
 from ..green.finite_depth import depth_variables, standing_part_at, table_position, table_view
 from ..kernels.jit import kernel
-from ..kernels.simd import added, address, load_vector, scaled, split_halves, to_scalars
+from ..kernels.simd import address, load_vector, split_halves, to_scalars
 from ..kernels.threads import parallel_rows
 from .wave_influence import COARSE, close_up_to
 
@@ -172,9 +172,9 @@ def _add(a, b, weights, signs, count, found, S, D):
             k = j + np.uintp(1)
             for p in range(4):
                 i, first = np.uintp(4 * a + p), (2 * p + half) * count
-                total = scaled(load_vector(found, 8 * first), signs[c, 0])
+                total = load_vector(found, 8 * first) * signs[c, 0]
                 for m in range(1, count):
-                    total = added(total, scaled(load_vector(found, 8 * (first + m)), signs[c, m]))
+                    total = total + load_vector(found, 8 * (first + m)) * signs[c, m]
                 one, two = split_halves(total)
                 first_two, last_two = split_halves(one)
                 there, back = to_scalars(first_two)

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .memory import MemoryArrays
+from .memory_kernels import MemoryArrays
 
 
 class SlowMemory(NamedTuple):

@@ -27,10 +27,10 @@ from warnings import warn
 import numpy as np
 
 from ..database.reader import Reader, reader, without_rows
-from ..kernels.in_memory import in_memory
 from ..kernels.threads import blas_threads
 from ..modes import words_of
 from .fewest_states import fewest_states
+from .memory_kernels import MemoryArrays
 from .sensitivity import sensitivity
 from .whole_axis import Causal, WholeAxis, ends_of, whole_axis, without_negative
 
@@ -42,16 +42,6 @@ SHORTER = (0.9, 0.8, 0.7, 0.6, 0.5)  # fractions of the band tried if its upper 
 SPREAD = (30.0, 8.0)  # range of the fit below and above the band, as a factor
 FELT = 0.05  # error scale over ω (M + A), for motions that radiate little, such as heave of a semi-submersible
 CLOSE = (0.03, 0.1)  # deviation of the fitted transform from the database: above these it is reported, refused
-
-
-@in_memory
-class MemoryArrays(NamedTuple):
-    """Arguments of kernels: decay (n,) 1/s, turn (p,) rad/s, input and output (6N, n) of the module, all contiguous"""
-
-    decay: np.ndarray
-    turn: np.ndarray
-    input: np.ndarray
-    output: np.ndarray
 
 
 @dataclass(frozen=True, eq=False)

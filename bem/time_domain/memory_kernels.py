@@ -1,6 +1,24 @@
 """Compiled rate and force of `memory`: 0.1 µs each for 60 states, whatever the motions."""
 
+from typing import NamedTuple
+
+import numpy as np
+
+from ..kernels.in_memory import in_memory
 from ..kernels.jit import kernel
+
+
+@in_memory
+class MemoryArrays(NamedTuple):
+    """Arguments of kernels: decay (n,) 1/s, turn (p,) rad/s, input and output (6N, n) of the system of `memory`
+
+    All contiguous.
+    """
+
+    decay: np.ndarray
+    turn: np.ndarray
+    input: np.ndarray
+    output: np.ndarray
 
 
 @kernel(counted=False)

@@ -19,7 +19,8 @@ from ..lines.system.graph import System
 from ..lines.system.hawser import Hawser, pull_of_points
 from ..lines.system.parts import Anchor, Fairlead, MooredBody
 from ..motion.simulation import moored, simulate
-from ..motion.wave_loads import HEADINGS, WaveForces
+from ..motion.tables.wave_windows import HEADINGS
+from ..motion.wave_loads import WaveForces
 from ..motion.weather import Settings, Weather
 from ..studies.conditions import Waves
 from .elastic import stiffness_of

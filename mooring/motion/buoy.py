@@ -27,7 +27,7 @@ from ..lines.ropes import RopePart
 from .line_loads import Lines, LineWork, body_lines, generalized, line_loads, line_work, tables_of
 from .tables.harmonics import at_step, sum_waves, zeros_in_lines
 from .tables.interpolation import EDGE, between_samples
-from .wave_loads import WaveTable
+from .tables.wave_windows import WaveTable
 
 WATER = 7  # rows of the water: elevation, velocity, acceleration
 DAMPING = 0.05  # damping ratio of a hawser between its ends

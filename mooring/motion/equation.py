@@ -33,8 +33,7 @@ import numpy as np
 
 from hakobune.bem.kernels.in_memory import in_memory
 from hakobune.bem.kernels.jit import kernel
-from hakobune.bem.time_domain.memory import MemoryArrays
-from hakobune.bem.time_domain.memory_kernels import memory_force, memory_rate
+from hakobune.bem.time_domain.memory_kernels import MemoryArrays, memory_force, memory_rate
 
 from .buoy import buoy_rates
 from .contact_loads import Contacts, ContactWork, contact_loads
@@ -43,7 +42,7 @@ from .links import hold_together
 from .streams import Stream, stream_force
 from .tables.hull_water import HullWater, hull_water_force
 from .tables.interpolation import EDGE, between_samples, on_ring
-from .wave_loads import ROWS
+from .tables.wave_windows import ROWS
 
 WORKS = ("waves", "drift", "wind", "current", "lines", "memory", "damping", "given", "fenders", "ropes",
          "hawsers")  # fmt: skip
@@ -76,7 +75,7 @@ class Body(NamedTuple):
     damping : (n, n) B′; quadratic : (n,) N₂; heading : (N,) rad, ψ at rest
     filter_rate : ωc, rad/s; ramp : s; munk : 1, or 0 where its moment is in the current
     wave_ramp : (2,) s, begin of the waves and how long they grow
-    memory : `bem.time_domain.memory.MemoryArrays`
+    memory : `bem.time_domain.memory_kernels.MemoryArrays`
     drift_damping : (N, HEADINGS + 3, 6) B over headings ψ, rows of `interpolation.ring_table`; N s/m by (surge, sway)
     given : (6N, m) N and N m, a table in time in heading axes, from 0 s in steps of given_step s; one column for none
     """

@@ -28,7 +28,7 @@ from .line_loads import fairlead_of, hold
 from .links import put_forces
 from .moving_lines.sea import sea_ahead
 from .moving_lines.steps import advance_lines, foresee, keep_lines, project, put_tensions, sea_for_step
-from .wave_loads import fill_window, meet
+from .tables.wave_windows import fill_window, meet
 
 SAFETY, LARGEST, SMALLEST = 0.85, 4.0, 0.2  # safety factor, largest and smallest change of step
 WITH_LINES = 0.7  # SAFETY with moving lines: their response is predicted less well, and a rejected step is expensive

@@ -9,7 +9,8 @@ a box of 100 m in 20 m of water has 5e6 N s/m at 0.6 rad/s and 2e4 at 0.05.
 import numpy as np
 
 from .tables.interpolation import ring_table
-from .wave_loads import HEADINGS, drift_damping
+from .tables.wave_windows import HEADINGS
+from .wave_loads import drift_damping
 
 PLANE = (0, 1, 5)
 SLOW = 0.5  # natural frequencies below this fraction of the mean wave frequency count as slow

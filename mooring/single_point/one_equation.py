@@ -11,7 +11,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from hakobune.bem.modes import words_of
-from hakobune.bem.time_domain.memory import Memory, MemoryArrays
+from hakobune.bem.time_domain.memory import Memory
+from hakobune.bem.time_domain.memory_kernels import MemoryArrays
 
 from ..lines.system.parts import Fairlead
 from ..loads.on_hull import heeling

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from ..motion.wave_loads import HEADINGS, drift_damping
+from ..motion.tables.wave_windows import HEADINGS
+from ..motion.wave_loads import drift_damping
 
 LOWEST = 1e-3  # share of the waves' energy below the split of slow and wave motion
 ORDER, PADDED = 8, 3  # order of the forward–backward filter at the split, and padding at either end in its periods

@@ -7,14 +7,15 @@ import threading
 from concurrent.futures import ProcessPoolExecutor
 from multiprocessing.connection import wait
 
+from .beside import processors
+
 
 class Processes(ProcessPoolExecutor):
     """Spawned processes, because a fork lacks the threads that BLAS may wait for; they end with their parent."""
 
     def __init__(self, count):
-        cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else 1
         self.count = count
-        super().__init__(count, multiprocessing.get_context("spawn"), _start, (max(1, cores // count),))
+        super().__init__(count, multiprocessing.get_context("spawn"), _start, (max(1, processors() // count),))
 
     def shutdown(self, wait=True, *, cancel_futures=False):
         """Without `wait` the processes are ended, since nobody will read their results.

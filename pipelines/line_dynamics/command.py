@@ -25,6 +25,9 @@ def line_dynamics(
     plot: Annotated[Path | None, Parameter(help="tensions and shapes: .png, .svg or .pdf")] = None,
 ):
     """Compute tension, slack and work of one mooring line whose fairlead moves, beside its quasi-static tension."""
+    from ..executors.beside import begin_beside
+
+    begin_beside("line-dynamics", "mooring/lines/dynamics/lumped/esdirk.py", study)
     from ..common.picture import PLOTS, check_picture
     from ..printing.console import new_console
     from ..results.output import check_result, write_result

@@ -6,7 +6,7 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
-from ..common.weather.seas import SPREADINGS
+from ..common.weather import SPREADINGS
 from ..scene.flags import _flag
 
 

@@ -33,6 +33,9 @@ def simulate(
 
     A second call with the same output continues where the first stopped, or adds seeds.
     """
+    from ..executors.beside import begin_beside
+
+    begin_beside("simulate", "mooring/motion/integrator.py", study, database)
     from .command import simulate
 
     return simulate(study, database, output, seeds, duration, fresh, executor, windows, methods, division)

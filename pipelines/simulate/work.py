@@ -96,7 +96,7 @@ def prepared(task, db=None, waves=None):
                     plan, level_of_pairs(study, bool(plan.weather.seas), plan.settings.slow_drift), "bodies that bend"
                 )
             else:
-                plan, left = _with_pairs(plan, study, db, reader)
+                plan, left = with_pairs(plan, study, db, reader)
             choice = _lines_chosen(task, body, plan)
             moving_of(body, choice.settings)  # refused here, before a file exists
         _check_floats(body, hull)
@@ -151,7 +151,7 @@ def _remembering(body, db, asked):
     )
 
 
-def _with_pairs(plan, study, db, reader):
+def with_pairs(plan, study, db, reader):
     """The Plan with the forces of wave pairs of the study's level beyond Newman's approximation, and its findings
 
     By default ("auto") the highest level in the database, or Newman's approximation alone.

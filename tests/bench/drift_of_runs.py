@@ -25,7 +25,8 @@ from hakobune.bem.database import open_database
 from hakobune.bem.waves import wavenumber
 from hakobune.mooring.motion.simulation import simulate, wave_components
 from hakobune.mooring.motion.slow_damping import drift_damping_ring
-from hakobune.mooring.motion.wave_loads import HEADINGS, drift_on_current
+from hakobune.mooring.motion.tables.wave_windows import HEADINGS
+from hakobune.mooring.motion.wave_loads import drift_on_current
 from hakobune.pipelines.moor.result import studied
 from hakobune.pipelines.moor.study import make_study
 from hakobune.pipelines.simulate.work import Task, prepared

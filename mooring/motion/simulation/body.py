@@ -3,7 +3,7 @@
 import numpy as np
 
 from hakobune.bem.time_domain.fast_states import slow_memory
-from hakobune.bem.time_domain.memory import MemoryArrays
+from hakobune.bem.time_domain.memory_kernels import MemoryArrays
 
 from ...lines.system.bodies import axes_in_space, places_along
 from .. import slow_damping

@@ -17,7 +17,8 @@ from ..moving_lines.sea import line_sea
 from ..streams import calm
 from ..tables.groups import groups_of
 from ..tables.hull_water import NO_HULL_WATER
-from ..wave_loads import Waves, no_waves, wave_table, waves_of
+from ..tables.wave_windows import Waves, waves_of
+from ..wave_loads import no_waves, wave_table
 from .body import body_of
 from .expected import expected_motion
 from .failures import SimulationError, stopped

@@ -9,7 +9,7 @@ eight steps at once, in a fixed order: a sum has the same bits whatever is summe
 import numpy as np
 
 from hakobune.bem.kernels.jit import kernel
-from hakobune.bem.kernels.simd import WIDTH, added, address, load_vector, scaled, store_vector
+from hakobune.bem.kernels.simd import WIDTH, address, load_vector, store_vector
 
 BLOCK = 8  # waves added at once
 LINE = 64  # bytes of a line of the cache: vectors that lie across two of them take twice the time
@@ -53,15 +53,15 @@ def sum_waves(rows, factor, sums):
                     continue
                 for n in range(0, m, WIDTH):
                     p, at = (2 * i + part) * m + n, (2 * j + part) * m + n
-                    one = added(load_vector(into, at), scaled(load_vector(of, p), a))
-                    one = added(one, scaled(load_vector(of, p + 2 * m), b))
-                    one = added(one, scaled(load_vector(of, p + 4 * m), c))
-                    one = added(one, scaled(load_vector(of, p + 6 * m), d))
-                    two = scaled(load_vector(of, p + 8 * m), e)
-                    two = added(two, scaled(load_vector(of, p + 10 * m), f))
-                    two = added(two, scaled(load_vector(of, p + 12 * m), g))
-                    two = added(two, scaled(load_vector(of, p + 14 * m), h))
-                    store_vector(into, at, added(one, two))
+                    one = load_vector(into, at) + load_vector(of, p) * a
+                    one = one + load_vector(of, p + 2 * m) * b
+                    one = one + load_vector(of, p + 4 * m) * c
+                    one = one + load_vector(of, p + 6 * m) * d
+                    two = load_vector(of, p + 8 * m) * e
+                    two = two + load_vector(of, p + 10 * m) * f
+                    two = two + load_vector(of, p + 12 * m) * g
+                    two = two + load_vector(of, p + 14 * m) * h
+                    store_vector(into, at, one + two)
 
 
 @kernel(inline=True, counted=False)

@@ -6,9 +6,7 @@ from pathlib import Path
 import msgspec
 
 from ..quantities import StudyError, Table, direction, positive
-
-SPREADINGS = "cosine:N, half_cosine:S, mitsuyasu:SMAX, wrapped_normal:DEGREES"
-
+from . import SPREADINGS
 
 PERIODS = ("period", "mean_period", "zero_crossing_period", "energy_period", "peak_period", "significant_period")
 

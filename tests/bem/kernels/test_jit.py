@@ -4,6 +4,7 @@ import ast
 import gc
 import os
 import runpy
+import shutil
 import sys
 import time
 from pathlib import Path
@@ -13,6 +14,7 @@ import numba  # loaded once: a second for each process that begins without it
 import pytest
 
 from hakobune import bem
+from hakobune.bem.kernels import kept
 from hakobune.bem.kernels.jit import kernel
 from hakobune.bem.kernels.sources import Sources, imported
 
@@ -133,6 +135,15 @@ def test_every_module_that_a_source_imports_is_found(package):
         assert set(imported(file, ROOT)) >= set(by_parsing(file)), file
 
 
+def test_a_change_of_a_command_compiles_no_kernel_again():
+    """Sources of kernels reach sources of `bem`, `mooring` and `meshing` alone, even through others"""
+    sources, house = Sources(str(ROOT)), [ROOT / name for name in ("bem", "mooring")]
+    kernels = [file for folder in house for file in folder.rglob("*.py") if "\n@kernel(" in file.read_text()]
+    reached = {file for one in kernels for file in sources.of(one)}
+    assert len(kernels) > 40 and len(reached) > len(kernels)
+    assert {Path(file).relative_to(ROOT).parts[0] for file in reached} <= {"bem", "mooring", "meshing"}
+
+
 def by_parsing(file):
     """Files of the modules that the syntax tree of a source imports"""
     for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
@@ -232,8 +243,47 @@ def test_a_long_kernel_is_kept_once_and_its_caller_always_fits_it(tmp_path):
     assert kept_after()["outer"].stat().st_mtime_ns > before  # compiled again
     assert kept_after() == files
     files["outer"].unlink()
-    assert kept_after(NOTHING_THERE).keys() == {"inner"}  # the caller of an inner one that is not the one that is kept
+    begun_together = kept_after(NOTHING_THERE)["outer"].stat().st_mtime_ns  # its inner one is not the one that is kept
+    assert kept_after()["outer"].stat().st_mtime_ns > begun_together
     assert kept_after() == files
+
+
+COMPILED_MEANWHILE = """
+import shutil
+from hakobune.bem.kernels import kept
+def waited(file):
+    shutil.copytree({kept!r}, {cache!r}, dirs_exist_ok=True)
+kept.claimed, kept.Kept.save_overload = waited, None  # nothing is compiled
+"""
+
+
+@COMPILED
+def test_a_kernel_that_another_process_has_compiled_meanwhile_is_taken_from_it(tmp_path):
+    (tmp_path / "two.py").write_text(TWO_CALLERS)
+    cache, aside = tmp_path / "cache", tmp_path / "aside"
+
+    def kept_after(before=""):
+        done = ended(tmp_path / "two.py", cache, tmp_path, tmp_path, "outer", before=before)
+        assert (done.status, done.stdout) == (0, "3.0 2.0\n"), done.stderr
+        return {file.relative_to(cache): file.read_bytes() for file in cache.rglob("*.kernel")}
+
+    alone = kept_after()
+    assert len(alone) == 3 and not [*cache.rglob("*.lock")]
+    shutil.move(cache, aside)
+    assert kept_after(COMPILED_MEANWHILE.format(kept=str(aside), cache=str(cache))) == alone
+
+
+def test_a_kernel_is_claimed_by_one_process_until_this_ends_or_has_taken_too_long(tmp_path, monkeypatch):
+    file, claimed = tmp_path / "folder" / "one.kernel", kept.claimed
+    first = claimed(file)
+    monkeypatch.setattr(kept, "PATIENCE", 0.02)
+    assert first is not None and claimed(file) is None
+    first.close()  # as the end of a process does
+    second = claimed(file)
+    assert second is not None
+    second.close()
+    (tmp_path / "no_folder").touch()
+    assert claimed(tmp_path / "no_folder" / "one.kernel") is None
 
 
 @COMPILED

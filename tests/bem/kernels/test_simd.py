@@ -10,7 +10,6 @@ import pytest
 
 from hakobune.bem.green.finite_depth import green
 from hakobune.bem.kernels.simd import (
-    added,
     address,
     bits_to_float,
     choose_less,
@@ -19,7 +18,6 @@ from hakobune.bem.kernels.simd import (
     load_vector,
     repeated,
     root,
-    scaled,
     split_halves,
     store_vector,
     to_scalars,
@@ -49,8 +47,8 @@ def every_operation(a, b, out):
     """One after the other: sums, products, both with numbers, halves, choices, roots and bits, of eight numbers each"""
     x, y = load_vector(address(a), 1), load_vector(address(b), 0)
     to = address(out)
-    store_vector(to, 0, added(x, y))
-    store_vector(to, 8, scaled(x, 3.0))
+    store_vector(to, 0, x + y)
+    store_vector(to, 8, x * 3.0)
     store_vector(to, 16, x + y)
     store_vector(to, 24, x - y)
     store_vector(to, 32, x * y)

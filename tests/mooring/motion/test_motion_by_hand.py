@@ -37,7 +37,8 @@ from hakobune.mooring.motion.statistics import (
     without_rounding,
 )
 from hakobune.mooring.motion.streams import GUST_BAND, GUSTS, gust_at, wind_stream
-from hakobune.mooring.motion.wave_loads import HEADINGS, WaveForces, drift_damping, drift_of, forces_towards
+from hakobune.mooring.motion.tables.wave_windows import HEADINGS
+from hakobune.mooring.motion.wave_loads import WaveForces, drift_damping, drift_of, forces_towards
 from hakobune.mooring.motion.weather import Settings, Weather
 from hakobune.mooring.studies.conditions import Current, ExposedBox, Waves, Wind
 

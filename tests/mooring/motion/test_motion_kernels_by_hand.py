@@ -41,7 +41,8 @@ from hakobune.mooring.motion.line_loads import (
 )
 from hakobune.mooring.motion.tables.hull_water import hull_water, hull_water_force
 from hakobune.mooring.motion.tables.interpolation import between_samples, lagrange_weights, on_ring, ring_table
-from hakobune.mooring.motion.wave_loads import HEADINGS, WaveForces, wave_table
+from hakobune.mooring.motion.tables.wave_windows import HEADINGS
+from hakobune.mooring.motion.wave_loads import WaveForces, wave_table
 
 RHO, G = 1000.0, 9.8
 

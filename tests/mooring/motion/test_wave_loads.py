@@ -7,7 +7,8 @@ from hakobune.mooring.environment.sea import Sea
 from hakobune.mooring.environment.spectra import jonswap
 from hakobune.mooring.environment.spreading import CosinePower
 from hakobune.mooring.motion.tables.interpolation import EDGE
-from hakobune.mooring.motion.wave_loads import ROWS, fill_window, meet, wave_table, waves_of
+from hakobune.mooring.motion.tables.wave_windows import ROWS, fill_window, meet, waves_of
+from hakobune.mooring.motion.wave_loads import wave_table
 from hakobune.mooring.response.slow_drift import component_drift, newman
 
 ROUNDING = 1e-12  # of phases of a few hundred rad and of sums

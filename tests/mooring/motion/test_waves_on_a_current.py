@@ -11,7 +11,8 @@ from hakobune.mooring.environment.spectra import jonswap
 from hakobune.mooring.motion.simulation import simulate
 from hakobune.mooring.motion.slow_damping import drift_damping_ring
 from hakobune.mooring.motion.tables.interpolation import EDGE
-from hakobune.mooring.motion.wave_loads import HEADINGS, ROWS, fill_window, meet, wave_table, waves_of
+from hakobune.mooring.motion.tables.wave_windows import HEADINGS, ROWS, fill_window, meet, waves_of
+from hakobune.mooring.motion.wave_loads import wave_table
 from hakobune.mooring.motion.weather import Settings, Weather
 from hakobune.mooring.on_current.body import on_current
 from hakobune.mooring.on_current.waves import Carrier

@@ -10,7 +10,8 @@ from hakobune.mooring.environment.sea import Sea
 from hakobune.mooring.environment.spectra import tabulated
 from hakobune.mooring.environment.spreading import WrappedNormal
 from hakobune.mooring.loads.turning import turning_coefficients
-from hakobune.mooring.motion.wave_loads import HEADINGS, WaveForces
+from hakobune.mooring.motion.tables.wave_windows import HEADINGS
+from hakobune.mooring.motion.wave_loads import WaveForces
 from hakobune.mooring.on_current.waves import Carrier
 from hakobune.mooring.single_point import runs
 from hakobune.mooring.single_point.body import Hold, SinglePoint

@@ -87,7 +87,7 @@ def pairs(monkeypatch):
         monkeypatch.setattr(work, "level_of_pairs", lambda study, there, slow: level)
         db, reader = SimpleNamespace(bodies=bodies, path="a.h5"), SimpleNamespace(floating=lambda: None)
         plan = Plan(SimpleNamespace(slow_drift=drift), Weather(seas))
-        made, said = work._with_pairs(plan, SimpleNamespace(quay=quay), db, reader)
+        made, said = work.with_pairs(plan, SimpleNamespace(quay=quay), db, reader)
         return made.weather.beside_newman, tuple(said)
 
     return call
