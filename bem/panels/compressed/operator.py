@@ -15,7 +15,7 @@ from ..influence import rankine_of_panels
 from ..wave_influence import COARSE, PER_WAVE, Pairs
 from ..wave_influence import Sources as Nodes
 from .clusters import Clusters
-from .far_blocks import DOUBLE, SINGLE, Sources, Water, low_rank_blocks
+from .far_blocks import Sources, Water, low_rank_blocks
 
 # most entries of near blocks whose Rankine parts are kept for other frequencies, 8 bytes each: a tenth of their time
 MOST_KEPT = 40_000_000
@@ -173,7 +173,7 @@ class CompressedEquations:
 
     def __init__(self, tree, table, mirror, depth_values, velocities, tolerance):
         """velocities : `Columns` of normal velocities, zero on the lid; tolerance : of A relative to 2π"""
-        self.tree, g = tree, tree.geometry
+        self.tree = tree
         self.side = np.where(tree.hull, -1.0, 1.0)[:, None]
         self.diagonal = np.where(tree.hull, 2 * np.pi, 4 * np.pi)[:, None]
         self.arguments = table, mirror, depth_values
@@ -181,10 +181,8 @@ class CompressedEquations:
         sides = np.zeros(velocities.values.shape, complex)
         with blas_threads(1):
             self.near = self._near_blocks(images, sides)
-            each = tolerance * 2 * np.pi / (len(g.images) * len(tree.nodes))
-            self.far = LowRankPart.of(self._far_blocks(DOUBLE, each), tree)
+            self.far = LowRankPart.of(self._far_blocks(images, sides, tolerance), tree)
             self.of_cells, self.of_more = self._by_cells()
-            self._add_single_layer(images, sides, tolerance)
         self.sides = self.side * sides
 
     def _near_blocks(self, images, sides):
@@ -237,24 +235,32 @@ class CompressedEquations:
                 (parts[cell][kind] if block[0].stop <= cells[cell].stop else more).append(block)
         return parts, more
 
-    def _far_blocks(self, layer, tolerance):
-        """[(target, source, image, U, V)] of all far blocks"""
-        found, parts = [None] * PARTS, self._parts()
+    def _far_blocks(self, images, sides, tolerance):
+        """[(target, source, image, U, V)] of all far blocks; adds the single layers, which are not kept, to `sides`"""
+        tree, found, parts = self.tree, [None] * PARTS, self._parts()
+        # S of a unit velocity is of the order of the body's length
+        size = np.abs(sides).max() / np.abs(images).max()
+        each = tolerance / (len(tree.geometry.images) * len(tree.nodes))
 
         def work(low, high):
             for part in range(low, high):
-                blocks = zip(parts[part], self._compressed(parts[part], layer, tolerance), strict=True)
-                found[part] = [(*key, U.astype(self.KEPT), V.astype(self.KEPT)) for key, (U, V) in blocks]
+                kept, own = found[part] = [], np.zeros_like(sides)
+                made = self._compressed(parts[part], size * each, 2 * np.pi * each)
+                for (t, s, m), (U, V, V_S) in zip(parts[part], made, strict=True):
+                    own[tree.span(t)] += U @ (V_S @ images[m][tree.span(s)])
+                    kept.append((t, s, m, U.astype(self.KEPT), V.astype(self.KEPT)))
 
-        parallel_rows(work, PARTS, len(self.tree.nodes) ** 2)
-        return [block for part in found for block in part]
+        parallel_rows(work, PARTS, len(tree.nodes) ** 2)
+        for _, own in found:
+            sides += own
+        return [block for kept, _ in found for block in kept]
 
     def _parts(self):
         """The far blocks (·, 3) in `PARTS` parts, each with blocks of all sizes"""
         far = self.tree.far
         return [far[start::PARTS] for start in range(PARTS)]
 
-    def _compressed(self, blocks, layer, tolerance):
+    def _compressed(self, blocks, single, double):
         """`LowRank` of each of the blocks (b, 3), one after the other"""
         tree, g = self.tree, self.tree.geometry
         c, p = tree.clusters, tree.per_panel
@@ -262,7 +268,7 @@ class CompressedEquations:
         spans = np.column_stack([p * c.first[t], p * c.end[t], p * c.first[s], p * c.end[s]])
         numbers = np.column_stack([spans, g.images[m].astype(int)])
         nodes = tree.elements.nodes
-        return low_rank_blocks(numbers, nodes, self.at_depth, self.sources, self.water, layer, tolerance)
+        return low_rank_blocks(numbers, nodes, self.at_depth, self.sources, self.water, single, double)
 
     @cached_property
     def water(self):
@@ -293,24 +299,6 @@ class CompressedEquations:
             shape = tree.quadrature.shape[panel[some], which, corner[some]]
             weights[some] = tree.quadrature.weights[panel[some], which] * shape
         return Sources(first, points, e.normals[node].copy(), weights, depth_values(points[:, 2]), tree.hull)
-
-    def _add_single_layer(self, images, sides, tolerance):
-        """Add S V of the far blocks, whose blocks are not kept"""
-        tree, parts = self.tree, self._parts()
-        found = [None] * PARTS
-        # S of a unit velocity is of the order of the body's length
-        size = np.abs(sides).max() / np.abs(images).max()
-        tolerance *= size / (len(tree.geometry.images) * len(tree.nodes))
-
-        def work(low, high):
-            for part in range(low, high):
-                own = found[part] = np.zeros_like(sides)
-                for (t, s, m), block in zip(parts[part], self._compressed(parts[part], SINGLE, tolerance), strict=True):
-                    own[tree.span(t)] += block.U @ (block.V @ images[m][tree.span(s)])
-
-        parallel_rows(work, PARTS, len(tree.nodes) ** 2)
-        for own in found:
-            sides += own
 
     def apply(self, columns, exactly=False):
         """A x of `Columns`, (n, p); exactly : in double precision, otherwise in that of the stored blocks"""

@@ -159,12 +159,19 @@ def test_an_entry_of_a_far_block_is_the_layer_of_the_points_of_a_node(layer, mir
                 d = points - (at * [1, 1, flip] + [0, 0, shift])
                 r = np.linalg.norm(d, axis=1)
                 value, slope = value + factor / r, slope - factor * np.sum(d * normals, axis=1) / r**3
+        view = plain("bem.green.finite_depth").table_view(table)
+        nodes, workspace = np.array([[0, 0, -9.0], at * [-1, 1, 1]]), (np.zeros((3, 3), int), np.zeros((3, 5)))
+        given = -1.0, 1.0, nodes, Z(nodes[:, 2])[:, 0], sources, water, view, *workspace
         for j, own in ((0, slice(0, 2)), (1, slice(2, 3))):
             on_hull = hull or j
             part = slope if layer and on_hull else value
             true = np.sum(weights[own] * part[own]) * (table.K if layer and not on_hull else 1.0)
-            view = plain("bem.green.finite_depth").table_view(table)
-            ours = far._entry(*at, Z(at[2:])[0, 0], j, sources, water, layer, view)
+            far._line(1, 0, 0, 1, 3, *given)  # the point and all sources
+            assert far._summed(j, 0, sources, table.K, workspace[1])[1 - layer] == pytest.approx(true, rel=1e-6)
+            ours = 0.0
+            for q in range(*sources.first[j : j + 2]):  # each source and the point
+                far._line(1, 1, q, 0, 1, *given)
+                ours += far._layer(0, not layer, on_hull, table.K, workspace[1])
             assert ours == pytest.approx(true, rel=1e-6)
 
 
