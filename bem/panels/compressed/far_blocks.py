@@ -2,8 +2,9 @@
 
 Rows and columns are those of the residual with the largest entries (Bebendorf, Numerische Mathematik 86, 2000).  The
 single and the double layer of a block lie side by side, [S D] ≈ U [V_S V_D]: both come from one evaluation of the Green
-function.  Where the last term is small a few other rows are checked, since a block may have parts that the rows so far
-do not show: a panel has no influence on those of its own plane.
+function.  They are real parts; imaginary ones are in `bem.panels.standing_waves`.  Where the last term is small a few
+other rows are checked, since a block may have parts that the rows so far do not show: a panel has no influence on those
+of its own plane.
 """
 
 import math
@@ -61,7 +62,7 @@ def low_rank_blocks(blocks, nodes, at_depth, sources, water, single, double):
         return
     shapes = np.column_stack([blocks[:, 1] - blocks[:, 0], blocks[:, 3] - blocks[:, 2]])
     most = shapes.max(axis=0)
-    left, right, right_single = (np.empty(max(CAPACITY, ROOM * int(most[k])), complex) for k in (0, 1, 1))
+    left, right, right_single = (np.empty(max(CAPACITY, ROOM * int(most[k]))) for k in (0, 1, 1))
     used = [np.empty(count, np.bool_) for count in most]
     points = int(np.max(sources.first[blocks[:, 3]] - sources.first[blocks[:, 2]]))
     workspace = np.empty((max(points, most[0]), 3), np.int64), np.empty((max(points, most[0]), 5))
@@ -70,7 +71,7 @@ def low_rank_blocks(blocks, nodes, at_depth, sources, water, single, double):
     while done < len(blocks):
         end = _compress(done, *given, left, right, right_single, ranks)
         if end == done:  # a block that is larger than the buffers
-            left, right, right_single = (np.empty(2 * len(buffer), complex) for buffer in (left, right, right_single))
+            left, right, right_single = (np.empty(2 * len(buffer)) for buffer in (left, right, right_single))
             continue
         starts = [0, 0]
         for (m, n), rank in zip(shapes[done:end], ranks[done:end], strict=True):
@@ -132,7 +133,7 @@ def _compress(
             for j in range(n):
                 right[v + j] *= pivot
                 right_single[v + j] *= pivot
-            size = max(square * of_double, square_single * of_single) * (pivot.real**2 + pivot.imag**2)
+            size = max(square * of_double, square_single * of_single) * pivot**2
             for i in range(m):
                 left[u + i] = 0.0
             for q in range(sources.first[start + column], sources.first[start + column + 1]):
@@ -176,7 +177,7 @@ def _largest(values, begin, count, used):
     """The index of the largest of `count` unused values, −1 if there are only zeros, its square and the sum of all"""
     found, largest, total = -1, 0.0, 0.0
     for j in range(count):
-        square = values[begin + j].real ** 2 + values[begin + j].imag ** 2
+        square = values[begin + j] ** 2
         total += square
         if not used[j] and square > largest:
             found, largest = j, square
@@ -197,16 +198,14 @@ def _unused(used, count, begin):
 def _layer(e, single, on_hull, K, values):
     """Value number e of `_line`, of the single layer or of the double one, on the lid K times the single one"""
     if single:
-        return complex(values[e, 0], values[e, 1])
-    if on_hull:
-        return complex(values[e, 2], values[e, 3])
-    return K * complex(values[e, 0], values[e, 1])
+        return values[e, 0]
+    return values[e, 1] if on_hull else K * values[e, 0]
 
 
 @kernel(inline=True, counted=False)
 def _summed(j, first, sources, K, values):
     """Double and single layer of node j from the values of its sources; first : the source of the first value"""
-    double, single = complex(0.0), complex(0.0)
+    double, single = 0.0, 0.0
     for q in range(sources.first[j], sources.first[j + 1]):
         double += _layer(q - first, False, sources.hull[j], K, values)
         single += _layer(q - first, True, sources.hull[j], K, values)
@@ -215,7 +214,7 @@ def _summed(j, first, sources, K, values):
 
 @kernel(inline=True, counted=False)
 def _line(i, next_point, q, next_source, count, sx, sy, nodes, at_depth, sources, water, view, pieces, values):
-    """Single and double layer of `count` pairs of a point and a source, real and imaginary parts into `values`.
+    """Single and double layer of `count` pairs of a point and a source, into the first two columns of `values`.
 
     The points are i, i + next_point, …, mirrored by sx and sy, the sources q, q + next_source, …  With places in the
     table in a loop of their own a pair takes 24 ns, in one loop 66 ns, and 157 ns if references to arrays are counted.
@@ -238,7 +237,7 @@ def _line(i, next_point, q, next_source, count, sx, sy, nodes, at_depth, sources
         Z, slope = depth_z[b, 0], depth_z[b, 1]
         position = pieces[k, 0], pieces[k, 1], pieces[k, 2], values[k, 2], values[k, 3], values[k, 4]
         depths = depth_variables(z, points[b, 2])
-        g, gr, gz, j0, j1 = wave_part_at(position, R, depths, factor * Z, factor * slope, view)
+        g, gr, gz, _, _ = wave_part_at(position, R, depths, factor * Z, factor * slope, view)
         height, above = points[b, 2] - z, points[b, 2] + z
         one = 1 / math.sqrt(square + height * height)
         two = 1 / math.sqrt(square + above * above)
@@ -251,6 +250,4 @@ def _line(i, next_point, q, next_source, count, sx, sy, nodes, at_depth, sources
         radial, vertical = gr - R * (cube + mirrored + below_cube), gz - height * cube
         vertical -= above * mirrored + below * below_cube
         values[k, 0] = weight * (one + water.mirror * two + third + g)
-        values[k, 1] = weight * factor * Z * j0
-        values[k, 2] = weight * (radial * flat + vertical * up)
-        values[k, 3] = weight * factor * (Z * j1 * flat + slope * j0 * up)
+        values[k, 1] = weight * (radial * flat + vertical * up)

@@ -28,7 +28,7 @@ def block(monkeypatch):
             for e in range(count):
                 at, source = nodes[i + e * next_point], sources.points[q + e * next_source]
                 r = np.linalg.norm(at * [sx, sy, 1] - source)
-                values[e, :4] = of_single / r**3, 0.0, np.real(factor) / r, np.imag(factor) / r
+                values[e, :2] = of_single / r**3, factor / r
 
         monkeypatch.setattr(far, "_line", line)
         monkeypatch.setattr(far, "table_view", lambda table: None)
@@ -45,8 +45,8 @@ def block(monkeypatch):
 EXACT = 1 / np.linalg.norm(POINTS[:TARGETS, None] - POINTS[TARGETS:] - APART, axis=2)
 
 
-@pytest.mark.parametrize("factor", [1.0, 1e-4, 1e4, -1.0, -1e3, 1e-4j, 1e4j, 3 - 4j])
-def test_terms_are_as_many_as_the_error_asks_whatever_the_unit_and_phase(block, factor):
+@pytest.mark.parametrize("factor", [1.0, 1e-4, 1e4, -1.0, -1e3])
+def test_terms_are_as_many_as_the_error_asks_whatever_the_unit_and_sign(block, factor):
     """Root mean square within the tolerance, by at most three terms more than singular values need (Eckart, Young)"""
     for share in (1e-3, 1e-6):
         found, rank, _ = block(factor, share * abs(factor))
@@ -58,7 +58,7 @@ def test_terms_are_as_many_as_the_error_asks_whatever_the_unit_and_phase(block, 
         assert rank == block(1.0, share)[1]
 
 
-@pytest.mark.parametrize("factor", [1.0, 1e-4, 0.0, 3 - 4j])
+@pytest.mark.parametrize("factor", [1.0, 1e-4, 0.0, -30.0])
 def test_both_layers_of_a_block_are_as_accurate_as_asked_each(block, factor):
     """1/r³ beside factor/r from the same rows and columns, also where the second has nothing at all"""
     for double, single in ((1e-5, 1e-3), (1e-3, 1e-7), (1e-6, 1e-6)):
@@ -86,7 +86,7 @@ def test_several_blocks_are_made_one_after_the_other_each_with_its_image(monkeyp
         for e in range(count):
             values = rest[-1]
             r = np.linalg.norm(nodes[i + e * next_point] * [sx, sy, 1] - sources[q + e * next_source])
-            values[e, :4] = 0.0, 0.0, 1 / r, 0.0
+            values[e, :2] = 0.0, 1 / r
 
     monkeypatch.setattr(far, "_line", line)
     monkeypatch.setattr(far, "table_view", lambda table: None)
@@ -106,12 +106,12 @@ def test_several_blocks_are_made_one_after_the_other_each_with_its_image(monkeyp
 def test_a_pivot_of_the_size_of_the_tolerance_ends_a_block():
     """‖u v‖ over √(mn) at or below the tolerance eight rows long; rows without anything count too"""
     far = plain("bem.panels.compressed.far_blocks")
-    used, values = np.zeros(4, bool), np.array([9, 9, 1 + 1j, -3.0, 2j, 0.0])
+    used, values = np.zeros(4, bool), np.array([9, 9, 2**0.5, -3.0, 2.0, 0.0])
     assert far._largest(values, 2, 4, used) == (1, 9.0, pytest.approx(2 + 9 + 4))
     used[1] = True
     assert far._largest(values, 2, 4, used)[0] == 2 and far._unused(used, 4, 1) == 2 and far._unused(used, 4, 3) == 3
-    assert far._largest(np.zeros(4, complex), 0, 4, np.zeros(4, bool)) == (-1, 0.0, 0.0)
+    assert far._largest(np.zeros(4), 0, 4, np.zeros(4, bool)) == (-1, 0.0, 0.0)
     assert far._unused(np.ones(4, bool), 4, 1) == -1
-    buffer, factors = np.arange(12.0) + 0j, np.array([0.0, 2.0, 0.0, 3.0])
+    buffer, factors = np.arange(12.0), np.array([0.0, 2.0, 0.0, 3.0])
     far._subtract(buffer, 3, 3, 2, factors, 1, 2)
     assert buffer[9:].tolist() == [9 - 2 * 3 - 3 * 6, 10 - 2 * 4 - 3 * 7, 11 - 2 * 5 - 3 * 8]
