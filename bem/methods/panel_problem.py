@@ -13,8 +13,9 @@ from ..modes import displacing
 from ..problem import Problem
 
 # nodes of a symmetric part times the root of its classes, from which equations by blocks of low rank take less time
-# than full ones: 2 000 nodes of four classes and 3 800 of one take as long by both, 3 000 of four 1.6 s for 2.3
-WORTH_COMPRESSING = 4000
+# than full ones: of 1 500 nodes of four classes and 2 300 of one both take 0.3 s, of 1 900 of four 0.4 and 0.8 s, of
+# 3 136 of one 0.4 and 0.5 s, the first frequency 0.7 and 1.2 s
+WORTH_COMPRESSING = 2800
 
 if TYPE_CHECKING:  # the methods load their kernels when they run: a contour needs none of them
     from ..panels.influence import Geometry
