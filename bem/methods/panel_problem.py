@@ -12,10 +12,10 @@ from ..kernels.threads import blas_threads
 from ..modes import displacing
 from ..problem import Problem
 
-# nodes of a symmetric part times the root of its classes, from which equations by blocks of low rank take less time
-# than full ones: of 1 500 nodes of four classes and 2 300 of one both take 0.3 s, of 1 900 of four 0.4 and 0.8 s, of
-# 3 136 of one 0.4 and 0.5 s, the first frequency 0.7 and 1.2 s
-WORTH_COMPRESSING = 2800
+# nodes of a symmetric part times the root of its classes, from which equations by blocks of low rank are solved; they
+# take less time than full ones from 2 800 on (of 3 136 nodes of one class 0.4 for 0.5 s, of 1 900 of four 0.4 for 0.8
+# s), but bound the error of weak damping, as in roll, ten times less sharply
+WORTH_COMPRESSING = 4000
 
 if TYPE_CHECKING:  # the methods load their kernels when they run: a contour needs none of them
     from ..panels.influence import Geometry

@@ -21,7 +21,7 @@ BYTES_PER_AXISYMMETRIC_PAIR = 100  # row of a sector, node and class: Rankine ro
 # 1 600 to 12 000 nodes of one and of four classes
 BYTES_PER_DOUBLING = 2.0e3
 # evaluations of G and ∇G, or the equivalent time; fitted to 12 000 nodes of one class
-EVALUATIONS_PER_DOUBLING = 340
+EVALUATIONS_PER_DOUBLING = 370
 # bytes per node of the Rankine parts that they keep, and most nodes with which they do (`compressed.operator`)
 BYTES_KEPT, MOST_KEEPING = 1.44e4, 22_000
 RANK = 600  # assumed rank of the wave matrices, on the high side (`bem.panels.band.low_rank_waves`)
