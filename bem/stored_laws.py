@@ -15,7 +15,7 @@ import numpy as np
 
 from .checks import damping_scale
 from .drift import OF_EACH, about, energy_defect, mean_drift, sum_about_origin
-from .modes import displacing, moving, turning
+from .modes import displacing, moving, names_of, turning
 from .waves import group_factor
 
 ROUNDING = 1e-6  # tolerance of laws that the computation of the numbers uses
@@ -53,15 +53,31 @@ def broken_laws(db, tolerance):
 def damping_errors(db):
     """(n,) largest estimated error of stored damping over the size of damping, `bem.checks.damping_scale`; NaN without
     any"""
+    relative = _relative_to_damping(db)
+    if relative is None:
+        return np.full(len(db.omega), np.nan)
+    relative = relative.reshape(len(relative), -1)
+    return np.where(np.isnan(relative).all(axis=1), np.nan, np.nan_to_num(relative).max(axis=1, initial=0.0))
+
+
+def worst_damping(db):
+    """Names (force, motion) of the damping with the largest of `damping_errors`"""
+    relative, names = np.nan_to_num(_relative_to_damping(db)), names_of(db.bodies, db.modes)
+    own = moving(db.bodies, db.modes)
+    _, i, j = np.unravel_index(relative.argmax(), relative.shape)
+    return names[own[i]], names[own[j]]
+
+
+def _relative_to_damping(db):
+    """(n, forces, motions), or None without estimated errors of damping"""
     error = db.estimated_errors().get("radiation_damping")
     if error is None:
-        return np.full(len(db.omega), np.nan)
+        return None
     omega = db.omega[:, None, None]
     own = moving(db.bodies, db.modes)
     A = np.nan_to_num(db["added_mass"][:, own]) if "added_mass" in db.names else 0.0
     Z = A + 1j * np.nan_to_num(db["radiation_damping"][:, own]) / omega
-    relative = (error[:, own] / omega / damping_scale(Z, displacing(db.mesh, db.modes)[own])).reshape(len(omega), -1)
-    return np.where(np.isnan(relative).all(axis=1), np.nan, np.nan_to_num(relative).max(axis=1, initial=0.0))
+    return error[:, own] / omega / damping_scale(Z, displacing(db.mesh, db.modes)[own])
 
 
 def _laws(db, rounding):

@@ -12,8 +12,9 @@ from ..kernels.threads import blas_threads
 from ..modes import displacing
 from ..problem import Problem
 
-# nodes of a symmetric part times the root of its classes, from which equations by blocks of low rank take less time
-# than full ones: 2 000 nodes of four classes and 3 800 of one take as long by both, 3 000 of four 1.6 s for 2.3
+# nodes of a symmetric part times the root of its classes, from which equations by blocks of low rank are solved; they
+# take less time than full ones from 2 800 on (of 3 136 nodes of one class 0.4 for 0.5 s, of 1 900 of four 0.4 for 0.8
+# s), but bound the error of weak damping, as in roll, ten times less sharply
 WORTH_COMPRESSING = 4000
 
 if TYPE_CHECKING:  # the methods load their kernels when they run: a contour needs none of them

@@ -9,7 +9,7 @@ from hakobune.bem.database import open_database
 from hakobune.bem.database.file import opened
 from hakobune.bem.database.integrity import DamagedError, repair
 from hakobune.bem.database.schema import LIMITS
-from hakobune.bem.stored_laws import broken_laws
+from hakobune.bem.stored_laws import broken_laws, worst_damping
 from hakobune.meshing.hydrostatics import stands
 from hakobune.meshing.quality import Finding, findings
 from hakobune.meshing.whole_files import keep_room
@@ -45,7 +45,8 @@ def check(path, console, repair=False):
     lines += [
         fails(
             f"{one.name}, {CHECKED[one.name]}, is {one.largest:.2g} at ω = {one.omega:.4g} rad/s, {one.exceeding} of "
-            f"{len(db.omega)} frequencies above {one.limit:g}; solve with more panels, or a coarser --tolerance"
+            f"{len(db.omega)} frequencies above {one.limit:g}{_weak(one, db)}; solve with more panels, or a coarser "
+            "--tolerance"
         )
         for one in checks
         if not one.passed
@@ -55,6 +56,15 @@ def check(path, console, repair=False):
             fails(f"{int(db.rows.sum())} of {len(db.rows)} frequencies are stored; run the command again to continue")
         )
     return tell(lines, console, "")
+
+
+def _weak(one, db):
+    """Which damping it is, of a `Check` of damping"""
+    if one.name != "damping":
+        return ""
+    force, motion = worst_damping(db)
+    which = motion if force == motion else f"{motion} on {force}"
+    return f": that of {which}, which makes few waves there"
 
 
 def _broken(db):

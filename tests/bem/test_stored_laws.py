@@ -11,7 +11,7 @@ import pytest
 from exact import maccamy_fuchs
 from exact.water_waves import group_factor, wavenumber
 
-from hakobune.bem.stored_laws import broken_laws, damping_errors
+from hakobune.bem.stored_laws import broken_laws, damping_errors, worst_damping
 from hakobune.meshing.shapes import box
 
 RHO, G, DEPTH, RADIUS = 1025.0, 9.80665, 15.0, 6.0
@@ -250,5 +250,7 @@ def test_errors_of_damping_are_told_by_its_own_size(db):
     b = np.maximum(db["radiation_damping"], OMEGA[:, None, None] * db["added_mass"] / (1000 * np.pi))
     expected = [3.0 / np.sqrt(b[0, 2, 2] * b[0, 3, 3]), 5.0 / b[1, 4, 4]]
     assert damping_errors(db) == pytest.approx(expected)
+    assert worst_damping(db) == (("Heave", "Roll"), ("Pitch", "Pitch"))[int(np.argmax(expected))]
     error[0] = np.nan
+    assert worst_damping(db) == ("Pitch", "Pitch")
     assert np.isnan(damping_errors(db)[0]) and damping_errors(db)[1] == pytest.approx(expected[1])

@@ -17,11 +17,11 @@ TIMED_RUNS, TIMED_ROWS, TIMED_UNKNOWNS = 3, 16, 1500
 BYTES_OF_PROGRAM = 400e6  # memory of the interpreter, libraries and tables, bytes
 BYTES_PER_PAIR = 54  # bytes per pair of nodes and symmetry class: Rankine and wave matrices, factors and blocks
 BYTES_PER_AXISYMMETRIC_PAIR = 100  # row of a sector, node and class: Rankine rows, wave rows and all harmonics
-# bytes of compressed equations per node and per doubling of their number: 45 kB per node at 5 000 nodes, 57 kB at 50
-# 000
-BYTES_PER_DOUBLING = 3.4e3
-# evaluations of G and ∇G, or the equivalent time; fitted to 5 000, 20 000 and 50 000 panels
-EVALUATIONS_PER_DOUBLING = 600
+# bytes of compressed equations per node and per doubling of their number, beside the Rankine parts: 1.0 to 2.0 kB on
+# 1 600 to 12 000 nodes of one and of four classes
+BYTES_PER_DOUBLING = 2.0e3
+# evaluations of G and ∇G, or the equivalent time; fitted to 12 000 nodes of one class
+EVALUATIONS_PER_DOUBLING = 370
 # bytes per node of the Rankine parts that they keep, and most nodes with which they do (`compressed.operator`)
 BYTES_KEPT, MOST_KEEPING = 1.44e4, 22_000
 RANK = 600  # assumed rank of the wave matrices, on the high side (`bem.panels.band.low_rank_waves`)

@@ -11,6 +11,9 @@ from ..frequency_limits import added_mass_of, given_at_limit, unit_depth_values
 from ..one_frequency import PanelRun
 from .equations import solved
 
+# of the sufficient accuracy, for the blocks: the bound of what they do to weak damping, as in roll, falls with it
+OF_SUFFICIENT = 0.1
+
 
 class CompressedRun(PanelRun):
     """Potentials by `bem.panels.compressed.equations`; the estimated errors include that of the compression."""
@@ -22,7 +25,7 @@ class CompressedRun(PanelRun):
         start = time.perf_counter()
         g = self.geometry
         table = wave_table(self.omega, self.problem.depth, self.problem.gravity, g.reach, g.draft)
-        tolerance = sufficient_accuracy(self.problem.mesh.total)
+        tolerance = OF_SUFFICIENT * sufficient_accuracy(self.problem.mesh.total)
         found = solved(g, velocities, 1.0, table, self.depth_values, tolerance)
         self._residual, self._compression = found.residual, found.compression
         self._timed("solve", start)

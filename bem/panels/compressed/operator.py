@@ -1,7 +1,9 @@
 """The equations of `bem.panels.influence` at one frequency, as an operator on the nodes, for all symmetry classes.
 
-Blocks belong to a mirror image of the sources, not to a class: an image lies farther from the targets than the panels
-themselves, and all classes use the same blocks, with columns multiplied by the signs of the class.
+Blocks are real: the imaginary part is a sum over few standing waves (`bem.panels.standing_waves`), so that products
+take half the operations and the memory of complex ones.  Blocks belong to a mirror image of the sources, not to a
+class: an image lies farther from the targets than the panels themselves, and all classes use the same blocks, with
+columns multiplied by the signs of the class.
 """
 
 from functools import cached_property
@@ -12,10 +14,11 @@ import numpy as np
 from ...kernels.threads import blas_threads, parallel_rows
 from ..elements import Elements
 from ..influence import rankine_of_panels
+from ..standing_waves import standing_waves
 from ..wave_influence import COARSE, PER_WAVE, Pairs
 from ..wave_influence import Sources as Nodes
 from .clusters import Clusters
-from .far_blocks import DOUBLE, SINGLE, Sources, Water, low_rank_blocks
+from .far_blocks import Sources, Water, low_rank_blocks
 
 # most entries of near blocks whose Rankine parts are kept for other frequencies, 8 bytes each: a tenth of their time
 MOST_KEPT = 40_000_000
@@ -169,23 +172,32 @@ class CompressedEquations:
     x contains φ on the hull and φ' on the lid, as in `bem.panels.influence`
     """
 
-    KEPT = np.complex64  # number type of the stored blocks
+    KEPT = np.float32  # number type of the stored blocks
 
     def __init__(self, tree, table, mirror, depth_values, velocities, tolerance):
         """velocities : `Columns` of normal velocities, zero on the lid; tolerance : of A relative to 2π"""
-        self.tree, g = tree, tree.geometry
+        self.tree = tree
         self.side = np.where(tree.hull, -1.0, 1.0)[:, None]
         self.diagonal = np.where(tree.hull, 2 * np.pi, 4 * np.pi)[:, None]
         self.arguments = table, mirror, depth_values
-        images = velocities.images
+        images = np.ascontiguousarray(velocities.images)
         sides = np.zeros(velocities.values.shape, complex)
         with blas_threads(1):
             self.near = self._near_blocks(images, sides)
-            each = tolerance * 2 * np.pi / (len(g.images) * len(tree.nodes))
-            self.far = LowRankPart.of(self._far_blocks(DOUBLE, each), tree)
+            self.far = LowRankPart.of(self._far_blocks(images, sides, tolerance), tree)
             self.of_cells, self.of_more = self._by_cells()
-            self._add_single_layer(images, sides, tolerance)
+        self.standing = {}
+        for some, signs in _by_class(velocities.signs):
+            waves, single, double = self._standing_waves(signs)
+            sides[:, some] += 1j * (waves @ (single.T @ velocities.values[:, some]))
+            self.standing[tuple(signs)] = waves, np.where(tree.hull[:, None], double, table.K * single)
         self.sides = self.side * sides
+
+    def _standing_waves(self, signs):
+        """`bem.panels.standing_waves.standing_waves` of the class with these signs, in the order of the tree"""
+        g, (table, _, depth_values) = self.tree.geometry, self.arguments
+        cls = g.classes[g.all_signs.tolist().index(signs.tolist())]
+        return standing_waves(g, [cls], table, depth_values)[:, 0, self.tree.nodes]
 
     def _near_blocks(self, images, sides):
         """[(slice of targets, nodes among all images, matrix)]; adds the single layers of the hull to `sides`"""
@@ -208,24 +220,27 @@ class CompressedEquations:
         known = tree.near_rankine(number) if mirror == 1 else [tree.rankine(at, *one) for one in neighbours]
         for (m, panels), rankine in zip(neighbours, known, strict=True):
             nodes = tree.nodes_of(panels)
-            S, D = self._waves(at, m, panels)
-            S, D = S + rankine[0], D + rankine[1]
+            S, D = (wave + part for wave, part in zip(self._waves(at, m, panels), rankine, strict=False))
             if mirror != 1:
                 S, D = S + (mirror - 1) * rankine[2], D + (mirror - 1) * rankine[3]
             hull = tree.hull[nodes]
-            sides[span] += S[:, hull] @ images[m][nodes[hull]]
-            matrices.append(np.where(hull, D, K * S).astype(self.KEPT))
+            if hull.all():
+                sides[span] += (S @ images[m][nodes].view(float)).view(complex)
+            else:  # velocities are zero on the lid
+                sides[span] += S @ images[m][nodes]
+                D = np.where(hull, D, K * S)
+            matrices.append(D.astype(self.KEPT))
             places.append(m * n + nodes)
         return span, np.concatenate(places), np.concatenate(matrices, axis=1)
 
     def _waves(self, at, m, panels):
-        """Wave part of S and D (points, nodes) of one image of some panels"""
+        """Real wave part of S and D (points, nodes) of one image of some panels"""
         tree, g, (table, _, depth_values) = self.tree, self.tree.geometry, self.arguments
         image, one, e, p = g.images[m : m + 1], np.ones((1, 1)), tree.elements_of(panels), tree.per_panel
         sources = Nodes(np.arange(len(panels)), p * np.arange(len(panels) + 1), np.tile(np.arange(p), len(panels)))
         quadrature = tree.quadrature._make(a[panels] for a in tree.quadrature)
         pairs = Pairs(at, sources, e.axes[:, 2].copy(), e.origins, e.sizes, quadrature, image, one, g.depth)
-        return (a[0] for a in pairs.blocks(table, depth_values))
+        return (a[0].real for a in pairs.blocks(table, depth_values))
 
     def _by_cells(self):
         """([(near blocks, far targets)] of cells without common nodes, far targets of more than a cell)"""
@@ -237,24 +252,32 @@ class CompressedEquations:
                 (parts[cell][kind] if block[0].stop <= cells[cell].stop else more).append(block)
         return parts, more
 
-    def _far_blocks(self, layer, tolerance):
-        """[(target, source, image, U, V)] of all far blocks"""
-        found, parts = [None] * PARTS, self._parts()
+    def _far_blocks(self, images, sides, tolerance):
+        """[(target, source, image, U, V)] of all far blocks; adds the single layers, which are not kept, to `sides`"""
+        tree, found, parts = self.tree, [None] * PARTS, self._parts()
+        # S of a unit velocity is of the order of the body's length
+        size = np.abs(sides).max() / np.abs(images).max()
+        each = tolerance / (len(tree.geometry.images) * len(tree.nodes))
 
         def work(low, high):
             for part in range(low, high):
-                blocks = zip(parts[part], self._compressed(parts[part], layer, tolerance), strict=True)
-                found[part] = [(*key, U.astype(self.KEPT), V.astype(self.KEPT)) for key, (U, V) in blocks]
+                kept, own = found[part] = [], np.zeros_like(sides)
+                made = self._compressed(parts[part], size * each, 2 * np.pi * each)
+                for (t, s, m), (U, V, V_S) in zip(parts[part], made, strict=True):
+                    own[tree.span(t)] += U @ (V_S @ images[m][tree.span(s)])
+                    kept.append((t, s, m, U.astype(self.KEPT), V.astype(self.KEPT)))
 
-        parallel_rows(work, PARTS, len(self.tree.nodes) ** 2)
-        return [block for part in found for block in part]
+        parallel_rows(work, PARTS, len(tree.nodes) ** 2)
+        for _, own in found:
+            sides += own
+        return [block for kept, _ in found for block in kept]
 
     def _parts(self):
         """The far blocks (·, 3) in `PARTS` parts, each with blocks of all sizes"""
         far = self.tree.far
         return [far[start::PARTS] for start in range(PARTS)]
 
-    def _compressed(self, blocks, layer, tolerance):
+    def _compressed(self, blocks, single, double):
         """`LowRank` of each of the blocks (b, 3), one after the other"""
         tree, g = self.tree, self.tree.geometry
         c, p = tree.clusters, tree.per_panel
@@ -262,7 +285,7 @@ class CompressedEquations:
         spans = np.column_stack([p * c.first[t], p * c.end[t], p * c.first[s], p * c.end[s]])
         numbers = np.column_stack([spans, g.images[m].astype(int)])
         nodes = tree.elements.nodes
-        return low_rank_blocks(numbers, nodes, self.at_depth, self.sources, self.water, layer, tolerance)
+        return low_rank_blocks(numbers, nodes, self.at_depth, self.sources, self.water, single, double)
 
     @cached_property
     def water(self):
@@ -294,31 +317,15 @@ class CompressedEquations:
             weights[some] = tree.quadrature.weights[panel[some], which] * shape
         return Sources(first, points, e.normals[node].copy(), weights, depth_values(points[:, 2]), tree.hull)
 
-    def _add_single_layer(self, images, sides, tolerance):
-        """Add S V of the far blocks, whose blocks are not kept"""
-        tree, parts = self.tree, self._parts()
-        found = [None] * PARTS
-        # S of a unit velocity is of the order of the body's length
-        size = np.abs(sides).max() / np.abs(images).max()
-        tolerance *= size / (len(tree.geometry.images) * len(tree.nodes))
-
-        def work(low, high):
-            for part in range(low, high):
-                own = found[part] = np.zeros_like(sides)
-                for (t, s, m), block in zip(parts[part], self._compressed(parts[part], SINGLE, tolerance), strict=True):
-                    own[tree.span(t)] += block.U @ (block.V @ images[m][tree.span(s)])
-
-        parallel_rows(work, PARTS, len(tree.nodes) ** 2)
-        for own in found:
-            sides += own
-
     def apply(self, columns, exactly=False):
         """A x of `Columns`, (n, p); exactly : in double precision, otherwise in that of the stored blocks"""
-        kind = complex if exactly else self.KEPT
-        images = columns.images.astype(kind)
+        kind, part = (complex, float) if exactly else (np.complex64, np.float32)
+        values = np.ascontiguousarray(columns.values, kind)
+        # real and imaginary parts side by side: the blocks are real
+        images = np.ascontiguousarray(columns._replace(values=values).images, kind).view(part)
         flat = images.reshape(-1, images.shape[-1])
-        out = np.zeros(columns.values.shape, kind)
-        T, sources = np.empty((self.far.rank, images.shape[-1]), kind), self.far.sources
+        out = np.zeros((len(values), images.shape[-1]), part)
+        T, sources = np.empty((self.far.rank, images.shape[-1]), part), self.far.sources
         ends = np.cumsum([len(V) for *_, V in sources])
 
         def to_ranks(low, high):
@@ -337,6 +344,10 @@ class CompressedEquations:
             for span, U, places in self.of_more:
                 out[span] += U @ T[places]
             parallel_rows(to_nodes, len(self.of_cells), out.size)
+        out = out.view(kind)
+        for some, signs in _by_class(columns.signs):
+            waves, double = self.standing[tuple(signs)]
+            out[:, some] += 1j * (waves @ (double.T @ values[:, some]))
         return self.side * out + self.diagonal * columns.values
 
     @property
@@ -347,3 +358,9 @@ class CompressedEquations:
             + sum(a.nbytes for *_, a in self.far.sources)
             + sum(a.nbytes for _, a, _ in self.far.targets)
         )
+
+
+def _by_class(signs):
+    """(numbers of the columns, signs (images,)) of each class; signs : of `Columns`"""
+    every, which = np.unique(signs, axis=1, return_inverse=True)
+    return [(np.flatnonzero(which.ravel() == i), own) for i, own in enumerate(every.T)]

@@ -1,7 +1,7 @@
 """An approximate inverse of the compressed equations: variation from cell to cell directly, the rest leaf by leaf.
 
 With P the functions 1, x, y, z on each cell, orthonormal by area, and R their integrals (R P = 1), B the inverse of the
-diagonal blocks of the leaves and Â = R A P for each symmetry class
+real diagonal blocks of the leaves and Â = R A P for each symmetry class
 
     A⁻¹ ≈ P Â⁻¹ R + B (1 − P R)
 
@@ -21,6 +21,7 @@ class Preconditioner:
     def __init__(self, equations):
         self.P, self.R, spans, starts = _cell_functions(equations.tree)
         self.by_image = self._reduced(equations, spans, starts)
+        self.standing = {cls: (self.R @ u, (self.P.T @ v).T) for cls, (u, v) in equations.standing.items()}
         cells = np.repeat([span.start for span in spans], np.diff(starts))
         self.side, self.diagonal = equations.side[cells], equations.diagonal[cells, 0]
         self.inverses = _leaf_inverses(equations)
@@ -47,7 +48,9 @@ class Preconditioner:
 
         key = tuple(signs.tolist())
         if key not in self.factors:
-            matrix = self.side * np.tensordot(signs.astype(np.float32), self.by_image, 1)
+            waves, double = self.standing[key]
+            matrix = np.tensordot(signs.astype(np.float32), self.by_image, 1) + 1j * (waves @ double).astype(np.float32)
+            matrix *= self.side
             matrix.flat[:: len(matrix) + 1] += self.diagonal
             self.factors[key] = lu_factor(matrix, check_finite=False)
         return self.factors[key]
@@ -57,7 +60,7 @@ class Preconditioner:
         from scipy.sparse import csr_matrix
 
         n, f, images = len(equations.tree.nodes), starts[-1], len(equations.tree.geometry.images)
-        out = np.zeros((images, f, f), np.complex64)
+        out = np.zeros((images, f, f), np.float32)
         first, end = (np.array(ends) for ends in zip(*((span.start, span.stop) for span in spans), strict=True))
 
         def functions(span):

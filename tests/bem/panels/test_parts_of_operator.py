@@ -102,7 +102,7 @@ def test_far_blocks_are_kept_by_source_and_by_target(far):
 
 @pytest.mark.parametrize("exactly", [True, False])
 def test_products_are_of_near_blocks_far_blocks_and_the_diagonal(far, exactly):
-    """side · (near + far) x + diagonal · x, the images with the signs of each column's class"""
+    """side · (near + far + i U Vᵀ) x + diagonal · x, images, U and V of the class of each column"""
     part, dense, _, spans = far
     rng = np.random.default_rng(4)
     near = [(spans[1], np.array([0, 4, 9 + 7]), rng.normal(size=(3, 3)))]
@@ -116,10 +116,13 @@ def test_products_are_of_near_blocks_far_blocks_and_the_diagonal(far, exactly):
     assert [(len(n), len(t)) for n, t in equations.of_cells] == [(0, 1), (1, 2)] and equations.of_more == []
     equations.side, equations.diagonal = np.where(np.arange(9) < 6, -1.0, 1.0)[:, None], rng.uniform(6, 12, (9, 1))
     x, signs = rng.normal(size=(9, 2)) + 1j, np.array([[1, 1], [1, -1]])
+    equations.standing = {(1, 1): rng.normal(size=(2, 9, 3)), (1, -1): rng.normal(size=(2, 9, 2))}
     found = equations.apply(Columns(x, signs), exactly)
     for c in range(2):
         images = x[:, c] * signs[:, c][:, None]
-        true = equations.side[:, 0] * np.einsum("imj,mj->i", dense, images) + equations.diagonal[:, 0] * x[:, c]
+        U, V = equations.standing[tuple(signs[:, c])]
+        sums = np.einsum("imj,mj->i", dense, images) + 1j * U @ (V.T @ x[:, c])
+        true = equations.side[:, 0] * sums + equations.diagonal[:, 0] * x[:, c]
         assert found[:, c] == pytest.approx(true, rel=1e-12 if exactly else 1e-5)
     assert equations.bytes == near[0][2].nbytes + sum(V.nbytes for *_, V in part.sources) + sum(
         U.nbytes for _, U, _ in part.targets

@@ -24,9 +24,9 @@ def by_cells(rng):
 def test_blocks_near_and_far_are_reduced_to_the_functions_of_their_cells(far):
     """R M P of each image: near blocks of single nodes, far ones U V of three sources with 2, 1 and 3 columns"""
     rng = np.random.default_rng(5)
-    draw = lambda *shape: rng.normal(size=shape) + 1j * rng.normal(size=shape)  # noqa: E731
+    draw = lambda *shape: rng.normal(size=shape)  # noqa: E731
     P, R = by_cells(rng)
-    M = np.zeros((IMAGES, N, N), complex)
+    M = np.zeros((IMAGES, N, N))
     near = []
     for span, places in ((CELLS[0], [0, 1, 2, N + 4, N + 8]), (CELLS[2], [5, 8, 3]), (CELLS[1], [N + 3, N + 0])):
         matrix = draw(span.stop - span.start, len(places))
