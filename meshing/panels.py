@@ -253,7 +253,10 @@ class PanelMesh:
         wet = points[self.corners, 2].min(axis=1) < 0
         dry = points[self.corners, 2].max(axis=1) > 0
         if not wet.any():
-            raise ValueError(f"nothing of the hull lies below z = 0, its lowest point is at {z.min():.4g} m")
+            raise ValueError(
+                f"nothing of the hull lies below z = 0, its lowest point is at {z.min():.4g} m; move it down to "
+                "its draft (`--move x,y,z`)"
+            )
         cut, corners = [], list(self.corners[wet & ~dry])
         for panel in self.corners[wet & dry]:
             ring = _below(points, panel, cut)

@@ -18,6 +18,7 @@ from pathlib import Path
 import numpy as np
 
 from hakobune.meshing.files import READABLE, read_mesh
+from hakobune.meshing.hydrostatics import hydrostatics
 from hakobune.meshing.lid import lid
 from hakobune.meshing.mirror import folded
 from hakobune.meshing.quality import findings
@@ -65,6 +66,10 @@ def judged(path):
     hull = mesh.whole()
     x, y, z = (float(hull.centroids[:, i] @ hull.area_vectors[:, i]) for i in range(3))
     if np.isinf(depth) and max(x, y, z) - min(x, y, z) > VOLUMES * abs(z):
+        try:
+            hydrostatics(mesh)
+        except ValueError as error:
+            return "refused", str(error)
         return "wrong", f"volumes {x:.5g}, {y:.5g}, {z:.5g} m³"
     below = np.any(hull.vertices[..., 2] < 0, axis=1)  # not the piston of a chamber, which is in the surface
     waterplane = -hull.area_vectors[below, 2].sum()
@@ -86,7 +91,8 @@ def _lists_points(path):
     text = "".join(lines)
     if path.suffix.lower() == ".hst":
         return "COORDINATES" in text
-    pair = len(words) == 2 and all(word.isdecimal() for word in words)
+    point = lines[1].split() if len(lines) > 1 else []
+    pair = len(words) == 2 and words[1] in "01" and point[:1] == ["1"] and len(point) == 4  # of Nemoh
     return pair or "QPPL" in text or "*RETURN" in text
 
 
