@@ -239,7 +239,11 @@ class PanelMesh:
             raise ValueError(
                 f"the hull already lies on both sides of {axis} = 0; only one half of a hull can be mirrored"
             )
-        return replace(self, symmetry="".join(sorted(self.symmetry + axis)))
+        symmetry = "".join(sorted(self.symmetry + axis))
+        if side.min() >= -reach:
+            return replace(self, symmetry=symmetry)
+        turn = np.where(np.arange(3) == "xy".index(axis), -1.0, 1.0)  # the image is the half that is kept
+        return replace(self, points=self.points * turn, corners=self.corners[:, ::-1], symmetry=symmetry)
 
     def clipped(self):
         """The part of the mesh below z = 0: panels cut by the surface end at the surface, as quadrilaterals and

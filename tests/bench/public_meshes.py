@@ -12,7 +12,6 @@ from __future__ import annotations
 import re
 import sys
 from collections import Counter
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -21,11 +20,12 @@ from hakobune.meshing.files import READABLE, read_mesh
 from hakobune.meshing.lid import lid
 from hakobune.meshing.mirror import folded
 from hakobune.meshing.quality import findings
+from hakobune.meshing.quality.outward import outward
 
 VOLUMES, LID = 0.02, 0.05
 PANELS = {".obj": rb"(?m)^f\s", ".toml": rb"\[\[parts\]\]", ".vtk": b"CELL_TYPES|POLYGONS",
           ".vtp": rb"NumberOfPolys=\"\s*[1-9]"}  # fmt: skip
-HALF, FOOT = re.compile(r"--mirror ([xy])`"), re.compile(r"all of them at its foot, z = (-[\d.]+) m")
+HALF, FOOT = re.compile(r"--mirror ([xy]+)`"), re.compile(r"all of them at its foot, z = (-[\d.]+) m")
 LARGEST = 6000  # panels that are looked at whole
 
 
@@ -54,10 +54,11 @@ def judged(path):
     while errors := [one.text for one in findings(mesh, depth) if one.severity == "error"]:
         half, foot = HALF.search(errors[0]), FOOT.search(errors[0])
         if half and half[1] not in mesh.symmetry:
-            mesh, done = (
-                replace(mesh, symmetry="".join(sorted(mesh.symmetry + half[1]))),
-                f", --mirror {half[1]} as told",
-            )
+            for axis in half[1]:
+                mesh = mesh.mirrored(axis)
+            done += f", --mirror {half[1]} as told"
+        elif "hakobune mesh --flip" in " ".join(errors) and "--flip" not in done:
+            mesh, done = outward(mesh), done + ", --flip as told"
         elif foot and depth == np.inf:
             depth, done = -float(foot[1]), f", depth {-float(foot[1]):g} m as told"
         else:
