@@ -239,7 +239,11 @@ class PanelMesh:
             raise ValueError(
                 f"the hull already lies on both sides of {axis} = 0; only one half of a hull can be mirrored"
             )
-        return replace(self, symmetry="".join(sorted(self.symmetry + axis)))
+        symmetry = "".join(sorted(self.symmetry + axis))
+        if side.min() >= -reach:
+            return replace(self, symmetry=symmetry)
+        turn = np.where(np.arange(3) == "xy".index(axis), -1.0, 1.0)  # the image is the half that is kept
+        return replace(self, points=self.points * turn, corners=self.corners[:, ::-1], symmetry=symmetry)
 
     def clipped(self):
         """The part of the mesh below z = 0: panels cut by the surface end at the surface, as quadrilaterals and
@@ -253,7 +257,10 @@ class PanelMesh:
         wet = points[self.corners, 2].min(axis=1) < 0
         dry = points[self.corners, 2].max(axis=1) > 0
         if not wet.any():
-            raise ValueError(f"nothing of the hull lies below z = 0, its lowest point is at {z.min():.4g} m")
+            raise ValueError(
+                f"nothing of the hull lies below z = 0, its lowest point is at {z.min():.4g} m; move it down to "
+                "its draft (`--move x,y,z`)"
+            )
         cut, corners = [], list(self.corners[wet & ~dry])
         for panel in self.corners[wet & dry]:
             ring = _below(points, panel, cut)

@@ -165,7 +165,7 @@ def mesh(
         str, Parameter(help="turn by degrees about z, or x,y,z in this order", allow_leading_hyphen=True)
     ] = "0",
     move: Annotated[str, Parameter(help="move by x,y,z, m", allow_leading_hyphen=True)] = "0,0,0",
-    flip: Annotated[bool, Parameter(help="reverse the normals", negative="")] = False,
+    flip: Annotated[bool, Parameter(help="reverse the normals, or turn mixed ones outward", negative="")] = False,
     mirror: Annotated[str, Parameter(help="add the mirror images in these planes: x, y or xy")] = "",
     clip: Annotated[bool, Parameter(help="cut the hull at z = 0 and keep the part below", negative="")] = False,
     fold: Annotated[bool, Parameter(help="keep a half or quarter of a symmetric hull", negative="")] = False,

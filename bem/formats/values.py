@@ -1,5 +1,6 @@
 """Content of another program's file for a database: the solved frequencies, in the conventions of `bem`."""
 
+import re
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -12,6 +13,7 @@ from ..modes import moving, reference_change
 CARRIED = tuple(name for name in QUANTITIES if not name.startswith("kochin") and name != "pressure")
 # largest difference, over the largest value, of two data sets for one heading; files print four digits or more
 SAME_HEADING = 1e-3
+NOTE = re.compile("[!#]")
 LARGEST = 2000  # MB of a text file with forces of many wave pairs
 EVEN = 1e-6  # tolerance relative to the step for equally spaced numbers
 
@@ -220,13 +222,14 @@ def lines_of(path):
 
 
 def table_of(path, columns, separator=None):
-    """(k, columns) numbers of a text file; lines that do not begin with a number are passed over.  Raises FormatError.
+    """(k, columns) numbers of a text file; lines that do not begin with a number are passed over, and notes after !.
+    Raises FormatError.
 
     columns : allowed numbers in a line; shorter lines are filled up with NaN
     """
     rows = []
     for number, line in enumerate(lines_of(path), 1):
-        words = line.replace("D+", "E+").replace("D-", "E-").split(separator)
+        words = NOTE.split(line, maxsplit=1)[0].replace("D+", "E+").replace("D-", "E-").split(separator)
         try:
             row = [float(word) for word in words]
         except ValueError:

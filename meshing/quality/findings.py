@@ -112,14 +112,13 @@ class _Edges:
         return _where(self.points[self.ends[np.flatnonzero(which)[0]]].mean(axis=0))
 
     def half(self, which):
-        """Axis, "x" or "y", of the plane x = 0 or y = 0 in which edges lie, if the whole mesh is on one side of the
-        plane; else None"""
+        """Axis, "x" or "y", of the plane x = 0 or y = 0 in which edges lie, or "xy" where each lies in one of them, if
+        the whole mesh is on one side of the plane; else None"""
         reach = DRAWN * float(np.median(np.linalg.norm(np.diff(self.points[self.ends], axis=1), axis=2)))
-        for axis in "xy":
-            place, side = self.points[self.ends[which]][..., "xy".index(axis)], self.points[:, "xy".index(axis)]
-            if np.abs(place).max() <= reach and (side.min() >= -reach or side.max() <= reach):
-                return axis
-        return None
+        side = [self.points[:, i].min() >= -reach or self.points[:, i].max() <= reach for i in (0, 1)]
+        there = (np.abs(self.points[self.ends[which]][..., :2]) <= reach).all(axis=1)  # (e, 2)
+        one = next((axis for i, axis in enumerate("xy") if side[i] and there[:, i].all()), None)
+        return one or ("xy" if all(side) and there.any(axis=1).all() else None)
 
     def level(self, which):
         """End of a message on open edges: the waterline of the drawing, where they are the hull's top or foot"""
@@ -255,8 +254,9 @@ def _holes(edges, area):
         elif plane := edges.half(which):
             yield Finding(
                 "error",
-                f"the hull is open {along}, all of them in {plane} = 0: it is one half of a hull; add its mirror image "
-                f"(`hakobune mesh --mirror {plane}`)",
+                f"the hull is open {along}, all of them in {' = 0 or '.join(plane)} = 0: it is one "
+                f"{'half' if len(plane) == 1 else 'quarter'} of a hull; add its mirror "
+                f"image{'s' * (len(plane) - 1)} (`hakobune mesh --mirror {plane}`)",
             )
         else:
             yield Finding("error", f"the hull is open {along}{edges.level(which)}")
@@ -275,7 +275,7 @@ def _orientation(mesh, edges):
         yield Finding(
             "error",
             f"normals change side across {mixed.sum()} edges, the first near {edges.middle(mixed)}; "
-            "flip the panels on one side of them",
+            "turn all of them out of the body (`hakobune mesh --flip`)",
         )
         return
     part, volume, closed = _parts(mesh, edges)

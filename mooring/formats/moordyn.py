@@ -1,9 +1,9 @@
 """MoorDyn input files, read and written: tables of text under headings of dashes.
 
 Columns are found by the names in the table's first line, so files of version 1 and 2 are both read; with unknown names
-the order of version 2 is assumed.  A row has an entry for every column; text after # is a note. All content is kept as
-written, including content that the statics of `mooring.lines` cannot use: `moordyn_system` makes a System of it, or
-reports why not. MoorDyn 2.7 documentation, "Inputs" (moordyn.readthedocs.io).
+the order of version 2 is assumed.  A row has an entry for every column; text after # or ! is a note. All content is
+kept as written, including content that the statics of `mooring.lines` cannot use: `moordyn_system` makes a System of
+it, or reports why not. MoorDyn 2.7 documentation, "Inputs" (moordyn.readthedocs.io).
 """
 
 from __future__ import annotations
@@ -62,8 +62,9 @@ class MoorDynFile:
 
 
 LARGEST = 8  # MB
+NOTE = re.compile("[#!]")
 COUNT = re.compile(r"\s*\d+\s+N[A-Z][A-Za-z]+\b")  # version 1.01 gives the number of rows first: "2 NTypes"
-IDLE = ("fx", "fy", "fz", "ctrlchan", "calcchans")  # forces on points and winch channels: only 0 is accepted
+IDLE = ("fx", "fy", "fz", "ctrlchan", "calcchans", "control")  # forces on points and winch channels: only 0 is accepted
 
 
 def read_moordyn(path) -> MoorDynFile:
@@ -92,7 +93,7 @@ def parse_moordyn(text, path="MoorDyn file") -> MoorDynFile:
             title += [line.rstrip()] if line.strip() else []
         elif SECTIONS[key].row is None:
             found[key] += [(number, line)] if line.strip() else []
-        elif line.split("#")[0].strip() or len(found[key]) < 2:  # the names may begin with #, and units may be "(#)"
+        elif NOTE.split(line)[0].strip() or len(found[key]) < 2:  # the names may begin with #, and units may be "(#)"
             found[key] += [(number, line)] if line.strip() and not COUNT.match(line) else []
     alone = "lines" not in found
     if alone and not (found.get("rods") or found.get("bodies")):
@@ -136,7 +137,7 @@ def _rows(key, rows, path):
             section.title,
             "the section needs a line of column names and a line of units",
         )
-    names, entries = rows[0][1].split(), [line.split("#")[0].split() for _, line in rows[2:]]
+    names, entries = rows[0][1].split(), [NOTE.split(line)[0].split() for _, line in rows[2:]]
     if key == "bodies" and "xcg" in map(str.lower, names):
         entries = [early_body(words) for words in entries]
     if key == "failures" and names[0].lower() == "node":  # early drafts of MoorDyn, without a number for each failure

@@ -275,7 +275,7 @@ def _point(row, bodies, path, turbines):
     kind, place, name = row.attachment.lower(), (row.x, row.y, row.z), _end(row.id)
     if kind in FIXED:
         return Anchor(name, place)
-    if kind in COUPLED:
+    if kind.removesuffix("1") in COUPLED:  # Vessel1 of version 1, which has no other vessel
         return Fairlead(name, VESSEL, place)
     if kind in FREE:
         return FreePoint(name, place, row.mass, row.volume, drag_area=row.CdA, added_mass=row.Ca)

@@ -23,7 +23,7 @@ from .windio import is_windio, raft_of_windio
 LARGEST = 1.0  # MB; a parser in Python takes some seconds
 KNOWN = {
     "line_types": {"name", "diameter", "mass_density", "stiffness", "breaking_load", "cost", "transverse_added_mass",
-                   "tangential_added_mass", "transverse_drag", "tangential_drag"},
+                   "tangential_added_mass", "transverse_drag", "tangential_drag", "damping"},
     "points": {"name", "type", "location", "mass", "volume", "anchor_type"},
     "lines": {"name", "endA", "endB", "type", "length"},
 }  # fmt: skip

@@ -8,6 +8,9 @@ from ..environment.sea import Sea
 from ..environment.spectra import tabulated
 from ..environment.spreading import Spreading
 
+SAME = 1e-6  # rad, between two directions that are one
+EQUAL = 1e-3  # of the largest density, difference of the densities of one direction that is there twice
+
 
 @dataclass(frozen=True, eq=False, repr=False)
 class TabulatedSpreading(Spreading):
@@ -41,10 +44,18 @@ class TabulatedSpreading(Spreading):
 
 
 def two_dimensional(omega, angle, density, name):
-    """Sea of S(ω, θ) (n, m) m² s/rad², omega (n,) rad/s rising, angle (m,) rad travelled to, in any order."""
-    order = np.argsort(np.mod(angle, 2 * np.pi))
-    angle, density = np.mod(angle, 2 * np.pi)[order], np.asarray(density, float)[:, order]
-    if len(angle) < 3 or np.diff(angle).min(initial=1.0) < 1e-6:
+    """Sea of S(ω, θ) (n, m) m² s/rad², omega (n,) rad/s rising, angle (m,) rad travelled to, in any order.
+
+    A direction that is there at both ends of a turn, such as −180° and 180°, is taken once where its densities agree.
+    """
+    turned = np.mod(angle, 2 * np.pi)
+    turned = np.where(turned > 2 * np.pi - SAME, 0.0, turned)
+    order = np.argsort(turned, kind="stable")
+    angle, density = turned[order], np.asarray(density, float)[:, order]
+    again = np.flatnonzero(np.diff(angle) < SAME)
+    if np.abs(density[:, again + 1] - density[:, again]).max(initial=0.0) <= EQUAL * density.max(initial=0.0):
+        angle, density = np.delete(angle, again + 1), np.delete(density, again + 1, axis=1)
+    if len(angle) < 3 or np.diff(angle).min(initial=1.0) < SAME:
         raise ValueError(f"{name}: {len(angle)} directions; allowed: at least 3, each once")
     gaps = np.diff(angle, append=angle[0] + 2 * np.pi)
     if np.count_nonzero(gaps > 1.5 * np.median(gaps)):  # a sector: no waves travel outside it

@@ -6,6 +6,7 @@ from hakobune.meshing.files import WRITABLE, read_mesh, write_mesh
 from hakobune.meshing.mirror import folded, healed
 from hakobune.meshing.panels import SYMMETRIES
 from hakobune.meshing.quality import findings
+from hakobune.meshing.quality.outward import outward
 from hakobune.mooring.criteria.failing import fails
 
 from ..common.outputs import check_ending
@@ -19,6 +20,7 @@ def change(place, output, scale="1", turn="0", move="0,0,0", flip=False, mirror=
 
     The changes are made in the order of the arguments.
     heal : m, points closer than this are merged, before all other changes; scale : a factor or three
+    flip : reverse the normals; where they point to different sides, turn them all out of the body
     turn : degrees about z, or about x, y and z in this order, such as 180,0,0 for a hull drawn z down
     move : m, x,y,z; mirror : x, y or xy, planes whose images are
     added; clip : keep only the part below z = 0; fold : keep a half or quarter if images complete the hull
@@ -63,7 +65,7 @@ def _changed(mesh, factors, turn, shift, flip, mirror, clip, fold):
     for axis, angle in turn.items():
         mesh = mesh.rotated(angle, axis) if angle else mesh
     mesh = mesh.moved(*shift) if any(shift) else mesh
-    mesh = mesh.flipped() if flip else mesh
+    mesh = outward(mesh) if flip else mesh
     for axis in mirror:
         mesh = mesh.mirrored(axis)
     mesh = mesh.clipped() if clip else mesh

@@ -7,7 +7,8 @@ the verdict: "right" where all laws hold that can be tested, "told" where one do
 "unchecked" where none can be tested.  With --own the hull that lies beside is solved too, as `hakobune import` does.
 Depth, where a set does not say it, is that of the HydroDyn input that names it, or of DEPTHS by its path, else of
 deep water.  Meshes, spectra and lines are judged as `public_meshes`, `public_seas` and `public_lines` say.  A file that
-is another one byte by byte counts once; sums follow by kind, by program and by repository.
+is another one byte by byte counts once; sums follow by kind, by program and by repository, and of data that are there
+once: copies of one solution, hull, sea or system in other files or formats count as one.
 """
 
 import argparse
@@ -156,6 +157,12 @@ def rows_of_set(path, kind, place, solve):
         body += 1
 
 
+def mark_of(values):
+    """Text that is equal for copies of one solution"""
+    A, B = (np.abs(np.einsum("nii->ni", values.get(name))) for name in ("added_mass", "radiation_damping"))
+    return " ".join(f"{number:.3g}" for number in (*A.max(axis=0), *B.max(axis=0)))
+
+
 def checked(values, remark, module, place, solve, body):
     found, tested = laws.doubts(values)
     words = f"{len(values.omega)} ω, {len(values.wave_direction)} β" + (f", body {body}" if body else "")
@@ -165,7 +172,7 @@ def checked(values, remark, module, place, solve, body):
             tested, found = [*tested, "own solution"], found if said == "agrees" else [said, *found]
     weighty = [name for name in tested if name not in ("reciprocity", "energy")]
     verdict = "told: " + "; ".join(found) if found else "right" if weighty else "unchecked"
-    return words, ", ".join(tested), remark + verdict
+    return words, ", ".join(tested), remark + verdict, mark_of(values)
 
 
 def against_hull(values, module, place, body):
@@ -193,8 +200,8 @@ def against_hull(values, module, place, body):
 def of_sets(folder, asked):
     for path, kind, place in sets(folder):
         if asked.only in str(path):
-            for words, laws_, verdict in rows_of_set(path, kind, place, asked.own):
-                yield path, kind, words, laws_, verdict
+            for words, laws_, verdict, *mark in rows_of_set(path, kind, place, asked.own):
+                yield path, kind, words, laws_, verdict, *mark
 
 
 def of_family(found, judged, checks):
@@ -248,18 +255,21 @@ def main():
     parser.add_argument("--kinds", default=",".join(KINDS))
     parser.add_argument("--only", default="")
     parser.add_argument("--own", action="store_true")
-    asked, seen, sums = parser.parse_args(), {}, {}
+    asked, seen, sums, data = parser.parse_args(), {}, {}, set()
     warnings.simplefilter("ignore")
     np.seterr(all="ignore")
     for kind in asked.kinds.split(","):
         with contextlib.redirect_stderr(io.StringIO()):
-            for path, program, words, tested, verdict in KINDS[kind](asked.folder, asked):
+            for path, program, words, tested, verdict, *mark in KINDS[kind](asked.folder, asked):
                 if not first_time(path, kind, seen):
                     continue
                 name = path.relative_to(asked.folder)
                 print(f"{str(name)[:100]} | {program} | {words} | {tested} | {verdict[:300]}", flush=True)
                 word = verdict.split("taken; ")[-1].split("as told; ")[-1].split(":")[0].split()[0]
-                for group in (name.parts[0], f"{kind} {program}", f"all {kind}", "all"):
+                mark = (kind, *(mark or (words, verdict.replace(path.name, ""))))
+                once = () if mark in data else (f"{kind} once", "all once")
+                data.add(mark)
+                for group in (name.parts[0], f"{kind} {program}", f"all {kind}", "all", *once):
                     sums.setdefault(group, Counter())[word] += 1
     for group, found in sums.items():
         share = 100 * found["right"] / sum(found.values())

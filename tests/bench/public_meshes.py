@@ -12,7 +12,6 @@ from __future__ import annotations
 import re
 import sys
 from collections import Counter
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -21,11 +20,12 @@ from hakobune.meshing.files import READABLE, read_mesh
 from hakobune.meshing.lid import lid
 from hakobune.meshing.mirror import folded
 from hakobune.meshing.quality import findings
+from hakobune.meshing.quality.outward import outward
 
 VOLUMES, LID = 0.02, 0.05
 PANELS = {".obj": rb"(?m)^f\s", ".toml": rb"\[\[parts\]\]", ".vtk": b"CELL_TYPES|POLYGONS",
           ".vtp": rb"NumberOfPolys=\"\s*[1-9]"}  # fmt: skip
-HALF, FOOT = re.compile(r"--mirror ([xy])`"), re.compile(r"all of them at its foot, z = (-[\d.]+) m")
+HALF, FOOT = re.compile(r"--mirror ([xy]+)`"), re.compile(r"all of them at its foot, z = (-[\d.]+) m")
 LARGEST = 6000  # panels that are looked at whole
 
 
@@ -54,16 +54,17 @@ def judged(path):
     while errors := [one.text for one in findings(mesh, depth) if one.severity == "error"]:
         half, foot = HALF.search(errors[0]), FOOT.search(errors[0])
         if half and half[1] not in mesh.symmetry:
-            mesh, done = (
-                replace(mesh, symmetry="".join(sorted(mesh.symmetry + half[1]))),
-                f", --mirror {half[1]} as told",
-            )
+            for axis in half[1]:
+                mesh = mesh.mirrored(axis)
+            done += f", --mirror {half[1]} as told"
+        elif "hakobune mesh --flip" in " ".join(errors) and "--flip" not in done:
+            mesh, done = outward(mesh), done + ", --flip as told"
         elif foot and depth == np.inf:
             depth, done = -float(foot[1]), f", depth {-float(foot[1]):g} m as told"
         else:
             return "refused", errors[0]
     hull = mesh.whole()
-    x, y, z = (float(hull.centroids[:, i] @ hull.area_vectors[:, i]) for i in range(3))
+    x, y, z = volumes(hull.vertices)
     if np.isinf(depth) and max(x, y, z) - min(x, y, z) > VOLUMES * abs(z):
         return "wrong", f"volumes {x:.5g}, {y:.5g}, {z:.5g} m³"
     below = np.any(hull.vertices[..., 2] < 0, axis=1)  # not the piston of a chamber, which is in the surface
@@ -79,6 +80,12 @@ def judged(path):
     return "right", f"{mesh.total} panels, {z:.6g} m³{done}"
 
 
+def volumes(vertices):
+    """(3,) m³, ∬x n_x dS, ∬y n_y dS and ∬z n_z dS over panels (n, 4, 3), each cut into two triangles"""
+    a, b, c = (np.concatenate([vertices[:, i], vertices[:, j]]) for i, j in ((0, 0), (1, 2), (2, 3)))
+    return np.sum((a + b + c) / 3 * 0.5 * np.cross(b - a, c - a), axis=0)
+
+
 def _lists_points(path):
     with path.open(errors="replace") as file:
         lines = [line for line, _ in zip(file, range(4000), strict=False)]
@@ -86,7 +93,8 @@ def _lists_points(path):
     text = "".join(lines)
     if path.suffix.lower() == ".hst":
         return "COORDINATES" in text
-    pair = len(words) == 2 and all(word.isdecimal() for word in words)
+    point = lines[1].split() if len(lines) > 1 else []
+    pair = len(words) == 2 and words[1] in "01" and point[:1] == ["1"] and len(point) == 4  # of Nemoh
     return pair or "QPPL" in text or "*RETURN" in text
 
 

@@ -24,6 +24,7 @@ SPECTRA = (
 HEADS = ("SWAN ", "'WAVEWATCH III SPECTRA'", "TRIAXYS", "#YY  MM DD hh", "#YY MM DD hh", "YYYY MM DD hh", "YY MM DD hh")
 NUMBERS = re.compile(r"\s\d?\.\d|Sep_Freq", re.IGNORECASE)
 TIME = re.compile(r"\d{8}[. ]\d{6}|\d{4}-\d\d-\d\dT\d\d:\d\d|(?<=first is )\S+")
+PARTS = re.compile(r"(\w{5})[dijk](\d{4}\.\w+)")
 
 
 def of_seas(folder):
@@ -32,8 +33,10 @@ def of_seas(folder):
         head, ending = _head(path) if path.is_file() else "", path.suffix.lower()
         if not path.is_file() or (head.startswith(("#YY", "YY")) and not NUMBERS.search(head)):
             continue
-        if ending in (".nc", ".nc4") and b"freq" not in path.read_bytes().lower():
+        if ending in (".nc", ".nc4") and not _spectral(path.read_bytes().lower()):
             continue
+        if PARTS.fullmatch(path.name) and path.with_name(PARTS.sub(r"\1w\2", path.name)).is_file():
+            continue  # directions of NDBC, read with the densities beside them
         if ending in SPECTRA or head.startswith(HEADS):
             yield path
 
@@ -66,8 +69,14 @@ def judged_record(path):
 def _first_time(path, said):
     if "rows" in said and (rows := re.findall(r"^\s*(\d{2,4}(?: +\d\d){3,4})\s", _text(path), re.MULTILINE)):
         return " ".join(rows[0].split())
-    found = TIME.search(said) if "choose one with time" in said else None
+    found = TIME.search(said) if re.search("choose one with (the key )?time", said) else None
     return found[0].rstrip(";,") if found else None
+
+
+def _spectral(content):
+    """Whether the names in a netCDF file are those of a spectrum; not added mass, nor velocities of a current meter"""
+    named = any(word in content for word in (b"efth", b"d2fd", b"spec", b"variance_density", b"vadens", b"energy"))
+    return b"freq" in content and named and b"added_mass" not in content and b"beam2inst" not in content
 
 
 def _text(path):

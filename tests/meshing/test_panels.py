@@ -128,7 +128,7 @@ def test_a_wall_that_stands_out_of_the_water_is_cut_to_a_box_whose_points_are_sh
     cut = tall.clipped()
     assert cut.volume == pytest.approx(10 * 6 * 3.3, rel=1e-12) and cut.symmetry == "xy" and cut.name == tall.name
     assert np.ptp(hydrostatics(cut).volumes) < 1e-9 and len(np.unique(cut.points.round(9), axis=0)) == len(cut.points)
-    with pytest.raises(ValueError, match="nothing of the hull lies below z = 0, its lowest point is at 1 m"):
+    with pytest.raises(ValueError, match="lies below z = 0, its lowest point is at 1 m; move it down to"):
         tall.moved(dz=4.3).clipped()
 
 

@@ -182,7 +182,7 @@ def _haskind(values):
     i, (ratio, omega) = off[0], found[off[0]]
     others = [f"B_{j + 1}{j + 1}" for j in found if j not in off]
     middle = float(np.median(ratio))
-    why = not values.others and (_of_channel(values, found) or _of_depth(values))  # others reflect waves too
+    why = _of_channel(values, found) or (not values.others and _of_depth(values))
     if not why and others:  # a wrong unit or length would show in these too
         why = f"{', '.join(others)} agrees, so the units are right: there are too few panels for mode {i + 1}"
     return [f"B_{i + 1}{i + 1} is {middle:.3g} times the value that follows from its excitation; "
@@ -226,8 +226,13 @@ def _of_depth(values):
 
 
 def _of_channel(values, found):
-    """States the width w of a channel whose walls keep the waves in, B = 2/kw of surge and 1/kw of heave; else "" """
+    """States the width w of a channel whose walls keep the waves in, B = 2/kw of surge and 1/kw of heave; else ""
+
+    Other bodies reflect waves too: beside them both modes must give the width.
+    """
     widths = []
+    if values.others and not {SURGE, HEAVE} <= {i for i, (ratio, _) in found.items() if len(ratio) >= 5}:
+        return ""
     for mode, (ratio, omega) in found.items():
         if mode in (SURGE, HEAVE) and len(ratio) >= 5:
             k = wavenumber(omega, values.water_depth, values.gravity)

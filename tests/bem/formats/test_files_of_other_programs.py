@@ -187,6 +187,10 @@ def test_uneven_frequencies_and_damaged_files_are_refused(values, tmp_path):
     path.write_text("\n".join([*whole, "1.0 2 x"]))
     with pytest.raises(FormatError, match="is not a number"):
         wamit.read(path, WATER)
+    path.write_text("\n".join(whole))
+    plain = wamit.read(path, WATER).get("added_mass")
+    path.write_text("\n".join([*whole[:-1], f"{whole[-1]}\t!a spring: 0.0"]))  # as in a set of OC3-Hywind
+    np.testing.assert_array_equal(wamit.read(path, WATER).get("added_mass"), plain)
     bemio.write(values, tmp_path / "b.h5")
     with pytest.raises(FormatError, match="no file of Capytaine"):
         capytaine.read(tmp_path / "b.h5", None)

@@ -433,3 +433,31 @@ def test_a_remark_that_may_be_a_column_is_told_and_a_body_of_other_entries_too()
         parse_moordyn(DRAFT.format(drag="9 8").replace("0.2 0.3 1.4 1.5", "0.2 0.3 1.4 1.5 7 8 9 1"))
     with pytest.raises(FormatError, match="BODIES: 18 entries; allowed: 14"):
         parse_moordyn(DRAFT.format(drag="9 8 7"))
+
+
+EARLY = """MoorDyn
+---- LINE TYPES ----
+Name Diam MassDen EA BA/-zeta Can Cat Cdn Cdt
+(-) (m) (kg/m) (N) (N-s/-) (-) (-) (-) (-)
+main 0.1 90.0 5.0e8 -1 0.2 0.3 1.4 1.5
+---- CONNECTION PROPERTIES ----
+Node Type X Y Z M V FX FY FZ CdA CA
+(-) (-) (m) (m) (m) (kg) (m^3) (kN) (kN) (kN) (m^2) (-)
+1 Fixed 100 0 -50 0 0 0 0 0 0 0 {note}
+2 {vessel} 2 0 -1 0 0 0 0 0 0 0
+---- LINE PROPERTIES ----
+Line LineType UnstrLen NumSegs NodeAnch NodeFair Flags/Outputs Control
+(-) (-) (m) (-) (-) (-) (-) (-)
+1 main 130 10 1 2 p {winch}
+---- END ----
+"""
+
+
+def test_notes_after_an_exclamation_mark_vessel1_and_idle_winches_of_version_1_are_read():
+    plain = system_of_moordyn(parse_moordyn(EARLY.format(note="", vessel="Vessel", winch="0")))
+    early = EARLY.format(note="!#417.3 22.53 107.16", vessel="Vessel1", winch="0")
+    assert system_of_moordyn(parse_moordyn(early)).points == plain.points and plain.points[1].body == "vessel"
+    with pytest.raises(FormatError, match="line 14, section LINES: 3 is a force on a point or a winch channel"):
+        parse_moordyn(EARLY.format(note="", vessel="Vessel", winch="3"))
+    with pytest.raises(FormatError, match="attachment of point 2 is 'Vessel2'"):
+        system_of_moordyn(parse_moordyn(EARLY.format(note="", vessel="Vessel2", winch="0")))

@@ -158,6 +158,20 @@ def test_times_of_a_file_are_found_by_name(tmp_path):
     assert only.spectrum.values[1] == pytest.approx(8 * 45 / HZ)
 
 
+def test_a_direction_at_both_ends_of_a_turn_is_one():
+    """−180° and 180° with equal densities, which are then those of the rows without the second; else refused"""
+    omega, angle = np.array([0.5, 1.0]), np.radians([-180.0, -90.0, 0.0, 90.0])
+    density = np.array([[1.0, 2.0, 3.0, 4.0], [2.0, 0.0, 1.0, 0.5]])
+    plain = two_dimensional(omega, angle, density, "sea")
+    closed = np.append(angle, np.pi), np.column_stack([density, density[:, 0]])
+    found = two_dimensional(omega, *closed, "sea")
+    np.testing.assert_allclose(found.spectrum.values, plain.spectrum.values, rtol=1e-12)
+    np.testing.assert_allclose(found.spreading.density(angle, 0.5), plain.spreading.density(angle, 0.5), rtol=1e-9)
+    closed[1][:, -1] *= 1.5
+    with pytest.raises(ValueError, match="5 directions; allowed: at least 3, each once"):
+        two_dimensional(omega, *closed, "sea")
+
+
 @pytest.mark.parametrize(
     "change, says",
     [
