@@ -78,6 +78,7 @@ class Line:
 
     def keep_slip(self, s, q, v, slip, before, speed):
         assert np.any(q != before)
+        slip += 1.0
         return 3.0
 
     def water_at(self, water, q, count, t, u, du):
@@ -176,7 +177,7 @@ def test_a_run_ends_where_steps_are_too_short_or_its_rows_are_full_and_can_go_on
     why, used, _, t, h, _, _, worst = line(until=3.0, rows=5)
     assert (why, used, worst) == (esdirk.FULL, 5, 0) and t == pytest.approx(2.16) and h == pytest.approx(0.04)
     assert line.state.position == pytest.approx(START * np.cos(0.16), abs=1e-4)
-    assert line.state.slip == pytest.approx(np.ones((N + 1, 3)))
+    assert line.state.slip == pytest.approx(np.full((N + 1, 3), 5.0))
 
 
 def test_a_row_has_forces_works_energies_and_the_range_of_tensions(monkeypatch):

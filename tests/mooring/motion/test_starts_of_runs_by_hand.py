@@ -8,7 +8,7 @@ import pytest
 
 from hakobune.mooring.motion import contacts, integrator
 from hakobune.mooring.motion.equation import BLOCK, OF_SHAPES, SAMPLED, SLOW
-from hakobune.mooring.motion.simulation import moored_body, run, trial
+from hakobune.mooring.motion.simulation import loads, moored_body, run, trial
 from hakobune.mooring.motion.simulation.failures import SimulationError
 from hakobune.mooring.motion.simulation.moored_body import with_memory
 from hakobune.mooring.motion.tables.groups import Groups
@@ -43,7 +43,7 @@ def followed(monkeypatch):
     monkeypatch.setattr(run, "stopped", lambda *reasons: SimulationError(reasons[0]))
 
     def follow(groups=((), ()), buoy=None, last=integrator.DONE, offset=OFFSET, velocity=VELOCITY, start=START,
-               more_scales=0):  # fmt: skip
+               more_scales=0, moving=None):  # fmt: skip
         seen.last = last
         monkeypatch.setattr(run, "groups_of", lambda reader: Groups(*(np.array(part, np.int64) for part in groups)))
         reader = SimpleNamespace(rigid=12, words=[""] * len(start), axes_at_rest=np.zeros((2, 6)))
@@ -52,9 +52,9 @@ def followed(monkeypatch):
         settings = SimpleNamespace(ramp=30.0, duration=100.0, step=0.5, fixed_step=0.0, tolerance=1e-3,
                                    velocity=velocity, offset=offset)  # fmt: skip
         memory = SimpleNamespace(decay=np.zeros(STATES))
-        scene = Scene(body=SimpleNamespace(memory=memory), lines="lines", contacts="contacts")
+        scene = Scene(body=SimpleNamespace(memory=memory), lines=SimpleNamespace(lost=np.zeros(3)), contacts="contacts")
         begun = SimpleNamespace(
-            scene=scene, waves=SimpleNamespace(table="table"), moving=None, expected=np.ones((2 + more_scales, 12))
+            scene=scene, waves=SimpleNamespace(table="table"), moving=moving, expected=np.ones((2 + more_scales, 12))
         )
         return run._followed(moored, settings, begun, seen.shares.append)
 
@@ -77,7 +77,7 @@ def test_a_run_begins_at_rest_with_its_offset_along_the_axes_and_its_velocity(fo
     assert (clock.end, clock.sample_step, clock.fixed_step) == (130.0, 0.5, 0.0)
     assert clock.scale == pytest.approx(np.full((2, 12), 0.3 * 1e-3 / 20.0))
     assert samples.shape == (261, 2 * SAMPLED) and most == 5000 and hung is None and pair is None
-    assert seen.scene.line_work == ("work of", "lines") and seen.scene.contact_work == ("work of", "contacts")
+    assert seen.scene.line_work == ("work of", seen.scene.lines) and seen.scene.contact_work == ("work of", "contacts")
     assert seen.shares == [pytest.approx(75 / 130), 1.0] and len(seen.calls) == 2
     assert course.samples.shape == (261, 2, SAMPLED) and course.samples[1, 1, 0] == 3 * SAMPLED
     assert course.buoy.shape == (261, 0) and course.bent.shape == (261, 0) and course.pulls == {}
@@ -112,6 +112,24 @@ def test_shapes_begin_bent_as_at_rest_and_as_far_as_their_offset(followed):
     assert course.bent[1] == pytest.approx(first + np.array([0, 1, 2, 3, 4, 5, 12]))
     assert course.bending[1] == pytest.approx(first + np.array([6, 7, 8, 9, 10, 11, 18]))
     assert seen.calls[0][0].bent_scale.shape == (2, 12)
+
+
+def test_lines_with_a_motion_of_their_own_go_on_in_shorter_turns_and_have_their_pulls_by_number(followed, monkeypatch):
+    """Of every row, of the line of each number: numbers 2 and 0 of three"""
+    follow, seen = followed
+    asked = []
+
+    def moving_work(lines, states, rows, count, sampled):
+        asked.append((lines.number.tolist(), states, rows, count, sampled))
+        return SimpleNamespace(tension=np.array([[1.0, 2.0], [3.0, 4.0]]), stuck=np.array([7]))
+
+    monkeypatch.setattr(run, "moving_work", moving_work)
+    course = follow(moving=(SimpleNamespace(number=np.array([2, 0])), "states"))
+    assert asked == [([2, 0], "states", 261, 3, (2, SAMPLED))] and seen.calls[0][2] == 200
+    assert {name: pull.tolist() for name, pull in course.pulls.items()} == {2: [1.0, 3.0], 0: [2.0, 4.0]}
+    monkeypatch.setattr(run, "stopped", lambda *reasons: SimulationError(f"line {reasons[-1]}"))
+    with pytest.raises(SimulationError, match="line 7"):
+        follow(moving=(SimpleNamespace(number=np.array([2, 0])), "states"), last=integrator.STUCK)
 
 
 def test_a_run_that_cannot_go_on_ends_with_its_reason(followed):
@@ -221,3 +239,56 @@ def test_linked_bodies_rest_by_the_same_forces_and_those_of_fenders_where_there_
     system.arrays.owner[:] = 0
     contacts.rest_between(system, berth, "links", np.zeros((12, 12)), np.zeros(12))
     assert seen["unit"][3:] == pytest.approx([1 / 50] * 3 + [1] * 6)
+
+
+def test_wind_and_current_need_a_hull_and_without_them_nothing_blows():
+    moored = SimpleNamespace(reader=SimpleNamespace(axes_at_rest=np.zeros((2, 6))), hulls=())
+    for wind, current in ((None, None), ("wind", None), (None, "current"), ("wind", "current")):
+        weather = SimpleNamespace(on_hull=None, wind=wind, current=current)
+        if wind or current:
+            with pytest.raises(SimulationError, match="wind and current need the dimensions of the hull"):
+                loads.streams(moored, weather, 3, 50.0)
+            continue
+        blown, water, drag, said = loads.streams(moored, weather, 3, 50.0)
+        assert blown.table.shape[0] == 2 and not blown.table.any() and (water, drag, said) == (None, 0.0, ())
+
+
+def test_each_hull_has_its_own_wind_current_and_drag_of_a_turn(monkeypatch):
+    """Gusts begin with the run, of their own seed; notes of the water are told once, and with a current alone"""
+    hulls = [
+        SimpleNamespace(box=SimpleNamespace(length=length), rotation_center=length / 10) for length in (80.0, 50.0)
+    ]
+    monkeypatch.setattr(loads, "wind_stream", lambda *given: ("wind", *given))
+    monkeypatch.setattr(loads, "current_stream", lambda *given: ("current", *given))
+    monkeypatch.setattr(loads, "on_all", lambda streams: streams)
+    water = lambda *given: SimpleNamespace(notes=("a", "b"), given=given)  # noqa: E731
+    monkeypatch.setattr(loads, "current_on", water)
+    monkeypatch.setattr(loads, "turning_drag", lambda water, length: length * (water.given[1] is hulls[0].box) + 1.0)
+    moored = SimpleNamespace(
+        reader=SimpleNamespace(axes_at_rest=np.zeros((2, 6)), density=1e3, depth=30.0), hulls=hulls
+    )
+    weather = SimpleNamespace(on_hull=None, wind="wind", current="current", gusts="gusts")
+    wind, current, drag, said = loads.streams(moored, weather, 3, 50.0)
+    assert wind == [
+        ("wind", "wind", one.box, one.rotation_center, "gusts", 3 + loads.GUSTS, 0.0, 50.0) for one in hulls
+    ]
+    assert current == [("current", "current", one.box, one.rotation_center, 1e3, 30.0) for one in hulls]
+    assert drag.tolist() == [81.0, 1.0] and said == ("a", "b")
+    still = loads.streams(moored, SimpleNamespace(on_hull=None, wind=None, current=None), 3, 50.0)
+    assert still[3] == () and not still[0].table.any()
+
+    def unknown(*_):
+        raise ValueError("no coefficients")
+
+    monkeypatch.setattr(loads, "current_on", unknown)
+    with pytest.raises(SimulationError, match="no coefficients"):
+        loads.streams(moored, weather, 3, 50.0)
+    *rest, said = loads.streams(moored, SimpleNamespace(on_hull=None, wind="wind", current=None, gusts=None), 3, 50.0)
+    assert rest[1:] == [None, 0.0] and said == ("slow motion has no drag of the water: no coefficients",)
+
+
+def test_a_body_of_which_nothing_is_said_is_free_in_all_motions():
+    parts = [None] * 13
+    parts[4] = np.zeros(7)
+    assert moored_body.Moored(*parts).free == tuple(range(7))
+    assert moored_body.Moored(*parts, free=(0, 5)).free == (0, 5)
