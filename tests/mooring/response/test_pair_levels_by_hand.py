@@ -123,3 +123,14 @@ def test_newman_has_nothing_beside_itself_and_a_spread_sea_no_pairs_of_one_direc
         ValueError, match=r'qtf = "full" in a sea of several directions; it needs one long-crested system'
     ):
         stored_pairs(None, spread, "full")
+
+
+def test_the_mean_drift_of_a_pair_is_that_of_the_first_wave_and_of_the_second_in_its_own_direction():
+    """4 ω² of the first at 0.4 and 9 · 4 ω² of the second at 0.45, as √(D₁ D₂) of straight lines between 0.4 and 1.2"""
+    one = pair()
+    two = pair(second=9 * one.drift)
+    first, second = 0.64, 9 * (0.64 + 0.05 / 0.8 * (5.76 - 0.64))
+    found = two(np.array([0.4]), 0.45)[0]
+    both = math.sqrt(first * second)
+    assert found == pytest.approx((1.3 * UNIT - [both, -2.25 * both, 0, 0, 0, 3.0]) * slow_share(0.05 / 0.5))
+    assert two.newman(np.array([0.4]), np.array([0.45]))[0] == pytest.approx([both, -2.25 * both, 3.0])
