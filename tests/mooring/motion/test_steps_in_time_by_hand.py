@@ -223,8 +223,8 @@ class Lines:
         self.clock = SimpleNamespace(
             trial=np.arange(float(size)), y="y", stages=["first stage"], scale=np.zeros((2, 12))
         )
-        self.kept = SimpleNamespace(foreseen=np.zeros((2, 12)), pose=["pose 0", "pose 1"], course=np.zeros((2, 3, 2, 3)),
-                                    room="room")  # fmt: skip
+        poses, course = ["pose 0", "pose 1"], np.zeros((2, 3, 2, 3))
+        self.kept = SimpleNamespace(foreseen=np.zeros((2, 12)), pose=poses, course=course, room="room")
         self.lines = SimpleNamespace(number=np.array([2, 0]))
         work = SimpleNamespace(given="given", span=np.zeros(3), whole="whole")
         self.scene = SimpleNamespace(line_work=work, lines=SimpleNamespace(body=np.array([0, 0, 1])))
