@@ -424,3 +424,27 @@ def test_a_buoy_is_in_the_water_of_its_window_and_goes_where_all_forces_push_it(
     assert made["lines"] == ("lines", "line work", [1.0, 2.0, 3.0]) and made["floats"] == (0.7, 0.8)
     assert made["water"] == pytest.approx(cubic @ at ** np.arange(4) if waves else np.zeros(WATER))
     assert rate.tolist() == pytest.approx([0.4, 0.5, 0.6, 0.5 * 91.0, 0.25 * 92.0, 0.2 * 93.0])
+
+
+def test_lines_hold_until_the_time_at_which_each_breaks():
+    loads = plain("mooring.motion.line_loads")
+    work = SimpleNamespace(whole=np.array([False] * 4))
+    loads.hold(SimpleNamespace(lost=np.array([3.0, 5.0, np.inf, 4.0])), work, 4.0)
+    assert work.whole.tolist() == [False, True, True, False]
+
+
+def test_drift_on_a_current_is_that_of_still_water_and_what_its_parts_along_and_across_the_waves_add(monkeypatch):
+    """V of 1.3 m/s towards 0.7 rad; waves towards 0.2 and −1.0 in space, met at each of the headings"""
+    waves = plain("mooring.motion.wave_loads")
+    rng = np.random.default_rng(5)
+    ring = 2 * np.pi * np.arange(waves.HEADINGS) / waves.HEADINGS
+    D, B = rng.normal(size=(2, waves.HEADINGS, 3)), rng.normal(size=(2, waves.HEADINGS, 3, 2))
+    monkeypatch.setattr(waves, "drift_damping", lambda forces, omega, depth, gravity: (D, B))
+    V, direction = 1.3 * np.array([np.cos(0.7), np.sin(0.7)]), np.array([0.2, -1.0])
+    found = waves.drift_on_current(None, None, direction, V, 30.0, 9.8)
+    for q in range(2):
+        for p in (0, 5, waves.HEADINGS - 1):
+            heading = direction[q] - ring[p]  # of the body
+            x = V @ [np.cos(heading), np.sin(heading)]
+            y = V @ [-np.sin(heading), np.cos(heading)]
+            assert found[q, p] == pytest.approx(D[q, p] + B[q, p, :, 0] * x + B[q, p, :, 1] * y)
