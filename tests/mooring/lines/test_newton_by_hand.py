@@ -118,7 +118,7 @@ class Places:
 
     def __init__(self, monkeypatch, left=None, limit=math.inf, residual=0.0, pieces=3, good=True):
         self.begun, self.judged, self.good = [], [], good
-        self.w = SimpleNamespace(states=np.array([1, 0]), count=np.array([2, 1]), unknowns=np.array([1.0]),
+        self.w = SimpleNamespace(states=np.array([1, 0]), count=np.array([2, 2]), unknowns=np.array([1.0, 8.0]),
                                  load_weights=np.zeros(2), steps=np.array([5, 6, 7]),
                                  trial_q="q", q="below", g="g")  # fmt: skip
         self.left = newton.TAUT if left is None else left
@@ -134,7 +134,8 @@ class Places:
         e.u[0], e.at[2] = (2 * x + z if x < self.limit else -1.0), self.pieces
         e.states[:] += 1
         A[:] = 0.0
-        A[0, 2], A[0, 3] = -2.0, -1.0
+        A[0, 3], A[0, 4], A[0, 0], A[0, 1] = -2.0, -1.0, 77.0, 78.0
+        A[1, 3], A[1, 4] = -0.1, -0.01
         return self.residual
 
     def stands(self, line, rows, count, states, slack, *room):

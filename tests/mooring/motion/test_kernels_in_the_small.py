@@ -448,3 +448,41 @@ def test_drift_on_a_current_is_that_of_still_water_and_what_its_parts_along_and_
             x = V @ [np.cos(heading), np.sin(heading)]
             y = V @ [-np.sin(heading), np.cos(heading)]
             assert found[q, p] == pytest.approx(D[q, p] + B[q, p, :, 0] * x + B[q, p, :, 1] * y)
+
+
+def test_tensions_along_a_run_are_those_of_each_time_of_lines_that_hold_and_of_bodies_as_they_are_bent(monkeypatch):
+    """Four bodies, two lines, of which the second breaks at 4 s; a stand-in pulls by places and amplitudes"""
+    loads = plain("mooring.motion.line_loads")
+    work = SimpleNamespace(whole=np.zeros(2, bool), tension=np.zeros((2, 2)), bent=np.zeros(3))
+    lines = SimpleNamespace(place=np.zeros((4, 3)), lost=np.array([np.inf, 4.0]))
+
+    def pull(lines, work, positions, R, force):
+        assert R.shape == (4, 3, 3) and force.shape == (4, 6)
+        work.tension[:] = np.where(work.whole, positions[0, 0] + work.bent.sum(), 0.0)[:, None] * [3.0, 4.0]
+
+    monkeypatch.setattr(loads, "line_loads", pull)
+    times, positions, out = np.array([3.0, 5.0]), np.zeros((2, 4, 6)), np.zeros((2, 2))
+    positions[:, 0, 0] = 2.0, 7.0
+    loads.tensions_along(lines, work, times, positions, out)
+    assert out.tolist() == [[10.0, 10.0], [35.0, 0.0]]
+    loads.tensions_along(lines, work, times, positions, out, np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 2.0]]))
+    assert out.tolist() == [[15.0, 15.0], [45.0, 0.0]]
+
+
+def test_water_around_lines_has_room_for_all_their_nodes_and_sums_of_the_longest():
+    made = SimpleNamespace(waves=np.zeros((9, 6)), step=0.25, ramp=(10.0, 20.0), carried=np.array([1.0, 2.0]),
+                           current=np.array([0.5, 0.0]), current_ramp=7.0)  # fmt: skip
+    around, rows, velocity, sums = sea.water_of(made, 11, 5)
+    each = sea.SAMPLES * sea.OF_PLACE
+    assert around.table.size >= each * 11 and around.place.size >= 3 * 11 and around.clock.tolist() == [-np.inf, 0.25]
+    assert (around.begin, around.ramp, around.current_ramp) == (10.0, 20.0, 7.0) and around.carried is made.carried
+    assert around.current.tolist() == [[0.5, 0.0]] and around.level.tolist() == [0.0]
+    assert (
+        around.weights.shape == (2, sea.SAMPLES) and rows.shape == (sea.OF_PLACE * 5, 12) and velocity.shape == (4, 6)
+    )
+    assert sums.shape == (each * 5,)
+    part = sea.line_water(around._replace(table=np.arange(around.table.size), place=np.arange(around.place.size)), 4, 7)
+    assert part.table.tolist() == list(range(each * 4, each * 7)) and part.place.tolist() == list(range(12, 21))
+    still = SimpleNamespace(**vars(made) | dict(waves=np.zeros((9, 0)), current=np.zeros(2)))
+    none = sea.water_of(still, 11, 5)[0]
+    assert none.table.size == 0 and sea.line_water(none, 4, 7) is none
