@@ -1,0 +1,262 @@
+"""Small parts of moorings by hand that only whole studies reach otherwise: each of them alone, in milliseconds."""
+
+import json
+import math
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from hakobune.bem.time_domain import memory as of_memory
+from hakobune.mooring.berthing.energy import BerthingError
+from hakobune.mooring.berthing.memory import ship_of_database
+from hakobune.mooring.criteria.anchors import Anchor, Chart, stored_anchor
+from hakobune.mooring.downtime import planes
+from hakobune.mooring.environment.tables import TableError
+from hakobune.mooring.lines.system.parts import Anchor as AnchorPoint
+from hakobune.mooring.lines.system.parts import Fairlead
+from hakobune.mooring.motion import statistics
+from hakobune.mooring.motion.simulation import bending
+from hakobune.mooring.on_current.waves import Carrier
+from hakobune.mooring.single_point import equilibria, runs, waves
+from hakobune.mooring.single_point.body import planar_mass_stored
+from hakobune.mooring.studies import waves_around
+from hakobune.mooring.studies.natural_periods import periods_at_berth
+
+
+def test_a_berthing_ship_has_its_own_sway_and_yaw_of_a_database_about_its_rotation_centre(monkeypatch):
+    """The second of two bodies, whose surge is motion 6: sway 7 and yaw 11; M, M x_G and M (r² + x_G²)"""
+    rng = np.random.default_rng(1)
+    added, a, b, c = (
+        rng.normal(size=(12, 12)),
+        rng.normal(size=(3, 3)),
+        rng.normal(size=(3, 12)),
+        rng.normal(size=(12, 3)),
+    )
+    asked = []
+
+    def memory_of_database(db, tolerance, own):
+        asked.append((db, tolerance, own))
+        return SimpleNamespace(matrices=(a, b, c), added_mass_infinity=added, storage="storage", loss="loss")
+
+    monkeypatch.setattr(of_memory, "memory_of_database", memory_of_database)
+    ship = ship_of_database("db", 2e6, 30.0, 1e-2, center=4.0, first=6)
+    assert asked == [("db", 1e-2, [7, 11])] and ship.center == 4.0
+    assert ship.inertia == pytest.approx(2e6 * np.array([[1.0, 4.0], [4.0, 900.0 + 16.0]]))
+    assert np.array_equal(ship.added_mass_infinity, added[[7, 11]][:, [7, 11]]) and ship.a is a
+    assert np.array_equal(ship.b, b[:, [7, 11]]) and np.array_equal(ship.c, c[[7, 11]])
+    assert (ship.storage, ship.loss) == ("storage", "loss")
+    ship_of_database("db", 2e6, 30.0)
+    assert asked[-1] == ("db", 3e-3, [1, 5])
+    for mass, gyration, name in ((0.0, 30.0, "mass"), (math.inf, 30.0, "mass"), (1e6, -1.0, "radius of gyration")):
+        with pytest.raises(BerthingError, match=f"the {name} of the ship is"):
+            ship_of_database("db", mass, gyration)
+
+
+@pytest.mark.parametrize("anchor", [
+    Anchor("drag", 1e5, 2e4, chart=Chart(4536.0, 1e5, 0.9, "a book", "unverified"), safety=1.5),
+    Anchor("sinker", weight=4e5, friction=0.5),
+])  # fmt: skip
+def test_an_anchor_comes_back_from_what_is_stored_of_it(anchor):
+    found = stored_anchor(json.loads(json.dumps(anchor)))
+    assert found._replace(chart=None)[5:] == anchor._replace(chart=None)[5:] and found.chart == anchor.chart
+    assert found[:5] == pytest.approx(anchor[:5], nan_ok=True) and found.safety == anchor.safety
+
+
+def test_the_mass_of_slow_motion_is_that_of_a_database_with_the_added_mass_of_no_frequency():
+    rng = np.random.default_rng(2)
+    inertia, added = rng.normal(size=(2, 6, 6))
+    floating = SimpleNamespace(
+        inertia=inertia, held_added_mass=lambda omega: (added if omega == 0.0 else added + 1)[None]
+    )
+    found = planar_mass_stored(SimpleNamespace(floating=lambda: floating))
+    assert found == pytest.approx((inertia + added)[np.ix_([0, 1, 5], [0, 1, 5])])
+
+
+def test_fairleads_of_a_body_that_bends_are_moved_by_its_shapes_and_nothing_else_is(monkeypatch):
+    """Two shapes of amplitudes 0.5 and 2.0 of the second body"""
+    moved = np.array([[1.0, 0.0, 2.0], [0.0, 3.0, -1.0]])
+    asked = []
+    monkeypatch.setattr(
+        bending, "moved_by_shapes", lambda reader, body, point: asked.append((body, tuple(point))) or [moved]
+    )
+    point = Fairlead("f", "barge", (10.0, 20.0, 30.0))
+    monkeypatch.setattr(bending, "replace", lambda thing, **new: (thing, new))
+    anchor = AnchorPoint("a", (0.0, 0.0, -50.0))
+    system = SimpleNamespace(
+        bodies=[SimpleNamespace(name="ship"), SimpleNamespace(name="barge")], points=(anchor, point)
+    )
+    of, new = bending.with_bent_fairleads(system, SimpleNamespace(modes=["one", "two"]), np.array([0.5, 2.0]))
+    assert of is system and asked == [(1, (10.0, 20.0, 30.0))]
+    assert new["points"][0] is anchor and new["points"][1] == (point, dict(position=(10.5, 26.0, 29.0)))
+    assert bending.with_bent_fairleads(system, SimpleNamespace(modes=()), np.zeros(0)) is system
+
+
+def test_windows_of_a_record_have_the_significant_wave_about_their_own_mean():
+    """60 s each of surge 2 m at 6 s, then 3 m at 10 s about 5 m; sway is still, yaw has too few waves; 30 s are left"""
+    step = 0.05
+    t = np.arange(0.0, 150.0 + step / 2, step)
+    first = t <= 60.0
+    motion = np.zeros((len(t), 6))
+    motion[:, 0] = np.where(first, 2 * np.sin(2 * np.pi * t / 6), 5 + 3 * np.sin(2 * np.pi * t / 10))
+    motion[:, 5] = 0.1 * np.sin(2 * np.pi * t / 50)
+    found = statistics.windows(motion, step, 60.0)
+    assert found.start.tolist() == [0.0, 60.0] and found.amplitude.shape == found.period.shape == (2, 3)
+    assert found.amplitude[:, 0] == pytest.approx([2.0, 3.0], rel=5e-3) and found.period[:, 0] == pytest.approx(
+        [6, 10], rel=5e-3
+    )
+    assert np.isnan(found.amplitude[:, 1:]).all() and np.isnan(found.period[:, 1:]).all()
+    assert len(statistics.windows(motion[:1200], step, 60.0).start) == 0
+
+
+def test_periods_at_a_berth_are_of_coupled_motions_named_by_their_largest_share():
+    """Sway and yaw coupled in mass alone; nothing restores surge"""
+    mass, held = np.zeros((6, 6)), np.zeros((6, 6))
+    mass[[0, 1, 5], [0, 1, 5]], mass[1, 5], mass[5, 1] = (2e6, 3e6, 5e9), 1e6, 3e6  # as stored: 2e6 on either side
+    added = np.zeros((6, 6))
+    added[1, 1] = 1e6
+    held[[0, 1, 5], [0, 1, 5]], held[2, 2] = (0.0, 4e5, 2e9), 1.0
+    moored = SimpleNamespace(reader=SimpleNamespace(inertia=mass), slow_added_mass=added, stiffness=held)
+    M, K = np.array([[4e6, 2e6], [2e6, 5e9]]), np.diag([4e5, 2e9])
+    squared = np.sort(np.linalg.eigvals(np.linalg.solve(M, K)).real)
+    found = periods_at_berth(moored)
+    assert np.isnan(found[0]) and found[1:] == pytest.approx(2 * np.pi / np.sqrt(squared))
+
+
+def test_headings_of_rest_have_no_moment_about_the_point_that_holds():
+    """N − x F_y + y F_x of a force (3, 4 sin ψ) and a moment of 2 sin ψ, held at (5, −1): zero where 18 sin ψ = −3"""
+    rest = lambda psi: np.stack([np.full_like(psi, 3.0), 4 * np.sin(psi), 2 * np.sin(psi)], axis=-1)  # noqa: E731
+    found = np.sort(np.mod(equilibria.headings_of_rest(SimpleNamespace(at_rest=rest), (5.0, -1.0)), 2 * np.pi))
+    first = math.asin(-3 / 18)
+    assert found == pytest.approx([np.pi - first, 2 * np.pi + first], abs=1e-6)
+
+
+@pytest.mark.parametrize("carried", [False, True])
+def test_mean_drift_at_each_heading_is_twice_the_integral_over_the_sea(monkeypatch, carried):
+    """2 ∫ D S dω by the trapezium rule, in the one direction of the sea from the bow; with a current D + B V too"""
+    count, omega, S = waves.HEADINGS, np.array([0.4, 0.6, 1.0]), np.array([1.0, 3.0, 2.0])
+    rng = np.random.default_rng(4)
+    D, B = rng.normal(size=(3, count, 3)), rng.normal(size=(3, count, 3, 2))
+    step = 2 * np.pi / count
+    beta = 7 * step
+
+    def directional(headings):
+        return np.isclose(np.mod(headings - beta + np.pi, 2 * np.pi), np.pi).astype(float)
+
+    sea = SimpleNamespace(spectrum=SimpleNamespace(density=lambda omega: S), directional=directional, direction=beta)
+    asked = []
+    monkeypatch.setattr(waves, "drift_damping", lambda forces, own, depth, gravity: asked.append(own) or (D, B))
+    V = np.array([0.6, -0.8])
+    found = waves.mean_drift(SimpleNamespace(omega=omega, drift=D), sea, Carrier(tuple(V), False) if carried else None)
+    weight = 2 * S * np.array([0.1, 0.3, 0.2])
+    for i in (0, 3, 11):
+        from_bow = (7 - i) % count
+        wanted = weight @ D[:, from_bow]
+        if carried:
+            c, s = np.cos(i * step), np.sin(i * step)
+            own = np.array([c * V[0] + s * V[1], -s * V[0] + c * V[1]])
+            wanted = wanted + np.einsum("q,qab,b->a", weight, B[:, from_bow], own)
+        assert found[i] == pytest.approx(wanted)
+    assert not carried or asked[0] == pytest.approx(omega)
+
+
+@pytest.mark.parametrize("step, taken", [(None, runs.SLOW_STEP), (3.0, 3.0)])
+def test_a_slow_run_is_the_slewing_with_gusts_and_without_waves(monkeypatch, step, taken):
+    asked = []
+    slow = SimpleNamespace(
+        time=np.arange(4.0), place="place", heading="heading", buoy="buoy", hawser="hawser", wind_speed="w"
+    )
+    monkeypatch.setattr(runs, "gusty", lambda point, duration, seed: ("gusts", point, duration, seed))
+    monkeypatch.setattr(runs, "slew", lambda *given, **more: asked.append((given, more)) or slow)
+    monkeypatch.setattr(runs, "line_tensions", lambda point, buoy: ("lines", point, buoy))
+    monkeypatch.setattr(runs, "_run", lambda record, steady: (record, steady))
+    monkeypatch.setattr(runs, "turned_state", lambda point, state, offset: (point, state, offset))
+    steady = SimpleNamespace(point="point", state="state")
+    record, of = runs.slow_run(steady, runs.Times(duration=600.0, step=step, offset=0.3, tolerance=1e-5, seed=9))
+    assert asked == [(("point", ("point", "state", 0.3), 600.0, taken),
+                      dict(tolerance=1e-5, wind_speed=("gusts", "point", 600.0, 9)))]  # fmt: skip
+    assert (
+        of is steady
+        and record.lines == ("lines", "point", "buoy")
+        and record.wave.tolist() == np.zeros((4, 6)).tolist()
+    )
+    assert (record.place, record.heading, record.buoy, record.hawser, record.wind_speed) == (
+        "place", "heading", "buoy", "hawser", "w",
+    )  # fmt: skip
+
+
+def a_plan(beta=0.0, k=0.1):
+    plan = np.array([[10.0, 0.0], [50.0, -5.0], [50.0, 15.0], [10.0, 10.0]])
+    return SimpleNamespace(sources=SimpleNamespace(plan=plan), middle=np.array([30.0, 5.0]), beta=beta, k=k)
+
+
+def test_places_before_and_behind_a_body_are_half_its_length_off_along_the_waves():
+    """40 m long: 20 m before its foremost source and behind the last, as far from the middle as it reaches"""
+    found = waves_around.sides(a_plan())
+    assert found["before it"] == pytest.approx([30.0 - (-10.0 + 20.0), 5.0]) and found["behind it"] == pytest.approx(
+        [30.0 + 50.0 + 20.0, 5.0]
+    )
+    across = waves_around.sides(a_plan(beta=np.pi / 2))
+    assert across["behind it"] == pytest.approx([30.0, 5.0 + 15.0 + 20.0]) and across["before it"][1] == pytest.approx(
+        5 - 25
+    )
+
+
+@pytest.mark.parametrize("width, k, half", [
+    (None, 1.0, 60.0), (None, 0.1, 1.5 * 2 * np.pi / 0.1), (50.0, 0.1, 25.0), (40.0, 0.1, 0), (4e4, 0.1, 0),
+    (3.9e4, 0.1, 1.95e4),
+])  # fmt: skip
+def test_a_map_is_three_bodies_or_three_waves_wide_or_as_wide_as_is_asked(width, k, half):
+    if not half:
+        with pytest.raises(ValueError, match=f"width is {width:g} m; allowed: from the body's 40 m to a thousand"):
+            waves_around.half_width(a_plan(k=k), width)
+    else:
+        assert waves_around.half_width(a_plan(k=k), width) == pytest.approx(half)
+
+
+def test_a_map_has_the_elevation_of_each_place_about_the_middle():
+    around = SimpleNamespace(middle=np.array([30.0, 5.0]), elevation=lambda at: at[:, 0] + 1j * at[:, 1])
+    found = waves_around.mapped(around, 20.0, 5)
+    assert found.x.tolist() == [10.0, 20.0, 30.0, 40.0, 50.0] and found.y.tolist() == [-15.0, -5.0, 5.0, 15.0, 25.0]
+    assert np.array_equal(found.elevation, found.x[None] + 1j * found.y[:, None]) and found.around is around
+
+
+@pytest.mark.parametrize("period, omega, found", [
+    (10.0, None, 0.2 * np.pi), (None, 0.7, 0.7), (None, None, None), (5.0, 1.0, None), (0.0, None, "period is 0"),
+    (None, np.inf, "omega is inf"),
+])  # fmt: skip
+def test_a_regular_wave_has_a_period_or_a_frequency(period, omega, found):
+    if isinstance(found, float):
+        assert waves_around.frequency(period, omega) == pytest.approx(found)
+    else:
+        with pytest.raises(ValueError, match=found or "give either period in s or omega in rad/s"):
+            waves_around.frequency(period, omega)
+
+
+def test_planes_of_a_record_are_read_file_by_file_in_axes_of_the_body(monkeypatch):
+    """A tent of 12° about 30° of the compass at 0.1 Hz, between 0.05 and 0.2 Hz: height, energy period, direction
+
+    m₀ of straight lines is 0.5 S 0.15 Hz · 12°; of the x axis at 90°, 30° of the compass is 60°.
+    """
+    frequency, towards = np.array([0.05, 0.1, 0.2]), np.radians(np.arange(0.0, 360.0, 15.0))
+    density = np.zeros((2, 3, 24), np.float32)
+    density[0, 1, 2], density[1] = 4.0, np.nan
+    files = {"a.nc": [np.array(["2020-01-01T00", "2020-01-01T01"], "datetime64[s]")],
+             "b.nc": [np.array(["2020-01-02T00", "2020-01-02T01"], "datetime64[s]")]}  # fmt: skip
+    monkeypatch.setattr(
+        planes, "planes_of", lambda path, location: [(time, frequency, towards, density) for time in files[path]]
+    )
+    times, found, (height, period, direction) = planes.read_planes(("a.nc", "b.nc"), 3, np.pi / 2)
+    assert times.tolist() == [*files["a.nc"][0].tolist(), *files["b.nc"][0].tolist()] and found.counts == (2, 2)
+    assert found.location == 3 and found.omega == pytest.approx(2 * np.pi * frequency)
+    assert np.degrees(found.angle[:3]) == pytest.approx([90.0, 75.0, 60.0])
+    assert [found.path(row) for row in range(4)] == ["a.nc", "a.nc", "b.nc", "b.nc"]
+    m0 = 0.5 * 4.0 * 0.15 * np.radians(15.0)
+    assert height[[0, 2]] == pytest.approx(4 * math.sqrt(m0), rel=2e-2) and np.isnan(height[1])
+    assert np.degrees(direction[0]) == pytest.approx(60.0, abs=0.1) and period[0] == pytest.approx(10.0, rel=1e-6)
+    parts = list(found.density())
+    assert len(parts) == 2 and parts[0][0, 1, 2] == pytest.approx(4.0 / (2 * np.pi))
+    other = [frequency, frequency * 1.01]
+    monkeypatch.setattr(planes, "planes_of", lambda path, location: [(files[path][0], other.pop(0), towards, density)])
+    with pytest.raises(TableError, match=r"the frequencies or directions of b\.nc differ from those of a\.nc"):
+        planes.read_planes(("a.nc", "b.nc"), 3, np.pi / 2)
