@@ -6,6 +6,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from scipy import stats
 
 from hakobune.bem.time_domain import memory as of_memory
 from hakobune.mooring.berthing.energy import BerthingError
@@ -13,13 +14,18 @@ from hakobune.mooring.berthing.memory import ship_of_database
 from hakobune.mooring.criteria.anchors import Anchor, Chart, stored_anchor
 from hakobune.mooring.downtime import planes
 from hakobune.mooring.environment.tables import TableError
+from hakobune.mooring.formats import fast_farm
+from hakobune.mooring.formats.fault import FormatError
+from hakobune.mooring.lines.multi_segment.solution import StaticSolution
 from hakobune.mooring.lines.system.parts import Anchor as AnchorPoint
 from hakobune.mooring.lines.system.parts import Fairlead
+from hakobune.mooring.loads.coefficients import shallow_coefficient
 from hakobune.mooring.motion import statistics
 from hakobune.mooring.motion.simulation import bending
 from hakobune.mooring.on_current.waves import Carrier
-from hakobune.mooring.single_point import equilibria, runs, waves
+from hakobune.mooring.single_point import equilibria, runs, two_scale, waves
 from hakobune.mooring.single_point.body import planar_mass_stored
+from hakobune.mooring.site import contours
 from hakobune.mooring.studies import waves_around
 from hakobune.mooring.studies.natural_periods import periods_at_berth
 
@@ -260,3 +266,104 @@ def test_planes_of_a_record_are_read_file_by_file_in_axes_of_the_body(monkeypatc
     monkeypatch.setattr(planes, "planes_of", lambda path, location: [(files[path][0], other.pop(0), towards, density)])
     with pytest.raises(TableError, match=r"the frequencies or directions of b\.nc differ from those of a\.nc"):
         planes.read_planes(("a.nc", "b.nc"), 3, np.pi / 2)
+
+
+def test_centres_of_classes_are_means_of_their_law_and_those_without_waves_their_middles():
+    """exp{−(h − 1)/2}: between a and b the mean is 1 + 2 + {(a − 1) e^… − (b − 1) e^…}/(e^… − e^…)"""
+    heights = np.array([0.5, 1.5, 2.5, 3.5])
+    found = contours._centers(heights, (1.0, 2.0, 1.0))
+    left = lambda h: math.exp(-(h - 1) / 2)  # noqa: E731
+    for i, (a, b) in enumerate(((0.0, 1.0), (1.0, 2.0), (2.0, 3.0), (3.0, 4.0))):
+        if b <= 1.0:
+            assert found[i] == heights[i]
+            continue
+        mean = 3 + ((a - 1) * left(a) - (b - 1) * left(b)) / (left(a) - left(b))
+        assert found[i] == pytest.approx(mean, rel=1e-4)
+    assert contours._edges(np.array([1.0, 2.0, 4.0])).tolist() == [0.5, 1.5, 3.0, 5.0]
+    assert contours._edges(np.array([0.3, 2.0])).tolist() == [0.0, 1.15, 2.85]
+
+
+def test_a_contour_of_a_law_is_a_circle_of_normal_variables():
+    """Heights by Weibull's law, periods ln-normal; one sea of 3 h in 50 years is beyond the circle's radius"""
+    law = contours.JointLaw((1.0, 2.0, 1.5), (1.0, 0.8, 0.5), (0.05, 0.1, 0.3), "mean_period", 9.0)
+    seas = 50 * 365.25 * 24 / 3
+    reach = law.reach(50.0, 3.0)
+    assert stats.norm.sf(reach) == pytest.approx(1 / seas, rel=1e-6)
+    height, period = law.contour(50.0, points=5)
+    for h, t, angle in zip(height, period, np.linspace(0, 2 * np.pi, 5), strict=True):
+        wanted = 1 + 2 * (-math.log(stats.norm.sf(reach * math.cos(angle)))) ** (1 / 1.5)
+        assert h == pytest.approx(wanted, rel=1e-6)
+        mean, spread = 1 + 0.8 * h**0.5, 0.05 + 0.1 * math.exp(-0.3 * h)
+        assert t == pytest.approx(math.exp(mean + spread * reach * math.sin(angle)), rel=1e-6)
+    top, median = law.top(50.0)
+    assert top == pytest.approx(height.max()) and median == pytest.approx(math.exp(1 + 0.8 * math.sqrt(top)))
+    with pytest.raises(ValueError, match=r"0\.0001 years have 0\.29"):
+        law.reach(1e-4, 3.0)
+
+
+def test_newmark_s_steps_follow_a_swing_and_what_waves_and_the_mooring_pull(monkeypatch):
+    """ω² = 4 of heave with 5 % damping from rest under a step of force: the closed form within the error of 0.02 s"""
+    body = SimpleNamespace(
+        added=np.diag([1e6] * 6), damping=np.diag([2e5] * 6), stiffness=np.diag([4e6] * 6), lever=3.0
+    )
+    made = two_scale._Newmark(body, 0.02)
+    held = SimpleNamespace(force=np.zeros(3), buoy=np.zeros(2), tension=np.zeros(1))
+    point = SimpleNamespace(hold=lambda *given: held)
+    count = 400
+    forces, wave = np.zeros((count, 6)), np.zeros((count, 6))
+    forces[:, 2] = 4e5
+    made.run(point, np.zeros(6), held, forces, wave, np.zeros((count, 2)), np.zeros((count, 1)))
+    t, n = 0.02 * np.arange(1, count + 1), 0.1
+    w = math.sqrt(4 - n * n)
+    # the force begins within the first step: mean acceleration sees half of it there
+    exact = 0.1 * (1 - np.exp(-n * (t - 0.01)) * (np.cos(w * (t - 0.01)) + n / w * np.sin(w * (t - 0.01))))
+    assert wave[:, 2] == pytest.approx(exact, abs=2.5e-4) and not wave[:, [0, 1, 3, 4, 5]].any()
+
+
+def test_a_shallow_coefficient_rises_with_the_square_of_draft_over_depth():
+    """C₀ + (C₁ − C₀)(T/d)^K (UFC 4-159-03, eq. 11)"""
+    assert shallow_coefficient(0.6, 10.0, 20.0) == pytest.approx(0.6 + 2.6 / 4)
+    assert shallow_coefficient(0.6, 10.0, 20.0, exponent=3.0, grounded=2.0) == pytest.approx(0.6 + 1.4 / 8)
+    assert shallow_coefficient(0.6, 10.0, 10.0) == pytest.approx(3.2) and shallow_coefficient(3.2, 1.0, 9.0) == 3.2
+    for wrong, says in ((dict(depth=9.99), "at least the draft 10 m"), (dict(deep=3.21), "at most the coefficient")):
+        with pytest.raises(ValueError, match=says):
+            shallow_coefficient(**dict(deep=0.6, draft=10.0, depth=20.0) | wrong)
+
+
+@pytest.mark.parametrize("V, slope, uplift", [(100.0, 0.0, math.atan(0.1)), (0.0, 0.0, 0.0), (100.0, 0.2, 0.0),
+                                              (100.0, -0.2, math.atan(0.1) + 0.2), (-1.0, 0.0, 0.0)])  # fmt: skip
+def test_the_uplift_of_an_anchor_is_its_angle_above_the_bed_there(V, slope, uplift):
+    one = object.__new__(StaticSolution)
+    line = SimpleNamespace(anchor_slope=slope, uplift_limit=0.15)
+    for name, value in dict(line=line, horizontal_anchor=np.array(1e3), vertical_anchor=np.array(V)).items():
+        object.__setattr__(one, name, value)
+    assert one.anchor_uplift == pytest.approx(uplift) and one.anchor_holds == (uplift <= 0.15)
+    object.__setattr__(one, "horizontal_anchor", np.array(0.0))
+    object.__setattr__(one, "vertical_anchor", np.array(0.0))
+    assert one.anchor_uplift == 0.0
+
+
+def test_a_farm_has_as_many_turbines_as_rows_and_its_lines_in_another_file(monkeypatch, tmp_path):
+    asked = []
+    monkeypatch.setattr(
+        fast_farm, "read_moordyn_system", lambda file, depth, turbines: asked.append((file, depth, turbines))
+    )
+    text = """FAST.Farm input
+    2   NumTurbines - count
+    "lines\\\\shared.dat"   SharedMoorFile - file
+    WT_X  WT_Y  WT_Z  name
+    (m)   (m)   (m)   (-)
+    0.0   0.0   0.0   a
+    1500  -20   1.5   b
+    7     7     7     none
+    """.replace("\\\\\\\\", "\\\\")
+    farm = tmp_path / "farm.fstf"
+    farm.write_text(text)
+    fast_farm.read_fast_farm(farm, 200.0)
+    assert asked == [(tmp_path / "lines/shared.dat", 200.0, {1: (0.0, 0.0, 0.0), 2: (1500.0, -20.0, 1.5)})]
+    for wrong, says in ((text.replace("2   Num", "5   Num"), "turbines and"),
+                        (text.replace("NumTurbines", "Number"), "lacks NumTurbines"),
+                        (text.replace("1500  -20", "1500  x"), "2 turbines and 0 rows")):  # fmt: skip
+        farm.write_text(wrong)
+        with pytest.raises(FormatError, match=says):
+            fast_farm.read_fast_farm(farm)
