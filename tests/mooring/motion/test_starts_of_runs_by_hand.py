@@ -292,3 +292,74 @@ def test_a_body_of_which_nothing_is_said_is_free_in_all_motions():
     parts[4] = np.zeros(7)
     assert moored_body.Moored(*parts).free == tuple(range(7))
     assert moored_body.Moored(*parts, free=(0, 5)).free == (0, 5)
+
+
+def quay(headings=(0.0, 0.5)):
+    return SimpleNamespace(heading=np.array(headings), names=("fender",), arrays="arrays")
+
+
+def test_the_stiffness_of_a_berth_is_less_the_slope_of_its_forces_along_the_axes_of_the_bodies(monkeypatch):
+    """Of forces −K p of the places in space, columns are K times the ways along the axes; two shapes at the end"""
+    K = np.random.default_rng(5).normal(size=(14, 14)) * 1e5
+    monkeypatch.setattr(contacts, "berth_force", lambda berth, place: -K @ place)
+    along = np.eye(14)
+    c, s = np.cos(0.5), np.sin(0.5)
+    along[6:8, 6:8] = [[c, -s], [s, c]]
+    found = contacts.berth_stiffness(quay(), np.linspace(0.0, 1.0, 14))
+    assert found == pytest.approx(K @ along, rel=1e-6, abs=1.0)
+
+
+def test_forces_of_contacts_are_those_of_the_poses_about_the_headings_at_rest(monkeypatch):
+    seen = []
+    monkeypatch.setattr(
+        contacts, "courses", lambda berth, poses, bent: seen.append((poses.copy(), bent)) or ("depth", ["forces"])
+    )
+    assert contacts.contact_forces(quay(), np.arange(14.0)) == "forces"
+    wanted = np.arange(12.0).reshape(1, 2, 6)
+    wanted[0, 1, 5] += 0.5
+    assert seen[0][0] == pytest.approx(wanted) and seen[0][1].tolist() == [[12.0, 13.0]]
+
+
+def test_a_body_rests_by_contacts_and_others_and_what_has_no_balance_is_told(monkeypatch):
+    """A fender of 3e5 N/m against a push of 6 kN, in units of a metre and of 1/50 rad; a push alone has none"""
+    monkeypatch.setattr(contacts, "contact_forces", lambda berth, place: np.array([-2e3, 1e3]))
+    monkeypatch.setattr(contacts, "berth_force", lambda berth, place: -np.array([3e5, 4e9]) * place)
+    unit = np.array([1.0, 1 / 50])
+    found = contacts.at_rest(quay(), lambda place: np.array([6e3, 2e6]), np.zeros(2), unit)
+    assert found == pytest.approx([0.02, 5e-4])
+    monkeypatch.setattr(contacts, "berth_force", lambda berth, place: np.zeros(2))
+    with pytest.raises(
+        ValueError, match="no equilibrium of the body between its fenders and ropes was found: 20 of the"
+    ):
+        contacts.at_rest(quay(), lambda place: np.array([6e3, 2e6]), np.zeros(2), unit)
+
+
+@pytest.mark.parametrize("failing", [(), ((),), (("a",),), ((), ("a",))])
+def test_a_trial_runs_with_static_and_with_moving_lines_and_keeps_what_fails(monkeypatch, failing):
+    monkeypatch.setattr(trial, "_nudged", lambda moored: ("nudged", moored))
+    monkeypatch.setattr(trial, "replace", lambda settings, dynamic_lines: (settings, dynamic_lines))
+    asked = []
+
+    def run_of(body, weather, settings, seed, clock):
+        asked.append((body, weather, settings, seed))
+        clock.seen = [(0.0, 0.0), (0.5, 3.0)]
+        if settings[1] in failing:
+            raise SimulationError(f"failed {settings[1]}")
+        return settings[1]
+
+    settings = SimpleNamespace(ramp=10.0, duration=50.0)
+    found, pace, failed = trial._both(run_of, "moored", "weather", settings, ("a",))
+    assert found == [None if names in failing else names for names in ((), ("a",))]
+    assert asked == [(("nudged", "moored"), "weather", (settings, names), 0) for names in ((), ("a",))]
+    assert pace == pytest.approx([0.1, 0.1]) and [str(one) for one in failed] == [
+        f"failed {names}" for names in failing
+    ]
+
+
+@pytest.mark.parametrize("given, drives", [
+    (dict(), False), (dict(seas=("sea",)), True), (dict(forces=("force",)), True), (dict(regular="wave"), True),
+    (dict(components="waves"), True), (dict(gusts="gusts"), True),
+])  # fmt: skip
+def test_what_drives_a_trial_varies_in_time(given, drives):
+    weather = SimpleNamespace(**dict(seas=(), forces=(), regular=None, components=None, gusts=None, wind="w") | given)
+    assert trial._drives(weather) == drives

@@ -129,3 +129,21 @@ def test_the_worst_cell_is_halved_first_where_there_is_room_for_a_few_alone(monk
     assert min(tree.errors[n] for n in worst) > max(tree.errors[n] for n in slight) > tables.TOLERANCE
     tree.grow()
     assert len(tree.boxes) == 36 and set(tree.cut) <= worst and len(tree.cut) == 2
+
+
+def test_forces_of_a_composite_are_told_by_the_chord_and_the_height():
+    """Of f(x, z) at x = √(c² − z²): ∂f/∂c = f_x c/x and ∂f/∂z = f_z − f_x z/x; nothing without a span or a solution"""
+    rows = []
+
+    def fill_row(row, composite, anchor, end):
+        rows.append((composite, anchor.tolist(), end.tolist()))
+        row[[2, 4, 9, 11, 15, 17]] = (100.0, 200.0, 3.0, 5.0, 7.0, 11.0) if composite == "line" else np.nan
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(tables, "fill_row", fill_row)
+        found = tables._solved("line", 50.0, -30.0)
+        assert rows == [("line", [0.0, 0.0, 0.0], [40.0, 0.0, -30.0])]
+        assert found == pytest.approx(
+            np.array([[100.0, 3 * 50 / 40, 5 + 3 * 30 / 40], [200.0, 7 * 50 / 40, 11 + 7 * 30 / 40]])
+        )
+        assert np.isnan(tables._solved("line", 30.0, 30.0)).all() and np.isnan(tables._solved("none", 50.0, 30.0)).all()
