@@ -96,19 +96,22 @@ def checked(**given):
     simulation._check(**words | given)
 
 
-START = SimpleNamespace(time=50.0, position=np.zeros((11, 3)))
+START, SHORT = (SimpleNamespace(time=t, position=np.zeros((n, 3))) for t, n in ((50.0, 11), (0.0, 12)))
+WINDOW, LATER = SimpleNamespace(begin=50.0, end=100.0), SimpleNamespace(begin=50.1, end=200.0)
 
 
 @pytest.mark.parametrize("good, bad, says", [
     (dict(duration=100.0), dict(duration=100.1), "end of the run is 100.1; allowed: up to 100 s"),
-    (dict(duration=1e-9), dict(duration=0.0), "duration is 0.0"), (dict(tolerance=0.1), dict(tolerance=0.11), "tolerance"),
-    (dict(tolerance=1e-9), dict(tolerance=0.0), "tolerance is"), (dict(frames=0), dict(frames=-1), "frames is -1"),
+    (dict(duration=1e-9), dict(duration=0.0), "duration is 0.0"),
+    (dict(tolerance=0.1), dict(tolerance=0.11), "tolerance is"),
+    (dict(tolerance=1e-9), dict(tolerance=0.0), "tolerance is"),
+    (dict(frames=0), dict(frames=-1), "frames is -1"),
     (dict(longest_step=1e-3), dict(longest_step=0.0), "longest_step"),
-    (dict(stations=(0, 10)), dict(stations=(11,)), "stations is"), (dict(stations=(1,)), dict(stations=(-1,)), "stations"),
+    (dict(stations=(0, 10)), dict(stations=(11,)), "stations is"),
+    (dict(stations=(1,)), dict(stations=(-1,)), "stations is"),
     (dict(start=START), dict(start=START, duration=50.1), "end of the run"),
-    (dict(start=START), dict(start=SimpleNamespace(time=0.0, position=np.zeros((12, 3)))), "start is another line's"),
-    (dict(start=START, motion=SimpleNamespace(begin=50.0, end=100.0)),
-     dict(start=START, motion=SimpleNamespace(begin=50.1, end=200.0)), "start of the run is 50.0; allowed: from 50.1 s"),
+    (dict(start=START), dict(start=SHORT), "start is another line's"),
+    (dict(start=START, motion=WINDOW), dict(start=START, motion=LATER), "start of the run is 50.0; allowed: from 50.1"),
 ])  # fmt: skip
 def test_a_run_is_taken_up_to_its_limits(good, bad, says):
     checked(**good)

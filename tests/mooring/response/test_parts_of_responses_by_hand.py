@@ -9,7 +9,7 @@ import pytest
 from hakobune.mooring.environment.sea import Sea
 from hakobune.mooring.on_current.waves import Carrier
 from hakobune.mooring.response import climate as of_climates
-from hakobune.mooring.response import pair_levels, sea_state
+from hakobune.mooring.response import pair_levels, sea_state, viscous
 from hakobune.mooring.response import points as of_points
 from hakobune.mooring.response.climate import Climate
 from hakobune.mooring.response.linear import Moments
@@ -231,3 +231,11 @@ def test_loads_at_a_station_are_sums_over_the_shapes_of_its_body_by_their_kind()
     }  # fmt: skip
     alone = SimpleNamespace(bodies=(), modes=modes, rigid=2)
     assert [float(a[0, 0]) for _, a in of_points.shapes_of(alone, motion)] == [5.0]
+
+
+def test_the_next_guess_of_a_damping_is_a_secant_in_logarithms():
+    """Where the damping found goes as the guess to the power p the share is 1/(1 − p), of p from −3 to ½: ⅔ of drag"""
+    step = np.array([2.0, 2.0, 2.0, 2.0, 1.0, 0.0, 4.0])
+    answer = np.array([2**-0.5, 2**-1.0, 2**-5.0, 2**0.9, 3.0, 3.0, 0.0])
+    assert viscous._share(step, answer) == pytest.approx([2 / 3, 1 / 2, 1 / 4, 2.0, 2 / 3, 2 / 3, 2 / 3])
+    assert viscous._ratio(np.array([6.0, 5.0]), np.array([3.0, 0.0])).tolist() == [2.0, 1.0]
