@@ -367,3 +367,24 @@ def test_a_farm_has_as_many_turbines_as_rows_and_its_lines_in_another_file(monke
         farm.write_text(wrong)
         with pytest.raises(FormatError, match=says):
             fast_farm.read_fast_farm(farm)
+
+
+@pytest.mark.parametrize("omega, links, free, says", [
+    (299.0, (), (0, 6, 7), None), (301.0, (), (0, 6, 7), "bend 2 has a natural frequency of 301 rad/s, limit 300"),
+    (301.0, (), (0, 6), None), (299.0, ("hinge",), (0, 6, 7), None),
+    (299.0, ("hinge",), (0, 6), "holds bend 2, and hinges hinge are given"), (299.0, ("hinge",), (6, 7), None),
+])  # fmt: skip
+def test_shapes_are_followed_up_to_300_radians_a_second_and_all_are_free_beside_hinges(omega, links, free, says):
+    """ω² = K/(M + A∞) of the second shape; a rigid motion may be held"""
+    stiffness, inertia, added = np.zeros((8, 8)), 2.0 * np.eye(8), np.zeros((8, 8))
+    stiffness[7, 7], added[7, 7], stiffness[6, 6] = 5.0 * omega**2, 3.0, -1.0
+    stiffness[0, 0] = 1e9
+    body = SimpleNamespace(
+        words=[*"abcdef", "bend 1", "bend 2"], rigid=6, links=[SimpleNamespace(name=one) for one in links],
+        stiffness=stiffness, inertia=inertia, held_added_mass=lambda omega: added[None] * (omega == np.inf),
+    )  # fmt: skip
+    if says is None:
+        bending.check_bending(body, free)
+    else:
+        with pytest.raises(ValueError, match=says):
+            bending.check_bending(body, free)

@@ -239,3 +239,25 @@ def test_the_next_guess_of_a_damping_is_a_secant_in_logarithms():
     answer = np.array([2**-0.5, 2**-1.0, 2**-5.0, 2**0.9, 3.0, 3.0, 0.0])
     assert viscous._share(step, answer) == pytest.approx([2 / 3, 1 / 2, 1 / 4, 2.0, 2 / 3, 2 / 3, 2 / 3])
     assert viscous._ratio(np.array([6.0, 5.0]), np.array([3.0, 0.0])).tolist() == [2.0, 1.0]
+
+
+def test_a_column_of_a_climate_has_moments_drift_and_what_lies_beyond_in_sizes(monkeypatch):
+    """Drift within and below and above the band add up with their signs; what is beyond counts by its size"""
+    beyond = np.array([[1.0, -2.0, 3.0], [-4.0, -5.0, 6.0]])
+    told = dict(
+        directions=lambda sea, omega, step: (("headings", step), "weights"),
+        heading_step=lambda known, sea, omega: "step",
+        linear_response=lambda sea, transfer, weights: (None, SimpleNamespace(m0=("m0", transfer), m2="m2")),
+        mean_drift=lambda body, sea, omega, drift, weights: (np.array([10.0, 20.0, 30.0]), beyond),
+        energy_outside=lambda omega, spectrum: (0.01, 0.02), missed_response=lambda *given: ("left", given[2:]),
+    )  # fmt: skip
+    for name, stand_in in told.items():
+        monkeypatch.setattr(of_climates, name, stand_in)
+    known = SimpleNamespace(
+        at=lambda omega, heading: (("transfer", heading), "drift"), body=SimpleNamespace(omega="band")
+    )
+    found = of_climates._column(known, SimpleNamespace(spectrum="spectrum"), "omega")
+    transfer = ("transfer", ("headings", "step"))
+    assert (found.m0, found.m2) == (("m0", transfer), "m2") and found.drift.tolist() == [7.0, 13.0, 39.0]
+    assert found.missed == pytest.approx(0.03) and found.beyond == ("left", (transfer, "weights"))
+    assert found.drift_beyond.tolist() == [5.0, 7.0, 9.0]
