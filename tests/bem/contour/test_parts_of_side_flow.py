@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from hakobune.bem.contour import side_flow
+from hakobune.bem.contour.plan.panels import gauss_rule
 from hakobune.bem.contour.side_flow import DepthFlow, _at_keel, _count, _distances, _edge_functions
 
 
@@ -92,3 +93,12 @@ def test_the_outside_is_the_sum_of_decaying_modes_and_one_wave_over_its_norm(mon
     assert found.tolist() == np.arange(36.0).reshape(6, 6).tolist() and seen["weights"] == "weights"
     assert seen["products"] == pytest.approx(np.array([[1.0, 1.5], [1.5, 2.25]])) and seen["single"] is weak
     assert np.all(seen["maps"] == 12)
+
+
+@pytest.mark.parametrize("count", [1, 4, 9])
+def test_a_rule_of_gauss_on_a_unit_length_is_kept_and_cannot_be_written(count):
+    """Exact for powers up to 2 n − 1: ∫ x^m dx = 1/(m + 1)"""
+    x, w = gauss_rule(count)
+    for power in range(2 * count):
+        assert w @ x**power == pytest.approx(1 / (power + 1), rel=1e-12)
+    assert gauss_rule(count)[0] is x and not x.flags.writeable and not w.flags.writeable
