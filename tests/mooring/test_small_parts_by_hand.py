@@ -14,11 +14,11 @@ from hakobune.mooring.berthing.memory import ship_of_database
 from hakobune.mooring.criteria.anchors import Anchor, Chart, stored_anchor
 from hakobune.mooring.downtime import planes
 from hakobune.mooring.environment.tables import TableError
-from hakobune.mooring.formats import fast_farm
+from hakobune.mooring.formats import fast_farm, moorpy
 from hakobune.mooring.formats.fault import FormatError
 from hakobune.mooring.lines.multi_segment.solution import StaticSolution
 from hakobune.mooring.lines.system.parts import Anchor as AnchorPoint
-from hakobune.mooring.lines.system.parts import Fairlead
+from hakobune.mooring.lines.system.parts import Fairlead, FreePoint
 from hakobune.mooring.loads.coefficients import shallow_coefficient
 from hakobune.mooring.motion import statistics
 from hakobune.mooring.motion.simulation import bending
@@ -388,3 +388,18 @@ def test_shapes_are_followed_up_to_300_radians_a_second_and_all_are_free_beside_
     else:
         with pytest.raises(ValueError, match=says):
             bending.check_bending(body, free)
+
+
+@pytest.mark.parametrize("kind, made", [
+    ("fixed", AnchorPoint("p", (1.0, 2.0, 3.0))), ("Anchor", AnchorPoint("p", (1.0, 2.0, 3.0))),
+    ("body12", Fairlead("p", "body 12", (1.0, 2.0, 3.0))), ("Body", Fairlead("p", "body 1", (1.0, 2.0, 3.0))),
+    ("vessel", Fairlead("p", "vessel", (1.0, 2.0, 3.0))), ("fairlead", Fairlead("p", "vessel", (1.0, 2.0, 3.0))),
+    ("free", FreePoint("p", (1.0, 2.0, 3.0), 50.0, 0.2)), ("connection", FreePoint("p", (1.0, 2.0, 3.0), 50.0, 0.2)),
+])  # fmt: skip
+def test_points_of_moorpy_are_anchors_fairleads_of_their_bodies_or_free(kind, made):
+    row = {"name": "p", "location": [1, 2.0, 3], "type": kind, "mass": 50.0, "volume": 0.2}
+    assert moorpy._point(row, "x.yaml") == made
+    with pytest.raises(FormatError, match=r"location of point p is \[1, 2\]; allowed: \[x, y, z\] in m"):
+        moorpy._point(row | {"location": [1, 2]}, "x.yaml")
+    with pytest.raises(FormatError, match="type of point p is 'coupled'; allowed: fixed, vessel, body1 …, free"):
+        moorpy._point(row | {"type": "coupled"}, "x.yaml")
