@@ -12,7 +12,7 @@ from hakobune.bem.time_domain import memory as of_memory
 from hakobune.mooring.berthing.energy import BerthingError
 from hakobune.mooring.berthing.memory import ship_of_database
 from hakobune.mooring.criteria.anchors import Anchor, Chart, stored_anchor
-from hakobune.mooring.downtime import planes
+from hakobune.mooring.downtime import hindcast, planes
 from hakobune.mooring.environment.tables import TableError
 from hakobune.mooring.formats import fast_farm, moorpy
 from hakobune.mooring.formats.fault import FormatError
@@ -23,6 +23,7 @@ from hakobune.mooring.loads.coefficients import shallow_coefficient
 from hakobune.mooring.motion import statistics
 from hakobune.mooring.motion.simulation import bending
 from hakobune.mooring.on_current.waves import Carrier
+from hakobune.mooring.seas import buoys
 from hakobune.mooring.single_point import equilibria, runs, two_scale, waves
 from hakobune.mooring.single_point.body import planar_mass_stored
 from hakobune.mooring.site import contours
@@ -403,3 +404,41 @@ def test_points_of_moorpy_are_anchors_fairleads_of_their_bodies_or_free(kind, ma
         moorpy._point(row | {"location": [1, 2]}, "x.yaml")
     with pytest.raises(FormatError, match="type of point p is 'coupled'; allowed: fixed, vessel, body1 …, free"):
         moorpy._point(row | {"type": "coupled"}, "x.yaml")
+
+
+CODES = (-9, -99, -999, -9999, -99.9, -99.99, 99, 99.9, 99.99, 999, 999.9, 9999, -32767, -32768)
+
+
+@pytest.mark.parametrize("code", CODES)
+@pytest.mark.parametrize("kind", ["height", "direction"])
+def test_what_records_write_where_nothing_was_measured_is_missing(code, kind):
+    """In degrees of directions; 99 and less are directions themselves"""
+    value = math.radians(code) if kind == "direction" else code
+    said = []
+    found = hindcast._cleaned("x", [0.5, value, 1.5], kind, "a.csv", said)
+    if kind == "direction" and -360 <= code <= 720:
+        assert found.tolist() == [0.5, value, 1.5] and not said
+    else:
+        assert (
+            found.tolist()[::2] == [0.5, 1.5] and np.isnan(found[1]) and "1 values of x are taken as codes" in said[0]
+        )
+
+
+def test_a_value_that_is_no_code_and_beyond_its_range_is_refused():
+    for value in (30.1, -0.1, 98.9, -998.0):
+        with pytest.raises(TableError, match=f"a.csv: x is {value:.6g} in 1 rows; allowed: 0 to 30"):
+            hindcast._cleaned("x", [0.5, value], "height", "a.csv", [])
+    assert hindcast._cleaned("x", [0.0, 30.0], "height", "a.csv", []).tolist() == [0.0, 30.0]
+
+
+@pytest.mark.parametrize("times, time, found", [
+    (["2020-01-01T00", "2020-01-01T01"], " 2020-01-01T01 ", 1), (["2020"], None, 0),
+    (["2020-01", "2020-02"], None, "has several times; it has 2 times from 2020-01 to 2020-02"),
+    (["2020-01", "2020-02"], "2020", "has several times 2020;"), (["2020-01", "2020-02"], "2021", "has no time 2021;"),
+])  # fmt: skip
+def test_a_time_of_a_file_is_chosen_by_how_it_begins(times, time, found):
+    if isinstance(found, int):
+        assert buoys.one_of("a.nc", times, time) == found
+    else:
+        with pytest.raises(TableError, match=f"a.nc {found}"):
+            buoys.one_of("a.nc", times, time)

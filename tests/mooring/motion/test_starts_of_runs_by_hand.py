@@ -43,7 +43,7 @@ def followed(monkeypatch):
     monkeypatch.setattr(run, "stopped", lambda *reasons: SimulationError(reasons[0]))
 
     def follow(groups=((), ()), buoy=None, last=integrator.DONE, offset=OFFSET, velocity=VELOCITY, start=START,
-               more_scales=0, moving=None):  # fmt: skip
+               more_scales=0, moving=None, inverse=None):  # fmt: skip
         seen.last = last
         monkeypatch.setattr(run, "groups_of", lambda reader: Groups(*(np.array(part, np.int64) for part in groups)))
         reader = SimpleNamespace(rigid=12, words=[""] * len(start), axes_at_rest=np.zeros((2, 6)))
@@ -52,7 +52,11 @@ def followed(monkeypatch):
         settings = SimpleNamespace(ramp=30.0, duration=100.0, step=0.5, fixed_step=0.0, tolerance=1e-3,
                                    velocity=velocity, offset=offset)  # fmt: skip
         memory = SimpleNamespace(decay=np.zeros(STATES))
-        scene = Scene(body=SimpleNamespace(memory=memory), lines=SimpleNamespace(lost=np.zeros(3)), contacts="contacts")
+        scene = Scene(
+            body=SimpleNamespace(memory=memory, mass_inverse=inverse),
+            lines=SimpleNamespace(lost=np.zeros(3)),
+            contacts="contacts",
+        )
         begun = SimpleNamespace(
             scene=scene, waves=SimpleNamespace(table="table"), moving=moving, expected=np.ones((2 + more_scales, 12))
         )
@@ -130,6 +134,38 @@ def test_lines_with_a_motion_of_their_own_go_on_in_shorter_turns_and_have_their_
     monkeypatch.setattr(run, "stopped", lambda *reasons: SimulationError(f"line {reasons[-1]}"))
     with pytest.raises(SimulationError, match="line 7"):
         follow(moving=(SimpleNamespace(number=np.array([2, 0])), "states"), last=integrator.STUCK)
+
+
+def test_hinged_bodies_begin_together_and_what_their_links_hold_is_kept_for_each_sample(followed, monkeypatch):
+    """By the inverse of the mass of all that moves, the last of which are shapes"""
+    follow, seen = followed
+    held = SimpleNamespace(shapes=np.array([12, 14]))
+    asked = []
+    monkeypatch.setattr(run, "links_of", lambda reader: held)
+    monkeypatch.setattr(
+        run,
+        "link_work",
+        lambda held, size, rows, groups: asked.append((size, rows, groups)) or SimpleNamespace(kept="kept"),
+    )
+
+    def begin_together(links, inverse, poses, speed, shapes):
+        asked.append((links, inverse.shape, inverse[12:, 0].tolist(), poses.shape, speed.shape, shapes.tolist()))
+        return poses + 1.0, speed + 2.0, shapes + 3.0
+
+    monkeypatch.setattr(run, "begin_together", begin_together)
+    inverse = np.arange(324.0).reshape(18, 18)
+    course = follow(((1,), [0, 2]), offset=np.append(OFFSET, [5.0, 6.0]), velocity=np.append(VELOCITY, [7.0, 8.0]),
+                    start=np.append(START, [0.1, 0.2]), more_scales=1, inverse=inverse)  # fmt: skip
+    size = 2 * BLOCK + 6 + OF_SHAPES + STATES
+    assert asked[0] == (size, 261, 1) and course.held == "kept"
+    assert asked[1] == (held, (14, 14), [216.0, 252.0], (2, 6), (2, 6), [[5.1, 6.2], [7.0, 8.0]])
+    states = seen.y[: 2 * BLOCK].reshape(2, BLOCK)
+    assert states[0, :6] == pytest.approx(START[:6] + OFFSET[:6] + 1.0) and states[0, 6:12] == pytest.approx(
+        VELOCITY[:6] + 2
+    )
+    assert states[:, SLOW : SLOW + 3] == pytest.approx(states[:, [0, 1, 5]])
+    bent = seen.y[2 * BLOCK + 6 :][:OF_SHAPES].reshape(2, 6)
+    assert bent[0] == pytest.approx([8.1, 0, 9.2, 0, 0, 0]) and bent[1] == pytest.approx([10.0, 0, 11.0, 0, 0, 0])
 
 
 def test_a_run_that_cannot_go_on_ends_with_its_reason(followed):
