@@ -12,6 +12,7 @@ from hakobune.bem.time_domain import memory as of_memory
 from hakobune.mooring.berthing.energy import BerthingError
 from hakobune.mooring.berthing.memory import ship_of_database
 from hakobune.mooring.criteria.anchors import Anchor, Chart, stored_anchor
+from hakobune.mooring.criteria.fatigue import rainflow_cycles
 from hakobune.mooring.downtime import hindcast, planes
 from hakobune.mooring.environment.tables import TableError
 from hakobune.mooring.formats import fast_farm, moorpy
@@ -442,3 +443,48 @@ def test_a_time_of_a_file_is_chosen_by_how_it_begins(times, time, found):
     else:
         with pytest.raises(TableError, match=f"a.nc {found}"):
             buoys.one_of("a.nc", times, time)
+
+
+def a_solution(rows, slack=False, **of_line):
+    """Of pieces (kind, upper end, length, slope and tension); kind 1 lies on the bed"""
+    one = object.__new__(StaticSolution)
+    bed = SimpleNamespace(friction=0.5)
+    line = SimpleNamespace(**dict(length=100.0, weight=1e4, bed=bed, anchor_slope=0.0) | of_line)
+    pieces = np.zeros((len(rows), 11))
+    for piece, (kind, top, length, slope, tension, rate) in zip(pieces, rows, strict=True):
+        piece[[0, 1, 2, 10, 5, 6]] = kind, top, length, slope, tension, rate
+    for name, value in dict(line=line, pieces=pieces, slack=slack, _one=pieces).items():
+        object.__setattr__(one, name, value)
+    return one
+
+
+FREE = (0, 100.0, 40.0, 0.9, 0.0, 0.0)  # steep and idle, but free
+
+
+@pytest.mark.parametrize("row, slides", [
+    ((1, 60.0, 60.0, math.atan(0.51), 0.0, 0.0), True), ((1, 60.0, 60.0, math.atan(0.49), 0.0, 0.0), False),
+    ((1, 60.0, 60.0, -math.atan(0.51), 0.0, 0.0), True), ((1, 60.0, 60.0, math.atan(0.51), 1.0, 0.0), False),
+    ((1, 60.0, 60.0, math.atan(0.51), 0.0, -1.0), False), ((1, 60.0, 0.0, math.atan(0.51), 0.0, 0.0), False),
+])  # fmt: skip
+def test_a_part_without_tension_slides_on_what_is_steeper_than_its_friction(row, slides):
+    assert a_solution([FREE, row]).slides == slides
+    assert not a_solution([FREE, row], bed=None).slides
+    steep = dict(anchor_slope=-math.atan(0.51))
+    assert a_solution([FREE], slack=True, **steep).slides and a_solution([FREE], slack=False, **steep).slides is False
+
+
+def test_parts_on_the_bed_are_told_from_the_anchor_up_and_joined_where_they_meet():
+    """90 to 80, free, 60 to 50 and 50 to 30, a heap of no length, 20 to 0"""
+    lies = lambda top, length: (1, top, length, 0.0, 5.0, 0.0)  # noqa: E731
+    one = a_solution(
+        [FREE, lies(90.0, 10.0), FREE, lies(60.0, 10.0), lies(50.0, 20.0), lies(30.0, 0.0), lies(20.0, 20.0)]
+    )
+    assert one.grounded.tolist() == [[0.0, 20.0], [30.0, 60.0], [80.0, 90.0]] and one.grounded_length == 60.0
+    assert a_solution([FREE]).grounded.shape == (0, 2)
+
+
+@pytest.mark.parametrize("record", [[1.0], [], [[1.0, 2.0], [3.0, 4.0]], [1.0, np.nan, 2.0], [1.0, np.inf]])
+def test_cycles_are_of_a_row_of_two_finite_tensions_and_more(record):
+    with pytest.raises(ValueError, match="gaps or fewer than two samples"):
+        rainflow_cycles(record)
+    assert set(rainflow_cycles([1.0, 3.0, 1.0])[0].tolist()) == {2.0} and not len(rainflow_cycles([1.0, 3.0])[0])
