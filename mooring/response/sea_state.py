@@ -105,7 +105,7 @@ class SeaState:
 
     @property
     def bandwidth(self):
-        """(c,) ε; nan for a zero response"""
+        """(c,) ε; 0 for a zero response"""
         return self._each(lambda m, _: float(bandwidth(m.m0, m.m2, m.m4)))
 
     @property
@@ -154,10 +154,9 @@ class SeaState:
         return level, level - self.expected_maximum[self.names.index(name)], self.reached(name, level)
 
     def _each(self, function):
-        """(c,) function(moments, zero period) of each nonzero response, nan for the others"""
+        """(c,) function(moments, zero period) of each nonzero response, 0 for the others"""
         parts = zip(*self.moments, self.zero_period, strict=True)
-        values = [function(Moments(*m), T) if np.isfinite(T) else np.nan for *m, T in parts]
-        return np.where(np.isfinite(self.zero_period), values, 0.0)
+        return np.array([function(Moments(*m), T) if np.isfinite(T) else 0.0 for *m, T in parts])
 
 
 def sea_state(body, sea, duration, points=(), bound=None) -> SeaState:

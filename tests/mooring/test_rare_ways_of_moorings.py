@@ -629,3 +629,22 @@ def test_elements_pull_by_the_rows_of_their_own_table():
     q = np.zeros((5, 3))
     q[1:, 0] = np.cumsum([1.05, 0.9, 2 * 1.12, 1.3])
     assert elastic_tension(system, q) == pytest.approx([0.5, 0.0, 100 * 1.06, 1000 * 2.5])
+
+
+@pytest.mark.parametrize("most, refused", [(0.99, False), (1.02, True)])
+def test_the_outermost_way_of_a_spread_sea_travels_85_degrees_to_the_normal_at_most(most, refused):
+    """Of twelve ways of equal energy, at shares 1/24, 3/24 …, with a mean of 0.2 rad: one is beyond"""
+    outermost = most * np.radians(85)
+
+    def quantile(share, omega):
+        assert omega.tolist() == [1.0] * 3
+        return np.where(share > 0.95, outermost - 0.2, share - 0.5)
+
+    sea = SimpleNamespace(direction=0.2, spreading=SimpleNamespace(quantile=quantile))
+    study = SimpleNamespace(sea=sea, section=SimpleNamespace(shape="rectangle"))
+    if refused:
+        with pytest.raises(of_curves.BreakwaterError, match=r"up to 86\.7° to the normal; allowed: 85;"):
+            in_sea.ways_of(study, np.ones(3))
+        return
+    ways = in_sea.ways_of(study, np.ones(3))
+    assert ways[:-1, 1] == pytest.approx(0.2 + (np.arange(11) + 0.5) / 12 - 0.5) and ways[-1, 0] == outermost

@@ -44,10 +44,13 @@ def solve_small(A, n):
 
 @kernel()
 def largest(r):
+    """Largest size of r (n,), nan if one is"""
     worst = 0.0
     for value in r:
         if not abs(value) <= worst:
             worst = abs(value)
+        if math.isnan(value):
+            break
     return worst
 
 

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from hakobune.bem.contour import side_flow
+from hakobune.bem.contour.plan.panels import gauss_rule
 from hakobune.bem.contour.side_flow import DepthFlow, _at_keel, _count, _distances, _edge_functions
 
 
@@ -71,3 +72,33 @@ def test_sums_over_the_depth_are_squares_and_moments(monkeypatch):
     assert found.values == pytest.approx(np.einsum("q,qa,qb->ab", flow.weights, flow.slope, flow.slope))
     assert found.one == pytest.approx(flow.weights @ flow.value) and found.top is flow.top and found.keel is flow.keel
     assert found.z == pytest.approx((flow.weights * (flow.r - 2.0)) @ flow.value)
+
+
+def test_the_outside_is_the_sum_of_decaying_modes_and_one_wave_over_its_norm(monkeypatch):
+    """rᵢ rⱼ/∫Z₀² of the wave with its own map, of profiles in the order of the equations"""
+    from hakobune.bem.contour import one_frequency
+
+    seen = {}
+    rows, weak = np.array([2.0, 3.0]), np.arange(9.0).reshape(3, 3)
+    modes = SimpleNamespace(wave_norm=4.0)
+    body = SimpleNamespace(outer_maps=lambda cls, degree, top: np.full((7, 3, 3), 10 * degree + top))
+    one = SimpleNamespace(wave_rows=rows, modes=modes, body=body, degree=1, top=2, outer_weights="weights")
+
+    def combined(weights, maps, products, single):
+        seen.update(weights=weights, maps=maps, products=products, single=single)
+        return np.arange(36.0).reshape(2, 3, 2, 3)
+
+    monkeypatch.setattr(one_frequency, "combined", combined)
+    found = one_frequency.ContourFrequency.outside(one, "cls", SimpleNamespace(weak=weak))
+    assert found.tolist() == np.arange(36.0).reshape(6, 6).tolist() and seen["weights"] == "weights"
+    assert seen["products"] == pytest.approx(np.array([[1.0, 1.5], [1.5, 2.25]])) and seen["single"] is weak
+    assert np.all(seen["maps"] == 12)
+
+
+@pytest.mark.parametrize("count", [1, 4, 9])
+def test_a_rule_of_gauss_on_a_unit_length_is_kept_and_cannot_be_written(count):
+    """Exact for powers up to 2 n − 1: ∫ x^m dx = 1/(m + 1)"""
+    x, w = gauss_rule(count)
+    for power in range(2 * count):
+        assert w @ x**power == pytest.approx(1 / (power + 1), rel=1e-12)
+    assert gauss_rule(count)[0] is x and not x.flags.writeable and not w.flags.writeable

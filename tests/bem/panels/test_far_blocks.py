@@ -77,8 +77,9 @@ def test_blocks_larger_than_the_buffers_are_made_in_larger_ones(block, monkeypat
     assert same == rank and np.array_equal(again, whole)
 
 
-def test_several_blocks_are_made_one_after_the_other_each_with_its_image(monkeypatch):
-    """Parts of the targets, mirrored in x and y, beside each other in buffers that hold one or two of them"""
+@pytest.mark.parametrize("capacity", [150, 5000])
+def test_several_blocks_are_made_one_after_the_other_each_with_its_image(monkeypatch, capacity):
+    """Parts of the targets, mirrored in x and y, beside each other in buffers that hold one or two of them, or all"""
     far = plain("bem.panels.compressed.far_blocks")
     sources = POINTS[TARGETS:] + APART
 
@@ -90,7 +91,7 @@ def test_several_blocks_are_made_one_after_the_other_each_with_its_image(monkeyp
 
     monkeypatch.setattr(far, "_line", line)
     monkeypatch.setattr(far, "table_view", lambda table: None)
-    monkeypatch.setattr(far, "CAPACITY", 150)
+    monkeypatch.setattr(far, "CAPACITY", capacity)
     monkeypatch.setattr(far, "ROOM", 2)
     blocks = np.array([[0, 10, 0, 30, 1, 1], [10, 24, 5, 20, -1, 1], [3, 20, 20, 30, 1, -1]])
     water = SimpleNamespace(table=SimpleNamespace(K=0.0))

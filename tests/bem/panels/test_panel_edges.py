@@ -177,3 +177,14 @@ def test_a_product_stencil_is_there_where_the_rows_of_all_panels_cross():
     other[4] = [1, 4, 8]
     assert alike(rows, other) == [i // 3 != 1 for i in range(9)]  # those of its row look across it
     assert alike(rows, columns, lambda panel: panel != 2) == [i // 3 != 0 for i in range(9)]
+
+
+def test_a_panel_with_a_sharp_side_knows_a_point_of_an_edge_of_the_box():
+    """Its neighbours know the same edge, and no other panels"""
+    mesh = box(*SIZES, counts=(7, 5, 4))
+    exponents = sharp_sides(mesh)
+    made = hull_quadrature(mesh, exponents)
+    known, sharp = np.isfinite(made.edge).all(axis=1), (exponents < 1).any(axis=1)
+    assert known[sharp].all() and sharp.sum() > 1 and not known.all()
+    x, y, z = np.abs(made.edge[known]).T
+    assert np.all(sum(np.isclose(a, b).astype(int) for a, b in ((x, 50), (y, 25), (z, 10))) >= 2)

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from plain import plain
 
 from hakobune.bem.green.finite_depth import green
 from hakobune.bem.green.tables import limit_table, wave_table
@@ -81,3 +82,40 @@ def test_directions_leave_nothing_of_the_bessel_function(phase):
         for turn in (0.0, 0.7, 1.5):
             found = np.mean(np.cos(x * np.cos(turn) * np.cos(theta)) * np.cos(x * np.sin(turn) * np.sin(theta)))
             assert abs(found - j0(x)) < 1e-12
+
+
+def test_a_pair_of_nodes_has_both_normal_derivatives_of_one_evaluation(monkeypatch):
+    """G, and ∂G/∂n at b and at a: gr ∂R/∂n + ∂ζ n_z, with Z(z) Z(ζ), Z(z) Z′(ζ) and Z′(z) Z(ζ) of the two depths"""
+    pairs = plain("bem.panels.reciprocal_pairs")
+    rng = np.random.default_rng(8)
+    nodes, normals, at = rng.normal(size=(12, 3)), rng.normal(size=(3, 3)), rng.normal(size=(12, 2))
+    nodes[:, 2] = -np.arange(1.0, 13.0)
+    values, pieces = rng.normal(size=(32, 8)), np.arange(96).reshape(32, 3)
+    values[:, 6:] = rng.integers(0, 2, (32, 2))
+    asked = []
+
+    def standing_part_at(position, R, depths, wave, slope, slope_back, view):
+        asked.append((position, depths))
+        return (R + wave, 2 * R, slope, slope_back)
+
+    monkeypatch.setattr(pairs, "standing_part_at", standing_part_at)
+    monkeypatch.setattr(pairs, "depth_variables", lambda z, zeta: (z, zeta))
+    found, a, b, C, count = np.full((16, 8), 77.0), 2, 1, 3.0, 2
+    pairs._evaluate(a, b, nodes, normals, count, at, C, "view", pieces, values, found)
+    seen = 0
+    for p in range(4):
+        for q in range(4):
+            i, j = 4 * a + p, 4 * b + q
+            for m in range(count):
+                e, row, column = (4 * p + q) * count + m, (2 * p + q // 2) * count + m, 4 * (q % 2)
+                R, by_b, by_a, *place, there, back = values[e]
+                wanted = np.zeros(4)
+                if there + back > 0:
+                    assert asked[seen] == ((*pieces[e], *place), (nodes[i, 2], nodes[j, 2]))
+                    seen += 1
+                    g = R + C * at[i, 0] * at[j, 0]
+                    flux = 2 * R * by_b + C * at[i, 0] * at[j, 1] * normals[b, 2]
+                    flux_back = 2 * R * by_a + C * at[i, 1] * at[j, 0] * normals[a, 2]
+                    wanted = np.array([there * g, back * g, there * flux, back * flux_back])
+                assert found[row, column : column + 4] == pytest.approx(wanted)
+    assert seen == len(asked) > 10

@@ -1,9 +1,11 @@
 """Damping beyond the band, by the powers that are believed, and the added mass of known pairs."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
-from hakobune.bem.time_domain.whole_axis import _above, _below, monopole_damping, whole_axis, without_negative
+from hakobune.bem.time_domain.whole_axis import _above, _below, _unseen, monopole_damping, whole_axis, without_negative
 
 OMEGA = np.linspace(0.2, 2.0, 400)
 
@@ -94,3 +96,33 @@ def test_added_mass_of_damping_that_goes_on_beyond_the_band_is_found_with_its_li
         assert off.max() < 0.05 * size
         np.testing.assert_allclose(one.transform(at)[:, 1, 1], 2 * one.transform(at)[:, 0, 0], rtol=1e-6)
         assert not one.damping[:, 2:].any()
+
+
+@pytest.mark.parametrize("known", [True, False])
+def test_damping_that_rises_and_falls_beyond_the_band_is_found_from_the_added_mass_of_the_band(known):
+    """(Ω/ω)³ − (Ω/ω)⁵ of one motion, whose part of the added mass is (2/π) ∫ B/(x² − ω²) dx by a fine rule; none of a
+    motion without damping; A(∞) too where it is not known"""
+    omega = np.linspace(0.2, 2.0, 181)
+    above = 2.0 * np.geomspace(1, 30, 600)[1:]
+    axis_omega = np.concatenate([[1e-4], omega, above])
+    damping = np.zeros((len(axis_omega), 6, 6))
+    damping[:, 2, 2] = 1e-9
+    x = 2.0 / above
+    hidden = 5e4 * (x**3 - x**5)
+    infinite = np.zeros((6, 6))
+    infinite[2, 2] = 3e5
+    fine = np.geomspace(2.0, 60.0, 200_001)
+    of_fine = 5e4 * ((2 / fine) ** 3 - (2 / fine) ** 5)
+    added = np.zeros((len(omega), 6, 6))
+    for q, w in enumerate(omega[:-1]):
+        added[q, 2, 2] = 3e5 + 2 / np.pi * np.trapezoid(of_fine / (fine**2 - w**2), fine)
+    added[-1] = added[-2]
+    excess = lambda at: np.zeros((len(at), 6, 6))  # noqa: E731
+    axis = SimpleNamespace(omega=axis_omega, damping=damping, excess=excess,
+                           added_mass_infinity=infinite if known else None)  # fmt: skip
+    more, last = _unseen(omega, added, axis, above)
+    assert more.shape == (len(above), 6, 6) and last[2, 2] == pytest.approx(3e5, rel=5e-3)
+    assert abs(more[0, 2, 2]) < 0.15 * hidden.max() and abs(more[-1, 2, 2]) < 0.01 * hidden.max()
+    assert more[:, 2, 2].max() == pytest.approx(hidden.max(), rel=0.3)
+    more[:, 2, 2] = 0.0
+    assert not more.any()

@@ -2,7 +2,7 @@
 
 import pytest
 
-from hakobune.mooring.criteria.rules import RuleError, _criterion
+from hakobune.mooring.criteria.rules import RuleError, _criterion, _number
 
 ROW = {
     "rule": "owner", "edition": "2026", "quantity": "tension / breaking load", "sense": "at most", "limit": "1/2",
@@ -42,3 +42,10 @@ def test_no_text_of_a_row_that_it_needs_is_empty(key):
 def test_numbers_of_a_row_are_above_nothing(key, text):
     with pytest.raises(RuleError, match=f"here: {key} is "):
         _criterion("here", ROW | {key: text})
+
+
+def test_a_number_that_is_not_there_is_refused_as_one_that_is_none():
+    assert [_number("here", "limit", text) for text in ("2.5", "1/3", "3/1.5")] == pytest.approx([2.5, 1 / 3, 2.0])
+    for text in (None, "", "/", "1/0", "-2", "inf", "1/inf", "a"):
+        with pytest.raises(RuleError, match=f"here: limit is {text!r}; allowed: a number above 0, or a fraction"):
+            _number("here", "limit", text)

@@ -1,10 +1,12 @@
 """Fenders beside a body that turns and rolls, limits of strain, earthquakes on springs: each number by hand."""
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
+from hakobune.mooring.dolphins import at_quay
 from hakobune.mooring.dolphins.design_spectrum import (
     Beam,
     DolphinError,
@@ -244,3 +246,50 @@ def test_a_loop_of_fenders_on_both_sides_goes_by_what_they_return():
     path = np.array([0.0, 0.3, 0.7, 0.65, 0.55, 0.6, 0.1, -0.3, -0.7, -0.65, -0.1])
     of_one = np.array([0.0, 2e5, 1e6, 6.75e5, 3.5e5, 6e5, 0.0, -2e5, -1e6, -6.75e5, 0.0])
     assert both_sides(Fenders(fender, 2, 0.2))(path) == pytest.approx(2 * of_one, abs=1.0)
+
+
+class Pressed:
+    """Fenders of a quay on either side of a body, and what the design spectrum method is given of them"""
+
+    def __init__(self, monkeypatch, drift):
+        self.seen = seen = {}
+        beam = free_body(omega=np.array([0.5, 1.0, 1.5]), drift=np.array(drift))
+        monkeypatch.setattr(at_quay, "in_sea", lambda body, sea: ((body, sea), ()))
+        monkeypatch.setattr(at_quay, "beam_of", lambda body, way: seen.update(body=body, way=way) or beam)
+        monkeypatch.setattr(
+            at_quay,
+            "strains",
+            lambda *words: seen.update(zip(("beam", "dolphins", "steady", "spectrum"), words, strict=True)) or "s",
+        )
+        monkeypatch.setattr(at_quay, "limit_height", lambda *words: words)
+
+    def __call__(self, across, sides=(1, -1, 1)):
+        fenders = [SimpleNamespace(normal=(0.1, side * 0.9), face=(x, 2.0, 3.0), fender=f"fender {x}")
+                   for x, side in zip((-5.0, 0.0, 5.0), sides, strict=True)]  # fmt: skip
+        spectrum = SimpleNamespace(density=lambda omega: 2.0 * np.ones_like(omega))
+        waves = SimpleNamespace(direction=1.2, period=7.0)
+        conditions = SimpleNamespace(sea=SimpleNamespace(spectrum=spectrum), waves=waves)
+        return at_quay.at_quay("body", fenders, across, conditions, "family"), conditions
+
+
+@pytest.mark.parametrize(("across", "side"), [(5.1e3, 1.0), (4.9e3, -1.0), (5e3, 1.0)])
+def test_the_side_that_wind_current_and_waves_press_decides_which_fenders_carry(monkeypatch, across, side):
+    """2 ∫ D S dω = 2 · 2 · 0.5 {(−1 − 2)/2 + (−2 + 0)/2} = −5 kN by the trapezium rule; a tie goes to port"""
+    pressed = Pressed(monkeypatch, [-1e3, -2e3, 0.0])
+    (found, conditions) = pressed(across)
+    seen = pressed.seen
+    assert found.count == (2 if side > 0 else 1) and found.strains == "s"
+    assert seen["body"] == ("body", conditions.sea) and seen["way"] == 1.2
+    faces = [(-5.0, 2.0, 3.0), (5.0, 2.0, 3.0)] if side > 0 else [(0.0, 2.0, 3.0)]
+    assert seen["dolphins"].fender == ("fender -5.0" if side > 0 else "fender 0.0")
+    assert np.array_equal(seen["dolphins"][1], faces) and seen["steady"] == side * across
+    assert seen["beam"].drift == pytest.approx(side * np.array([-1e3, -2e3, 0.0]))
+    beam, dolphins, steady, family, period = found.limit
+    assert beam is seen["beam"] and dolphins is seen["dolphins"] and (steady, family, period) == (
+        side * across, "family", 7.0,
+    )  # fmt: skip
+
+
+def test_without_a_fender_on_the_side_that_is_pressed_there_is_none(monkeypatch):
+    pressed = Pressed(monkeypatch, [0.0, 0.0, 0.0])
+    assert pressed(-1.0, (1, 1, 1))[0] is None and pressed(1.0, (1, 1, 1))[0].count == 3

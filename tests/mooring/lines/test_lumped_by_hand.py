@@ -392,3 +392,28 @@ def test_forces_of_bending_are_the_slope_of_its_energy_with_its_tangent():
                     ) / 4e-6  # fmt: skip
                     assert rows[row, j] == pytest.approx(2.0 * mixed, rel=1e-4, abs=1e-3)
     assert not bending.joints(np.zeros(0), length, w).size and not bending.bends(bending.joints(np.zeros(0), length, w))
+
+
+@pytest.mark.parametrize("weight, thickness", [(0.5, 1e-3 * 0.2), (2e3, 2 * 2e3 * math.cos(0.1) / (3e5 * 0.2))])
+def test_a_bed_is_as_thick_as_twice_the_weight_sinks_in_and_a_thousandth_of_the_thinnest_part_at_least(
+    weight, thickness
+):
+    """2 w cos s/(k D) of a node of a uniform line, whose length does not matter; parts of 0.2 and 0.3 m"""
+    one = DynamicSegment(30.0, 50.0, weight, 0.2, 1e6, 3)
+    thick = DynamicSegment(30.0, 50.0, weight, 0.3, 1e6, 3)
+    s = DynamicLine((one, thick), (0.0, 0.0, -20.0), bed=ElasticBed(slope=0.1)).system
+    assert s.bed_thickness[:3] == pytest.approx(np.full(3, thickness))
+
+
+def test_a_bed_mobilises_its_friction_over_a_tenth_of_the_least_stretch_by_it_or_over_what_is_given():
+    """μ w ℓ²/EA of elements of 10 and 5 m, of which the lighter has no weight on the bed"""
+    parts = DynamicSegment(30.0, 50.0, 300.0, 0.2, 1e6, 3), DynamicSegment(20.0, 9.0, -40.0, 0.3, 1e6, 4)
+    line = lambda **bed: DynamicLine(parts, (1.0, 2.0, -20.0), bed=ElasticBed(**bed)).system  # noqa: E731
+    assert line(friction=0.5).bed_slip == pytest.approx(0.1 * 0.5 * 300.0 * 100.0 / 1e6)
+    assert line(friction=0.5, slip=0.07).bed_slip == 0.07 and line().bed_slip == 1e-7
+    s = line(slope=0.2, uphill=0.3, below=1.5, friction=0.5)
+    assert s.bed_course == pytest.approx([1.0, 2.0, math.cos(0.3), math.sin(0.3)]) and s.bed_friction == 0.5
+    normal = [-math.sin(0.2) * math.cos(0.3), -math.sin(0.2) * math.sin(0.3), math.cos(0.2)]
+    assert s.bed_normal == pytest.approx(normal) and s.bed_level == pytest.approx(np.dot(normal, [1.0, 2.0, -21.5]))
+    none = DynamicLine(parts, (1.0, 2.0, -20.0), bed=None).system
+    assert not none.bed_stiffness.any() and none.bed_normal.tolist() == [0.0, 0.0, 1.0] and none.bed_slip == 1.0

@@ -97,3 +97,46 @@ def test_eight_lines_at_once_are_those_solved_alone_and_not_changed_by_their_nei
         still = np.isnan(ends[2])
         assert np.array_equal(kept[:, still], before[:, still])
     assert solved >= 150  # others hang free, or need a third iteration
+
+
+@pytest.mark.parametrize("flexibility, friction", [(0.0, 0.0), (2e-6, 0.0), (2e-6, 0.05), (3e-6, 0.9), (0.0, 0.6)])
+def test_the_tangents_that_are_kept_are_the_slopes_of_the_pull(flexibility, friction):
+    """∂H/∂x and ∂H/∂h beside differences of H over 2 mm, of a line alone and of one of eight; H within its friction
+    along the whole part on the bed, and beyond it"""
+    ends = plain("mooring.lines.catenary.moving_end")
+    length, weight, x, height, off = 200.0, 500.0, 182.0, 40.0, 1e-3
+
+    def pull(x, height):
+        row = np.zeros(ROW)
+        ends.solve_line(row, x, 0.0, height, length, weight, flexibility, friction, True)
+        assert row[0] == GROUNDED
+        return row[2]
+
+    by_x = (pull(x + off, height) - pull(x - off, height)) / (2 * off)
+    by_height = (pull(x, height + off) - pull(x, height - off)) / (2 * off)
+    kept = np.array([GROUNDED, pull(x - 0.05, height + 0.02), x - 0.05, height + 0.02, by_x, by_height])
+    H, _ = ends.tension_near(kept, x, height, length, weight, flexibility, friction)
+    assert pytest.approx(pull(x, height), rel=1e-9) == H and kept[1:4].tolist() == [H, x, height]
+    assert kept[4:] == pytest.approx([by_x, by_height], rel=1e-5)
+
+
+@pytest.mark.parametrize("flexibility, friction", [(0.0, 0.0), (2e-6, 0.05), (3e-6, 0.9)])
+def test_eight_lines_at_once_keep_the_slopes_of_their_pulls(flexibility, friction):
+    length, weight, off = 200.0, 500.0, 1e-3
+    x, height = np.linspace(178.0, 184.0, 8), np.linspace(35.0, 42.0, 8)
+
+    def pull(x, height):
+        row = np.zeros(ROW)
+        solve_line(row, x, 0.0, height, length, weight, flexibility, friction, True)
+        assert row[0] == GROUNDED
+        return row[2]
+
+    of = lambda x, height: np.array([pull(*place) for place in zip(x, height, strict=True)])  # noqa: E731
+    by_x = (of(x + off, height) - of(x - off, height)) / (2 * off)
+    by_height = (of(x, height + off) - of(x, height - off)) / (2 * off)
+    kept = np.array([np.full(8, GROUNDED), of(x - 0.01, height), x - 0.01, height, by_x, by_height], float)
+    lines = np.repeat([[length], [weight], [flexibility], [friction]], 8, axis=1)
+    ends = np.array([x, height, np.zeros(8), np.zeros(8)])
+    follow(kept, lines, ends)
+    assert ends[2] == pytest.approx(of(x, height), rel=1e-9) and np.array_equal(kept[1:4], [ends[2], x, height])
+    assert kept[4] == pytest.approx(by_x, rel=1e-4) and kept[5] == pytest.approx(by_height, rel=1e-4)

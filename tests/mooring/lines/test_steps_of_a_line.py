@@ -5,6 +5,7 @@ d(T t)/ds = (0, w), and is as long as 1 + T/EA (or a table) makes it; on the bed
 the line slides up towards the fairlead, down to nothing.  Derivatives of the equations by differences of them.
 """
 
+import math
 from types import SimpleNamespace
 from unittest import mock
 
@@ -149,3 +150,26 @@ def test_the_first_span_is_sought_between_one_that_clears_the_bed_and_one_that_d
         line, w, origin, at, *found = traverse.first_span(made, SimpleNamespace(q=q), facet)
         assert line is made and w.q is q and (origin, at) == (traverse.FROM_FAIRLEAD, facet)
         assert found == pytest.approx([low - 1e-9 * abs(low), high])
+
+
+def test_a_buoy_in_the_surface_loses_its_lift_along_its_height():
+    """Lift 300 N, 80 N of weight out of the water, over 2 m below z = 5; a sinker keeps its weight"""
+    span = plain("mooring.lines.multi_segment.free_span")
+    made = SimpleNamespace(loads=np.array([[0.0, -300.0, 80.0], [0.0, 50.0, 60.0]]), surface=5.0, soft=2.0)
+    wet, afloat, dry = span.SUBMERGED, span.FLOATING, span.EMERGED
+    for z, weight, state in ((2.0, -300.0, wet), (3.0, -300.0, wet), (3.5, -205.0, afloat), (4.5, -15.0, afloat),
+                             (5.0, 80.0, dry), (9.0, 80.0, dry)):  # fmt: skip
+        assert span.smoothed_weight(made, 0, z) == (pytest.approx(weight), state)
+        assert span.smoothed_weight(made, 1, z) == (50.0, wet)
+
+
+@pytest.mark.parametrize("flexibility", [0.0, 1e-6])
+@pytest.mark.parametrize("V, down", [(8e3, 20.0), (8e3, 70.0), (-3e3, 30.0)])
+def test_the_length_to_an_abscissa_is_that_of_its_catenary(flexibility, V, down):
+    """x = (H/w)(asinh(V/H) − asinh((V − ws)/H)) + Hs/EA of the length s that is found; w = 200 N/m, H = 5 kN"""
+    span, H, w = plain("mooring.lines.multi_segment.free_span"), 5e3, 200.0
+    q = np.zeros(7)
+    q[[span.H, span.V, span.X]] = H, V, 90.0
+    s = span.length_to(q, 90.0 - down, w, 1.0, flexibility)
+    found = H / w * (math.asinh(V / H) - math.asinh((V - w * s) / H)) + flexibility * H * s
+    assert found == pytest.approx(down, rel=1e-10)

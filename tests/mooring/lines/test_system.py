@@ -12,7 +12,7 @@ from mooring_systems import CHAIN, OC3, ROPE, SYSTEMS, eight_lines
 from hakobune.bem import DOFS
 from hakobune.bem.database.between_frequencies import Between
 from hakobune.bem.database.reader import Reader
-from hakobune.mooring.lines.system.bodies import angles, rotated, rotation
+from hakobune.mooring.lines.system.bodies import angles, axes_in_space, places_along, rotated, rotation
 from hakobune.mooring.lines.system.equilibrium import _Indefinite, rest
 from hakobune.mooring.lines.system.graph import System
 from hakobune.mooring.lines.system.hydrostatics import heading, hydrostatic_load
@@ -362,3 +362,17 @@ def test_a_system_that_is_at_rest_takes_no_step_and_others_few(name):
     """Newton's steps at least halve what is left once they are near: to 1e-12 of it in some tens of them"""
     found = rest(SYSTEMS[name])
     assert 0 < found.iterations < 60 and rest(SYSTEMS[name], found.pose).iterations <= 1
+
+
+def test_axes_of_bodies_are_turned_by_the_heading_of_each():
+    """Forces and moments of the first by 0.3, of the second by −1.1; places leave roll and pitch along the body"""
+    whole, places = axes_in_space((0.3, -1.1)), places_along((0.3, -1.1))
+    wanted, along = np.zeros((12, 12)), np.zeros((12, 12))
+    for i, psi in enumerate((0.3, -1.1)):
+        c, s = np.cos(psi), np.sin(psi)
+        turn = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
+        for j in (0, 3):
+            first = 6 * i + j
+            wanted[first : first + 3, first : first + 3] = turn
+            along[first : first + 3, first : first + 3] = turn if j == 0 else np.eye(3)
+    assert whole == pytest.approx(wanted) and places == pytest.approx(along)

@@ -213,3 +213,20 @@ def test_a_broad_box_was_tested_at_a_tenth_of_its_beam_in_draft(wide, told):
     """L/B = 1.2 in shallow water, B/d = 10 alone"""
     notes = " ".join(box_table(120.0, 100.0, 100.0 / wide, 200.0 / wide).notes)
     assert (f"B/d = {wide:.4g} was not tested with L/B = 1.2; the trend of L/B = 2 is used" in notes) is told
+
+
+def test_a_column_without_a_crest_ends_flat_and_one_with_a_crest_is_flat_there_alone():
+    """Slopes over b at the ends of the columns h = 2 and h = 4, whose crest is inside"""
+    points = [Point(b, h, v, c) for b, h, v, c in (
+        (2.0, 2.0, 1.0, False), (6.0, 2.0, 2.0, False), (10.0, 2.0, 2.6, False),
+        (2.0, 4.0, 1.0, False), (6.0, 4.0, 3.0, True), (10.0, 4.0, 2.0, False),
+        (2.0, 20.0, 0.5, False), (10.0, 100.0, 0.9, False),
+    )]  # fmt: skip
+    curves = CrestSurface(points, 10.0)._curves
+    slope = lambda h, b: (curves[h](b + 1e-6) - curves[h](b - 1e-6)) / 2e-6  # noqa: E731
+    assert sorted(map(str, curves)) == ["2.0", "4.0", "deep"]
+    assert slope(2.0, 10.0 - 1e-6) == pytest.approx(0.0, abs=1e-4) and slope("deep", 10 - 1e-6) == pytest.approx(
+        0, abs=1e-4
+    )
+    assert slope(4.0, 6.0) == pytest.approx(0.0, abs=1e-4) and slope(4.0, 10.0 - 1e-6) < -0.1
+    assert slope(2.0, 6.0) > 0.05

@@ -1,6 +1,7 @@
 """Sums of waves at equal steps, and sines and cosines without branches, against numpy."""
 
 import numpy as np
+from plain import plain
 
 from hakobune.bem.kernels.jit import kernel
 from hakobune.mooring.motion.tables.harmonics import at_step, harmonics, sine_and_cosine, sum_waves, zeros_in_lines
@@ -48,3 +49,11 @@ def test_sines_and_cosines_are_those_of_numpy_to_rounding():
 
 def test_zeros_begin_a_line_of_the_cache():
     assert all(zeros_in_lines((3, size)).ctypes.data % 64 == 0 for size in range(1, 20))
+
+
+def test_sine_and_cosine_are_right_to_rounding_up_to_a_million_radians():
+    tables = plain("mooring.motion.tables.harmonics")
+    rng = np.random.default_rng(3)
+    for turn in [*rng.uniform(-1e6, 1e6, 300), *np.linspace(-4.0, 4.0, 101)]:
+        sine, cosine = tables.sine_and_cosine(turn)
+        assert abs(sine - np.sin(turn)) <= 4e-16 and abs(cosine - np.cos(turn)) <= 4e-16

@@ -424,3 +424,65 @@ def test_a_buoy_is_in_the_water_of_its_window_and_goes_where_all_forces_push_it(
     assert made["lines"] == ("lines", "line work", [1.0, 2.0, 3.0]) and made["floats"] == (0.7, 0.8)
     assert made["water"] == pytest.approx(cubic @ at ** np.arange(4) if waves else np.zeros(WATER))
     assert rate.tolist() == pytest.approx([0.4, 0.5, 0.6, 0.5 * 91.0, 0.25 * 92.0, 0.2 * 93.0])
+
+
+def test_lines_hold_until_the_time_at_which_each_breaks():
+    loads = plain("mooring.motion.line_loads")
+    work = SimpleNamespace(whole=np.array([False] * 4))
+    loads.hold(SimpleNamespace(lost=np.array([3.0, 5.0, np.inf, 4.0])), work, 4.0)
+    assert work.whole.tolist() == [False, True, True, False]
+
+
+def test_drift_on_a_current_is_that_of_still_water_and_what_its_parts_along_and_across_the_waves_add(monkeypatch):
+    """V of 1.3 m/s towards 0.7 rad; waves towards 0.2 and −1.0 in space, met at each of the headings"""
+    waves = plain("mooring.motion.wave_loads")
+    rng = np.random.default_rng(5)
+    ring = 2 * np.pi * np.arange(waves.HEADINGS) / waves.HEADINGS
+    D, B = rng.normal(size=(2, waves.HEADINGS, 3)), rng.normal(size=(2, waves.HEADINGS, 3, 2))
+    monkeypatch.setattr(waves, "drift_damping", lambda forces, omega, depth, gravity: (D, B))
+    V, direction = 1.3 * np.array([np.cos(0.7), np.sin(0.7)]), np.array([0.2, -1.0])
+    found = waves.drift_on_current(None, None, direction, V, 30.0, 9.8)
+    for q in range(2):
+        for p in (0, 5, waves.HEADINGS - 1):
+            heading = direction[q] - ring[p]  # of the body
+            x = V @ [np.cos(heading), np.sin(heading)]
+            y = V @ [-np.sin(heading), np.cos(heading)]
+            assert found[q, p] == pytest.approx(D[q, p] + B[q, p, :, 0] * x + B[q, p, :, 1] * y)
+
+
+def test_tensions_along_a_run_are_those_of_each_time_of_lines_that_hold_and_of_bodies_as_they_are_bent(monkeypatch):
+    """Four bodies, two lines, of which the second breaks at 4 s; a stand-in pulls by places and amplitudes"""
+    loads = plain("mooring.motion.line_loads")
+    work = SimpleNamespace(whole=np.zeros(2, bool), tension=np.zeros((2, 2)), bent=np.zeros(3))
+    lines = SimpleNamespace(place=np.zeros((4, 3)), lost=np.array([np.inf, 4.0]))
+
+    def pull(lines, work, positions, R, force):
+        assert R.shape == (4, 3, 3) and force.shape == (4, 6)
+        work.tension[:] = np.where(work.whole, positions[0, 0] + work.bent.sum(), 0.0)[:, None] * [3.0, 4.0]
+
+    monkeypatch.setattr(loads, "line_loads", pull)
+    times, positions, out = np.array([3.0, 5.0]), np.zeros((2, 4, 6)), np.zeros((2, 2))
+    positions[:, 0, 0] = 2.0, 7.0
+    loads.tensions_along(lines, work, times, positions, out)
+    assert out.tolist() == [[10.0, 10.0], [35.0, 0.0]]
+    loads.tensions_along(lines, work, times, positions, out, np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 2.0]]))
+    assert out.tolist() == [[15.0, 15.0], [45.0, 0.0]]
+
+
+def test_water_around_lines_has_room_for_all_their_nodes_and_sums_of_the_longest():
+    made = SimpleNamespace(waves=np.zeros((9, 6)), step=0.25, ramp=(10.0, 20.0), carried=np.array([1.0, 2.0]),
+                           current=np.array([0.5, 0.0]), current_ramp=7.0)  # fmt: skip
+    around, rows, velocity, sums = sea.water_of(made, 11, 5)
+    each = sea.SAMPLES * sea.OF_PLACE
+    assert around.table.size >= each * 11 and around.place.size >= 3 * 11 and around.clock.tolist() == [-np.inf, 0.25]
+    assert (around.begin, around.ramp, around.current_ramp) == (10.0, 20.0, 7.0) and around.carried is made.carried
+    assert around.current.tolist() == [[0.5, 0.0]] and around.level.tolist() == [0.0]
+    assert (
+        around.weights.shape == (2, sea.SAMPLES) and rows.shape == (sea.OF_PLACE * 5, 12) and velocity.shape == (4, 6)
+    )
+    assert sums.shape == (each * 5,)
+    part = sea.line_water(around._replace(table=np.arange(around.table.size), place=np.arange(around.place.size)), 4, 7)
+    assert part.table.tolist() == list(range(each * 4, each * 7)) and part.place.tolist() == list(range(12, 21))
+    still = SimpleNamespace(**vars(made) | dict(waves=np.zeros((9, 0)), current=np.zeros(2)))
+    none = sea.water_of(still, 11, 5)[0]
+    assert none.table.size == 0 and sea.line_water(none, 4, 7) is none

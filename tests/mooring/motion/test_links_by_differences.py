@@ -155,3 +155,80 @@ def test_rows_of_shapes_are_the_derivatives_of_what_is_held_and_of_the_travel(li
     small = links.rows_at(held, rest, 0.0)[0]
     span = np.linalg.qr(small.T)[0]  # rows of the frequency domain hold the same motions
     assert np.abs(rows_of(body, link) - rows_of(body, link) @ span @ span.T).max() < 1e-9 * np.abs(small).max()
+
+
+class TwoLinks:
+    """Three bodies and two shapes: a link of three rows from the first to the third, one of two from the second to
+    a fixed point.  Rows change with the poses and amplitudes.
+    """
+
+    ends, first, shapes = np.array([[0, 2], [1, -1]]), np.array([0, 3, 5]), np.array([18, 19])
+
+    def __init__(self, monkeypatch):
+        rng = np.random.default_rng(61)
+        self.poses, self.speed = rng.normal(size=(3, 6)), rng.normal(size=20)
+        self.base, self.more = rng.normal(size=(2, 5, 14))
+        self.by_pose, self.by_amplitude = rng.normal(size=(3, 6)), rng.normal(size=2)
+        square = rng.normal(size=(20, 20))
+        self.inverse, self.force = square @ square.T + 20 * np.eye(20), rng.normal(size=20)
+        self.links = SimpleNamespace(ends=self.ends, first=self.first, shapes=self.shapes)
+        self.work = SimpleNamespace(
+            rows=np.zeros((5, 12)), by_shapes=np.zeros((5, 2)), shares=np.zeros((20, 5)), matrix=np.zeros((5, 5)),
+            mu=np.zeros(5), left=np.zeros(5), gap=rng.normal(size=5), free=np.zeros(20), ahead=np.zeros((3, 6)),
+            speed=self.speed.copy(), amplitude=rng.normal(size=2),
+        )  # fmt: skip
+        self.at_rest = self.work.amplitude.copy()
+        monkeypatch.setattr(links, "fill_rows", self.fill)
+        monkeypatch.setattr(links, "drive", lambda links, work, force: None)
+
+    def fill(self, links, work, poses, whole):
+        rows = self.base + (np.sum(self.by_pose * poses) + self.by_amplitude @ work.amplitude) * self.more
+        work.rows[:], work.by_shapes[:] = rows[:, :12], rows[:, 12:]
+
+    def dense(self, rows):
+        """(5, 20) of rows (5, 14): both ends, then shapes"""
+        G = np.zeros((5, 20))
+        for k, ends in enumerate(self.ends):
+            own = slice(self.first[k], self.first[k + 1])
+            for e, b in enumerate(ends):
+                if b >= 0:
+                    G[own, 6 * b : 6 * b + 6] += rows[own, 6 * e : 6 * e + 6]
+        G[:, 18:] += rows[:, 12:]
+        return G
+
+
+def test_what_links_hold_makes_every_row_a_critically_damped_spring_of_all_bodies_and_shapes(monkeypatch):
+    """G a + Ġ v + 2βG v + β² gap = 0, a = W (f + Gᵀμ), of dense matrices; places move by speeds along the headings"""
+    one = TwoLinks(monkeypatch)
+    force = one.force.copy()
+    links.hold_together(one.links, one.work, one.poses, one.inverse, force)
+    v, moved = one.speed, np.zeros((3, 6))
+    for b in range(3):
+        c, s = np.cos(one.poses[b, 5]), np.sin(one.poses[b, 5])
+        u, w = v[6 * b : 6 * b + 2]
+        moved[b] = [c * u - s * w, s * u + c * w, *v[6 * b + 2 : 6 * b + 6]]
+    rate = (np.sum(one.by_pose * moved) + one.by_amplitude @ v[18:]) * one.more
+    now = one.base + (np.sum(one.by_pose * one.poses) + one.by_amplitude @ one.at_rest) * one.more
+    G, turning, back = one.dense(now), one.dense(rate), links.BACK
+    wanted = -turning @ v - 2 * back * G @ v - back**2 * one.work.gap
+    assert G @ one.inverse @ force == pytest.approx(wanted, rel=1e-5, abs=1e-5)
+    assert force - one.force == pytest.approx(G.T @ one.work.mu) and one.work.amplitude == pytest.approx(one.at_rest)
+    assert one.work.shares == pytest.approx(one.inverse @ G.T)
+    x = np.random.default_rng(3).normal(size=20)
+    for k, i in ((0, 0), (0, 2), (1, 3), (1, 4)):
+        assert links.along_rows(one.links, one.work, k, i, x) == pytest.approx(G[i] @ x)
+
+
+def test_springs_and_dampers_of_links_pull_by_the_travel_and_its_rate():
+    """−k (x − x₀) − c ẋ along the row of the travel, of the second link alone"""
+    rng = np.random.default_rng(62)
+    row, by_shape, speed = rng.normal(size=(2, 12)), rng.normal(size=(2, 2)), rng.normal(size=20)
+    one = SimpleNamespace(ends=TwoLinks.ends[::-1], shapes=TwoLinks.shapes, travels=np.array([0, 1]),
+                          drive=np.array([[9.0, 9.0, 9.0], [5.0, 3.0, 0.4]]))  # fmt: skip
+    work = SimpleNamespace(pulled=row, pulled_by=by_shape, speed=speed, travel=np.array([7.0, 1.5]), pull=np.zeros(2))
+    force = np.zeros(20)
+    links.drive(one, work, force)
+    along = np.zeros(20)
+    along[0:6], along[12:18], along[18:] = row[1, :6], row[1, 6:], by_shape[1]
+    pull = -5.0 * (1.5 - 0.4) - 3.0 * along @ speed
+    assert work.pull == pytest.approx([0.0, pull]) and force == pytest.approx(pull * along)

@@ -5,6 +5,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from plain import plain
 from scipy.interpolate import PchipInterpolator
 
 from hakobune.bem.modes import words_of
@@ -14,7 +15,7 @@ from hakobune.mooring.environment.sea import Components, Sea
 from hakobune.mooring.environment.spectra import issc
 from hakobune.mooring.environment.tables import TableError
 from hakobune.mooring.loads.box_drag import drag_table
-from hakobune.mooring.motion import equation, integrator, slow_damping
+from hakobune.mooring.motion import integrator, slow_damping
 from hakobune.mooring.motion.contact_loads import DEPTH
 from hakobune.mooring.motion.equation import BLOCK
 from hakobune.mooring.motion.extremes import beyond, median_extreme, rare, share_beyond
@@ -523,12 +524,12 @@ def test_coefficients_of_waves_that_damp_slow_motion_twice_too_much_are_told(con
         assert "waves of 4.1 rad/s do: surge 24.2 for 12 % of critical at 3.14 s, in addition to the drag" in said[0]
 
 
-def test_a_body_that_turns_is_pressed_by_the_momentum_of_its_mass_wherever_its_centre_is(monkeypatch):
+def test_a_body_that_turns_is_pressed_by_the_momentum_of_its_mass_wherever_its_centre_is():
     """P = m (u − y r, v + x r) of a mass at (x, y) m and of the water's; force r (P₂, −P₁), moment v P₁ − u P₂
 
     The slow velocity of P is in space: at a heading of 90° it is (v, −u) there in axes of the body.
     """
-    monkeypatch.setattr(equation, "add_horizontal", equation.add_horizontal.function)
+    equation = plain("mooring.motion.equation")
     m, x, y, water = 2.0, 5.0, 3.0, np.diag([0.5, 1.5, 0, 0, 0, 0.0])
     rigid, none = np.zeros((6, 6)), np.zeros((1, 6, 6))
     rigid[0, 0] = rigid[1, 1] = m
@@ -538,7 +539,7 @@ def test_a_body_that_turns_is_pressed_by_the_momentum_of_its_mass_wherever_its_c
     )
     state, rate, force = np.zeros(BLOCK), np.zeros(BLOCK), np.zeros(6)
     state[5], state[6:12], state[15:18] = np.pi / 2, [0.7, -0.4, 9.0, 9.0, 9.0, 0.2], [-0.3, 0.6, 0.1]
-    equation.restore.function(body, 0, state, rate, force, SimpleNamespace(drag=np.zeros(6), part=np.zeros(6)))
+    equation.restore(body, 0, state, rate, force, SimpleNamespace(drag=np.zeros(6), part=np.zeros(6)))
     u, v, r = 0.6, 0.3, 0.1
     P = np.array([m * (u - y * r) + 0.5 * u, m * (v + x * r) + 1.5 * v])
     assert force == pytest.approx([0.2 * P[1], -0.2 * P[0], 0, 0, 0, -0.4 * P[0] - 0.7 * P[1]])

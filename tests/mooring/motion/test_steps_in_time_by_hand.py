@@ -209,3 +209,119 @@ def test_the_usual_step_is_a_mean_over_twenty_of_them(monkeypatch):
     run.clock.now[integrator.USUAL] = 0.1
     run(1)
     assert run.clock.now[integrator.USUAL] == pytest.approx(0.1 + 0.25 / 2.0 * 0.15)
+
+
+class Lines:
+    """Two lines with a motion of their own, of numbers 2 and 0, on the second and the first of two bodies
+
+    said : what a step with them does, in order; errors and whether lines have forces, of the first and the second try
+    """
+
+    def __init__(self, monkeypatch, errors=(0.5, 0.25), held=(True, True), good=(True, True), follow=True, missed=0.1):
+        self.said, self.errors, self.held, self.good = [], list(errors), list(held), list(good)
+        size = 2 * BLOCK
+        self.clock = SimpleNamespace(
+            trial=np.arange(float(size)), y="y", stages=["first stage"], scale=np.zeros((2, 12))
+        )
+        poses, course = ["pose 0", "pose 1"], np.zeros((2, 3, 2, 3))
+        self.kept = SimpleNamespace(foreseen=np.zeros((2, 12)), pose=poses, course=course, room="room")
+        self.lines = SimpleNamespace(number=np.array([2, 0]))
+        work = SimpleNamespace(given="given", span=np.zeros(3), whole="whole")
+        self.scene = SimpleNamespace(line_work=work, lines=SimpleNamespace(body=np.array([0, 0, 1])))
+        replaced = dict(
+            foresee=lambda lines, kept, h, given: self.note("foresee", h, given),
+            rates=lambda scene, buoy, links, t, y, k: self.note("rates", buoy, links, t, y, k) or self.good.pop(0),
+            take_step=lambda scene, buoy, links, clock, t, h: (
+                self.note("step", scene is self.scene, buoy, links, clock is self.clock, t, h)
+                or (self.errors.pop(0), self.held.pop(0))
+            ),
+            put_sample=lambda clock, b, t, h, at, out: self.note("sample", b, t, h, at, out),
+            fairlead_of=self.fairlead,
+            advance_lines=lambda lines, kept, whole, t, h: self.note("advance", whole, t, h) or follow,
+            project=lambda lines, kept, t, h, given: self.note("project", t, h, given),
+            missed_course=lambda scene, clock, moving, h: self.note("missed", moving[1] is self.kept, h) or missed,
+        )  # fmt: skip
+        for name, stand_in in replaced.items():
+            monkeypatch.setattr(integrator, name, stand_in)
+
+    def note(self, *what):
+        self.said.append(what)
+
+    def fairlead(self, lines, n, state, room, place, velocity):
+        self.note("fairlead", n, state if isinstance(state, str) else state.tolist(), room)
+        place[:], velocity[:] = 10 * n + len(self.said), -10 * n - len(self.said)
+
+    def __call__(self):
+        return integrator.take_step_with_lines(
+            self.scene, "buoy", "links", self.clock, (self.lines, self.kept), 5.0, 0.4
+        )
+
+
+def test_a_step_with_lines_goes_out_and_back_with_their_pulls_along_the_course(monkeypatch):
+    """Half way by the sample of each body, at the end by the trial state; the worse of both errors counts"""
+    one = Lines(monkeypatch)
+    assert one() == (0.25, True)
+    again = [("rates", "buoy", "links", 5.0, "y", "first stage"), ("step", True, "buoy", "links", True, 5.0, 0.4)]
+    ends = [np.arange(BLOCK * b, BLOCK * b + 12.0).tolist() for b in (0, 1)]
+    assert one.said == [
+        ("foresee", 0.4, "given"), *again,
+        ("sample", 0, 5.0, 0.4, 5.2, "pose 0"), ("sample", 1, 5.0, 0.4, 5.2, "pose 1"),
+        ("fairlead", 2, "pose 1", "room"), ("fairlead", 2, ends[1], "room"),
+        ("fairlead", 0, "pose 0", "room"), ("fairlead", 0, ends[0], "room"),
+        ("advance", "whole", 5.0, 0.4), ("project", 5.0, 0.4, "given"), *again, ("missed", True, 0.4),
+    ]  # fmt: skip
+    assert one.kept.foreseen.tolist() == ends and one.scene.line_work.span[1:].tolist() == [5.0, 0.4]
+    course = one.kept.course
+    assert course[:, 1:, 0, 0].tolist() == [[26.0, 27.0], [8.0, 9.0]] and np.all(course[:, 1:, 1] == -course[:, 1:, 0])
+    assert not course[:, 0].any()
+    assert Lines(monkeypatch, missed=0.7)() == (0.7, True)
+
+
+@pytest.mark.parametrize("given, found", [
+    (dict(errors=(0.5,), held=(False,), good=(True,)), (0.5, False)),
+    (dict(errors=(0.5,), held=(True,), good=(False,)), (0.5, False)),
+    (dict(errors=(math.inf,), held=(True,), good=(True,)), (math.inf, True)),
+    (dict(follow=False), (math.inf, True)),
+    (dict(held=(True, False)), (0.25, False)),
+    (dict(good=(True, False)), (0.25, False)),
+])  # fmt: skip
+def test_a_step_that_lines_cannot_follow_is_not_taken(monkeypatch, given, found):
+    one = Lines(monkeypatch, **given)
+    assert one() == found
+    assert ("project" in [said[0] for said in one.said]) == (
+        len(given.get("held", (1, 1))) == 2 and given != {"follow": False}
+    )
+
+
+def test_forces_of_links_are_kept_at_the_samples_of_a_step_and_its_end_is_left_last(monkeypatch):
+    """A step from 1.0 to 1.5 s with samples each 0.2 s: at 1.2 and 1.4 of it; states by cubics"""
+    said = []
+    cubic = lambda t: np.array([1.0, -2.0]) * (1 + t + t**2 - t**3)  # noqa: E731
+    rate = lambda t: np.array([1.0, -2.0]) * (1 + 2 * t - 3 * t**2)  # noqa: E731
+    monkeypatch.setattr(integrator, "rates", lambda *given: said.append(("rates", *given[1:4], np.copy(given[4]))))
+    monkeypatch.setattr(
+        integrator,
+        "put_forces",
+        lambda held, kept, place, row: row.__setitem__(0, len(said)) or said.append((held, place)),
+    )
+    stages = np.zeros((7, 2))
+    stages[0], stages[6] = rate(1.0), rate(1.5)
+    trial = cubic(1.5)
+    clock = SimpleNamespace(counts=np.full(5, 6), stages=stages, sample_step=0.2, y=cubic(1.0), trial=trial)
+    kept = SimpleNamespace(kept=np.zeros((9, 1)), state=np.zeros(2), rate="rate")
+    scene = SimpleNamespace(work=SimpleNamespace(place="place"))
+    integrator.keep_links(scene, "buoy", ("held", kept), clock, 1.0, 0.5, 1.5)
+    at = [one for one in said if one[0] == "rates"]
+    assert [one[1:4] for one in at] == [("buoy", ("held", kept), pytest.approx(t)) for t in (1.2, 1.4, 1.5)]
+    assert (
+        at[0][4] == pytest.approx(cubic(1.2))
+        and at[1][4] == pytest.approx(cubic(1.4))
+        and at[2][4] == pytest.approx(trial)
+    )
+    assert said[1] == ("held", "place") and kept.kept[:, 0].tolist() == [0, 0, 0, 0, 0, 0, 1.0, 3.0, 0]
+    said.clear()
+    clock.counts[:] = 9
+    integrator.keep_links(scene, "buoy", ("held", kept), clock, 1.5, 0.5, 2.0)  # no row is left
+    clock.counts[:] = 8
+    integrator.keep_links(scene, "buoy", ("held", kept), clock, 1.5, 0.05, 1.55)  # the next sample is at 1.6
+    assert said == []

@@ -111,3 +111,39 @@ def test_room_of_moving_lines_has_their_pull_at_their_own_numbers(monkeypatch):
     assert work.tension.shape == (7, 2) and work.pose.shape == (2, 18) and work.push.shape == (12,)
     assert work.foreseen.shape == (2, 12) and work.course.shape == (2, 3, 2, 3) and work.stuck.tolist() == [-1]
     assert np.all(work.step == at_rest.FIRST) and work.step.shape == (2, 2) and work.length.tolist() == [1.0]
+
+
+def test_the_worst_cell_is_halved_first_where_there_is_room_for_a_few_alone(monkeypatch):
+    """The pull kinks at 62.3 m a little, and ten times as much at 82.7 m: two cells more are of the latter"""
+    monkeypatch.setattr(tables, "MOST_CELLS", 18)  # 36 of both kinds: two cuts
+
+    def kinks(c, z):
+        H = 1e4 + 4e3 * max(c - 62.3, 0.0) + 4e4 * max(c - 82.7, 0.0)
+        slope = 4e3 * (c > 62.3) + 4e4 * (c > 82.7)
+        return np.array([[H, slope, 0.0], [3e4, 0.0, 0.0]])
+
+    tree = tables._Tree(kinks, ENDS, 1e4)
+    worst = {number for _, number, _ in tree.whole if 80.0 <= tree.boxes[number][0] < 85.0}
+    slight = {number for _, number, _ in tree.whole if 60.0 <= tree.boxes[number][0] < 65.0}
+    assert len(worst) == len(slight) == 4 and tree.whole[0][1] in worst
+    assert min(tree.errors[n] for n in worst) > max(tree.errors[n] for n in slight) > tables.TOLERANCE
+    tree.grow()
+    assert len(tree.boxes) == 36 and set(tree.cut) <= worst and len(tree.cut) == 2
+
+
+def test_forces_of_a_composite_are_told_by_the_chord_and_the_height():
+    """Of f(x, z) at x = √(c² − z²): ∂f/∂c = f_x c/x and ∂f/∂z = f_z − f_x z/x; nothing without a span or a solution"""
+    rows = []
+
+    def fill_row(row, composite, anchor, end):
+        rows.append((composite, anchor.tolist(), end.tolist()))
+        row[[2, 4, 9, 11, 15, 17]] = (100.0, 200.0, 3.0, 5.0, 7.0, 11.0) if composite == "line" else np.nan
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(tables, "fill_row", fill_row)
+        found = tables._solved("line", 50.0, -30.0)
+        assert rows == [("line", [0.0, 0.0, 0.0], [40.0, 0.0, -30.0])]
+        assert found == pytest.approx(
+            np.array([[100.0, 3 * 50 / 40, 5 + 3 * 30 / 40], [200.0, 7 * 50 / 40, 11 + 7 * 30 / 40]])
+        )
+        assert np.isnan(tables._solved("line", 30.0, 30.0)).all() and np.isnan(tables._solved("none", 50.0, 30.0)).all()

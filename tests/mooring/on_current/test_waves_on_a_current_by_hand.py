@@ -166,3 +166,43 @@ def test_motions_on_a_current_are_refused_without_the_inertia_that_they_follow_f
     body._check_inertia = lambda: Reader._check_inertia(body)
     with pytest.raises(BetweenError, match="no inertia of the body; give --gyration"):
         OnCurrent.motions(body, [0.5])
+
+
+def test_coefficients_beyond_the_stored_frequencies_are_their_limits_and_inside_a_curve_through_them():
+    """Added mass 1 + ω², damping 2 ω between 0.5 and 1.5; beyond, the limits of added mass and the last damping"""
+    span = np.linspace(0.5, 1.5, 9)
+    square = lambda omega: np.asarray(omega)[:, None, None] * np.ones((1, 6, 6))  # noqa: E731
+    still = SimpleNamespace(coefficients=lambda omega: (1 + square(omega) ** 2, 2 * square(omega)))
+    limits = lambda omega: -1.0 - square(omega)  # noqa: E731
+    body = SimpleNamespace(omega=span, still=still, between=SimpleNamespace(span=(0.5, 1.5)), held_added_mass=limits)
+    body._splines = OnCurrent._splines.func(body)
+    A, B = OnCurrent._coefficients(body, np.array([0.7, 1.6, 0.2, -0.3, 1.1]))
+    assert A[:, 2, 3] == pytest.approx([1.49, -2.6, -1.2, -1.0, 2.21], abs=1e-6)
+    assert B[:, 0, 5] == pytest.approx([1.4, 3.0, 1.0, 1.0, 2.2], abs=1e-9)
+    assert OnCurrent._coefficients(body, np.array([0.7]))[0][0, 0, 0] == pytest.approx(1.49, abs=1e-6)
+
+
+def test_values_at_a_frequency_are_those_of_still_water_but_for_the_motions_on_the_current():
+    body = SimpleNamespace(
+        still=SimpleNamespace(at=lambda omega, name, headings: ((name, omega, headings), "error")),
+        motions=lambda omega, headings: ("moved", omega, headings),
+    )
+    assert OnCurrent.at(body, 0.7, "rao", [0.1]) == (("moved", 0.7, [0.1]), "error")
+    assert OnCurrent.at(body, 0.7, "drift_force", [0.1]) == (("drift_force", 0.7, [0.1]), "error")
+
+
+@pytest.mark.parametrize("absolute", [False, True])
+def test_resonances_are_resolved_in_waves_that_are_met_at_their_frequencies(monkeypatch, absolute):
+    """Met at 0.6 and 1.2 rad/s in waves against and with a current of 0.8 m/s: σ by their quadratic, within the band"""
+    from hakobune.mooring.on_current import body as module
+
+    monkeypatch.setattr(module, "resonances", lambda still: ("of", still))
+    monkeypatch.setattr(module, "about", lambda still, found: np.array([0.6, 1.2]) if found == ("of", still) else None)
+    V = 0.8
+    one = SimpleNamespace(still="still", between=SimpleNamespace(span=(0.5, 1.25)), depth=DEEP, gravity=G,
+                          carrier=Carrier((V, 0.0), absolute=absolute))  # fmt: skip
+    found = OnCurrent.resonant(one, [0.0, math.pi])
+    met = np.array([0.6, 1.2])
+    each = [2 * met / (1 + np.sqrt(1 + 4 * met * way / G)) for way in (V, -V)]
+    wanted = met if absolute else np.sort([one for one in np.concatenate(each) if 0.5 < one < 1.25])
+    assert found == pytest.approx(wanted, rel=1e-6) and len(found) == (2 if absolute else 3)

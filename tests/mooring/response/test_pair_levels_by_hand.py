@@ -123,3 +123,15 @@ def test_newman_has_nothing_beside_itself_and_a_spread_sea_no_pairs_of_one_direc
         ValueError, match=r'qtf = "full" in a sea of several directions; it needs one long-crested system'
     ):
         stored_pairs(None, spread, "full")
+
+
+def test_the_mean_drift_of_a_pair_is_that_of_the_first_wave_and_of_the_second_in_its_own_direction():
+    """4 ω² at 0.4 of the first; of the second 9 at 0.4 and 25 at 1.2, at 0.45 straight between: √(D₁ D₂)"""
+    one = pair()
+    two = pair(second=np.array([[9.0, -9.0, 4.0], [25.0, -25.0, 4.0]]))
+    first, second = 0.64, 9 + 0.05 / 0.8 * 16
+    found = two(np.array([0.4]), 0.45)[0]
+    surge, sway = math.sqrt(first * second), -math.sqrt(9 / 4 * first * second)
+    assert found == pytest.approx((1.3 * UNIT - [surge, sway, 0, 0, 0, 2.0]) * slow_share(0.05 / 0.5))
+    assert two.newman(np.array([0.4]), np.array([0.45]))[0] == pytest.approx([surge, sway, 2.0])
+    assert one.newman(np.array([0.4]), np.array([0.4]))[0] == pytest.approx([0.64, -1.44, 1.0])

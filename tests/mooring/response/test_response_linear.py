@@ -142,3 +142,23 @@ def test_rounding_of_a_motion_that_the_waves_do_not_make_asks_for_no_frequencies
         motions=lambda omega, headings: np.stack([1e-17 * np.sin(1e9 * omega), 1 / (1 + omega**2)], 1)[:, None],
     )  # fmt: skip
     assert len(frequencies(body)) < 1000
+
+
+def test_headings_in_which_nothing_moves_need_no_finer_steps():
+    """The error of each mode is held against the heading of its largest response, not against a mean of all"""
+
+    def body(moves):
+        wave = lambda omega: 1 / (0.5**2 - np.asarray(omega) ** 2 - 0.08j * np.asarray(omega))  # noqa: E731
+        motions = lambda omega, headings: wave(omega)[:, None, None] * np.array(moves, float)[None, :, None]  # noqa: E731
+        still = SimpleNamespace(
+            omega=OMEGA[::4], headings=np.arange(len(moves)), motions=motions, carrier=None, words=["surge"]
+        )
+        return still
+
+    from hakobune.mooring.response import linear
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(linear, "resonances", lambda body: [])
+        patch.setattr(linear, "about", lambda body, found, steps: np.zeros(0))
+        alone, many = frequencies(body([1.0])), frequencies(body([0.0, 1.0, *[0.0] * 18]))
+    assert np.array_equal(alone, many) and len(alone) > 60

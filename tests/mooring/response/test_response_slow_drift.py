@@ -1,5 +1,6 @@
 """Slowly varying drift: Newman's sum, Pinkster's spectrum, half waves."""
 
+from types import SimpleNamespace
 from typing import NamedTuple
 
 import numpy as np
@@ -10,6 +11,7 @@ from hakobune.mooring.environment.sea import Components, Sea
 from hakobune.mooring.environment.spectra import issc, jonswap, tabulated
 from hakobune.mooring.environment.spreading import CosinePower
 from hakobune.mooring.environment.wave_records import elevation
+from hakobune.mooring.response import slow_drift
 from hakobune.mooring.response.drift import mean_in_sea, mean_in_sea_beyond
 from hakobune.mooring.response.linear import frequencies
 from hakobune.mooring.response.slow_drift import (
@@ -238,3 +240,22 @@ def test_short_crests_vary_as_the_record_of_their_own_components_does(box_body):
     expected, mean = np.sqrt(np.trapezoid(theory, difference, axis=0)), np.mean(records, axis=0)
     error = np.std(records, axis=0, ddof=1) / np.sqrt(len(records))
     assert np.all(np.abs(mean - expected)[1:] < 4 * error[1:])
+
+
+@pytest.mark.parametrize("spread", [False, True])
+def test_drift_of_components_beyond_the_band_is_that_of_its_ends_where_it_may_be_held(spread):
+    """Stored from 0.4 to 1.0 rad/s; 10 ω and the direction, of components of which two lie beyond"""
+    drift = lambda omega, heading: 10 * omega[:, None, None] + np.asarray(heading)[None, :, None] * np.ones((1, 1, 3))  # noqa: E731
+    body = SimpleNamespace(omega=np.array([0.4, 0.6, 1.0]), drift=drift)
+    omega, amplitude = np.array([0.3, 0.5, 0.45, 1.2]), np.array([0.01, 1.0, 1.0, 0.02])
+    direction = np.array([0.1, 0.2, 0.3, 0.4]) if spread else np.full(4, 0.2)
+    waves = SimpleNamespace(omega=omega, amplitude=amplitude, direction=direction)
+    assert outside_band(body, waves) == pytest.approx(0.0005 / 2.0005)
+    with pytest.MonkeyPatch.context() as patch:
+        own = lambda body, omega, direction: 10 * omega[:, None] + direction[:, None] * np.ones(3)  # noqa: E731
+        patch.setattr(slow_drift, "_own", own)
+        found = component_drift(body, waves)
+    assert found == pytest.approx((10 * np.array([0.4, 0.5, 0.45, 1.0]) + direction)[:, None] * np.ones(3))
+    waves.amplitude = np.array([0.2, 1.0, 1.0, 0.02])
+    with pytest.raises(BetweenError, match=r"2\.0 % of the wave energy is outside the database's 0\.4 to 1 rad/s"):
+        component_drift(body, waves)

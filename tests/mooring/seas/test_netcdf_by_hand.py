@@ -164,3 +164,34 @@ def test_a_file_without_a_spectrum_names_the_integrals_that_it_has():
 def test_a_file_of_swan_of_one_dimension_lists_no_directions(lines, read, none):
     one = Swan(PATH, f"$ a remark\n{lines}")
     assert one.none_follows() is none and one.at == read
+
+
+def test_planes_of_all_hours_are_read_a_few_at_a_time_with_frequencies_that_rise(monkeypatch):
+    """Three hours of two stations of WAVEWATCH III, two at a time; the second hour is missing, a value of the third"""
+    hours = np.array(["2020-01-01T00", "2020-01-01T01", "2020-01-01T02"], "datetime64[ns]")
+    values = np.arange(24.0).reshape(3, 2, 2, 2)
+    values[1, 1], values[2, 1, 0, 0] = np.nan, np.nan
+    data = xarray.Dataset(
+        {"efth": (("time", "station", "frequency", "direction"), values, {"units": "m2 s rad-1"})},
+        {"time": hours, "frequency": [0.2, 0.1],
+         "direction": ("direction", [0.0, 90.0], {"standard_name": "sea_surface_wave_to_direction"})},
+    )  # fmt: skip
+    monkeypatch.setattr(xarray, "open_dataset", lambda path: data)
+    monkeypatch.setattr(netcdf, "AT_ONCE", 2)
+    parts = list(netcdf.planes_of(PATH, 2))
+    assert [part[0].astype(str).tolist() for part in parts] == [["2020-01-01T00:00:00", "2020-01-01T01:00:00"],
+                                                                ["2020-01-01T02:00:00"]]  # fmt: skip
+    for _, frequency, towards, density in parts:
+        assert frequency.tolist() == [0.1, 0.2] and towards == pytest.approx([0.0, math.pi / 2])
+        assert density.dtype == np.float32
+    assert parts[0][3][0].tolist() == [[6.0, 7.0], [4.0, 5.0]] and np.isnan(parts[0][3][1]).all()
+    assert parts[1][3][0].tolist() == [[22.0, 23.0], [0.0, 21.0]]
+    with pytest.raises(TableError, match=r"x\.nc has 2 locations; choose one with location"):
+        list(netcdf.planes_of(PATH, None))
+    alone = data.isel(station=0, drop=True)
+    monkeypatch.setattr(xarray, "open_dataset", lambda path: alone)
+    assert next(netcdf.planes_of(PATH, None))[3][0].tolist() == [[2.0, 3.0], [0.0, 1.0]]
+    for lacks in (alone.isel(time=0, drop=True), alone.isel(direction=0, drop=True)):
+        monkeypatch.setattr(xarray, "open_dataset", lambda path, lacks=lacks: lacks)
+        with pytest.raises(TableError, match="allowed: a time, frequencies and directions"):
+            next(netcdf.planes_of(PATH, None))

@@ -1,10 +1,13 @@
 """Fits of yearly maxima: against scipy, exact invariances, and how often their intervals hold the truth."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from scipy import stats
 
 from hakobune.mooring.environment.wind_profile import froya_speed_at, mean_over
+from hakobune.mooring.site import extremes
 from hakobune.mooring.site.extremes import fit_extremes, plotting_positions
 from hakobune.mooring.site.seismic import seismic_coefficient, seismic_force
 
@@ -103,3 +106,20 @@ def test_seismic_coefficients_are_products_and_rule_a_has_a_largest():
         seismic_coefficient("A", coefficient=0.4)
     with pytest.raises(ValueError, match="B and D give no"):
         seismic_coefficient("B")
+
+
+@pytest.mark.parametrize("years, value, count, told", [
+    (50.0, 9.0, 20, []), (81.0, 9.0, 20, ["extrapolation"]), (80.0, 9.0, 20, []), (50.0, 6.4, 20, ["below 6.5"]),
+    (19.9, 6.4, 20, []), (20.0, 6.4, 20, ["below 6.5"]), (20.0, 9.0, 9, ["fewer than 10"]), (20.0, 9.0, 10, []),
+    (99.0, 6.0, 9, ["fewer than 10", "extrapolation", "below 6.5"]),
+])  # fmt: skip
+def test_a_return_value_is_doubted_of_few_years_of_many_times_as_many_and_below_what_was_measured(
+    years, value, count, told
+):
+    """The largest of the maxima is 6.5 m, their mean 4.3 m and less"""
+    maxima = np.append(np.full(count - 1, 4.0), 6.5)
+    found = extremes.Extreme(value, value - 1, value + 2, SimpleNamespace(maxima=maxima, family="gumbel"))
+    said = list(extremes._doubts(found, years, 0.9))
+    assert len(said) == len(told) and all(word in one for word, one in zip(told, said, strict=True))
+    if count < 10:
+        assert f"is {value:.4g}, its 90 % interval {value - 1:.4g} to {value + 2:.4g}" in said[0]
