@@ -182,7 +182,9 @@ def test_growth_over_one_number_is_a_curve_an_hour(monkeypatch, tmp_path):
     made = []
     monkeypatch.setattr(maps, "save", lambda figure, path, dpi: made.append((figure, path, dpi)))
     growth = np.array([[-1e-3, 0.0, 5e-4]])
-    found = maps.Map(("hawser.length",), np.array([10.0, 20.0, 40.0]), np.array([np.nan]), growth, growth, growth, 0, "")
+    found = maps.Map(
+        ("hawser.length",), np.array([10.0, 20.0, 40.0]), np.array([np.nan]), growth, growth, growth, 0, ""
+    )
     maps.draw(found, tmp_path / "g.png")
     ((figure, path, dpi),) = made
     (axes,) = figure.axes

@@ -24,14 +24,25 @@ WATER, SEA = KeyTable(("[water]", "[sea.place]"), "Of the water", (DEPTH, WIDE))
 
 
 def test_kinds_are_listed_with_their_commands_in_three_forms(monkeypatch):
-    two = {"study": SimpleNamespace(meaning="a mooring", commands="moor"), "seas": SimpleNamespace(meaning="waves", commands="sea, site")}
+    two = {
+        "study": SimpleNamespace(meaning="a mooring", commands="moor"),
+        "seas": SimpleNamespace(meaning="waves", commands="sea, site"),
+    }
     monkeypatch.setattr(shown, "KINDS", two)
     text = shown.kinds_text(False, False).splitlines()
     assert text[:3] == ["study          a mooring; read by moor", "seas           waves; read by sea, site", ""]
     assert "\n".join(text[3:]) == shown.STEPS
-    page = ["| kind | what it is | commands |", "|---|---|---|", "| study | a mooring | moor |", "| seas | waves | sea, site |"]
+    page = [
+        "| kind | what it is | commands |",
+        "|---|---|---|",
+        "| study | a mooring | moor |",
+        "| seas | waves | sea, site |",
+    ]
     assert shown.kinds_text(False, True).splitlines() == page
-    data = {"study": {"meaning": "a mooring", "commands": "moor"}, "seas": {"meaning": "waves", "commands": "sea, site"}}
+    data = {
+        "study": {"meaning": "a mooring", "commands": "moor"},
+        "seas": {"meaning": "waves", "commands": "sea, site"},
+    }
     assert json.loads(shown.kinds_text(True, False)) == data
 
 
@@ -47,7 +58,11 @@ def test_tables_with_a_word_in_heading_or_name_come_before_meanings(word, names)
 
 
 def test_found_keys_of_the_same_places_and_files_share_a_table():
-    of = [Found(DEPTH, ("[a]",), ("study",)), Found(LIST, ("[b]",), ("study", "seas")), Found(WIDE, ("[a]",), ("study",))]
+    of = [
+        Found(DEPTH, ("[a]",), ("study",)),
+        Found(LIST, ("[b]",), ("study", "seas")),
+        Found(WIDE, ("[a]",), ("study",)),
+    ]
     first, second = shown.tables_found(of)
     assert first == KeyTable(("[a]",), "of study", (DEPTH, WIDE))
     assert second == KeyTable(("[b]",), "of study, seas", (LIST,))
@@ -127,8 +142,13 @@ class Every(msgspec.Struct):
 def test_types_units_defaults_and_examples_of_every_hint():
     found = {}
     reference._walk(Every, "", "", found)
-    assert found == {Every: [("", "")], Inner: [("[inner]", "inner"), ("[[several]]", "several"), ("[named.NAME]", "named.NAME")]}
-    keys = {k.name: k for k in reference._keys(Every, found[Every], {".whole": 7, ".inner": {"a": 1}, "other.flag": False})}
+    assert found == {
+        Every: [("", "")],
+        Inner: [("[inner]", "inner"), ("[[several]]", "several"), ("[named.NAME]", "named.NAME")],
+    }
+    keys = {
+        k.name: k for k in reference._keys(Every, found[Every], {".whole": 7, ".inner": {"a": 1}, "other.flag": False})
+    }
     assert {name: k.type for name, k in keys.items()} == {
         "one_kN": "number", "whole": "whole number", "text": "text or number", "flag": "true or false",
         "numbers": "list of numbers", "rows": "list of lists of numbers", "pair": "2 numbers", "words": "3 texts",
@@ -136,7 +156,13 @@ def test_types_units_defaults_and_examples_of_every_hint():
     }  # fmt: skip
     assert keys["one_kN"][2:8] == ("kN", "number", True, None, "pull", "")
     assert (keys["whole"].example, keys["inner"].example, keys["flag"].example) == ("7", "", "")
-    assert [keys[name].default for name in ("whole", "text", "flag", "numbers", "pair")] == [None, "x", True, [1.0, 2.5], (0.0, 1.0)]
+    assert [keys[name].default for name in ("whole", "text", "flag", "numbers", "pair")] == [
+        None,
+        "x",
+        True,
+        [1.0, 2.5],
+        (0.0, 1.0),
+    ]
     assert keys["table"].default is None and not keys["table"].needed
     assert (keys["text"].unit, keys["text"].meaning) == ("rad/s", "")
     assert keys["inner"].meaning == keys["several"].meaning == "An inner table" and keys["inner"].table == ""
@@ -160,7 +186,13 @@ def test_the_unit_of_a_path_is_that_of_its_table():
 
 def test_a_search_ranks_name_before_part_heading_and_meaning(monkeypatch):
     one = key("deep", meaning="of the pool")
-    assert [search._rank([word], one, ("[Water]",)) for word in ("deep", "dee", "wat", "pool", "x")] == [0, 1, 2, 3, None]
+    assert [search._rank([word], one, ("[Water]",)) for word in ("deep", "dee", "wat", "pool", "x")] == [
+        0,
+        1,
+        2,
+        3,
+        None,
+    ]
     assert search._rank(["dee", "pool"], one, ()) == 4 and search._rank(["deep", "x"], one, ()) is None
     monkeypatch.setattr(search, "OTHER_NAMES", {"deep": "kg tp"})
     assert search._rank(["tp"], one, ()) == 0
@@ -196,7 +228,10 @@ def test_keys_of_an_example_are_explained_once_where_they_come_first(monkeypatch
     """Beside the key, above it where it does not fit or goes on, not where something is told already"""
     (tmp_path / "pool.toml").write_text(EXAMPLE)
     keys = (key("deep"), key("long", "m²", meaning="a list"), key("wide"), key("odd", ""))
-    tables = (KeyTable(("",), "", keys), KeyTable(("[walls.NAME]",), "", (key("deep", "ft", meaning="x" * 200), keys[3])))
+    tables = (
+        KeyTable(("",), "", keys),
+        KeyTable(("[walls.NAME]",), "", (key("deep", "ft", meaning="x" * 200), keys[3])),
+    )
     monkeypatch.setattr(beginning, "SCENES", tmp_path)
     kind = SimpleNamespace(example="pool.toml")
     monkeypatch.setattr(beginning, "KINDS", {"other": SimpleNamespace(example="b.toml"), "pool": kind})
