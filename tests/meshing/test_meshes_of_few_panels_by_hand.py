@@ -7,13 +7,14 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from hakobune.meshing import drawing, shapes
+from hakobune.meshing import drawing, files, lid, shapes
 from hakobune.meshing.lid import waterline
 from hakobune.meshing.mirror import _closed_up, healed
 from hakobune.meshing.node_lists import read_dat, read_hydrostar, read_nemoh, read_pnl
 from hakobune.meshing.panels import PanelMesh, joined
-from hakobune.meshing.quality.findings import _position
+from hakobune.meshing.quality.findings import _position, findings
 from hakobune.meshing.shapes import box, buoy
+from hakobune.meshing.text_files import check_size
 from hakobune.meshing.text_formats import read_obj, read_stl
 
 SQUARE = "1 0 0 -1\n2 2 0 -1\n3 2 2 -1\n4 0 2 -1\n5 1 1 -2\n"
@@ -123,9 +124,9 @@ def test_a_waterline_forks_where_two_edges_end_as_where_two_begin():
     assert len(loops) == 2 and all(np.array_equal(loop[0], loop[-1]) for loop in loops)
 
 
-@pytest.mark.parametrize(("moved", "round_"), [(0.0, True), (1e-9, True), (0.2, False)])
+@pytest.mark.parametrize(("moved", "round_"), [(0.0, True), (1e-9, True), (1e-4, False), (0.2, False)])
 def test_one_point_off_a_circle_is_enough_not_to_be_round(moved, round_):
-    """A point of the bottom, inside of the rim"""
+    """A point of the bottom, inside of the rim; a millimetre of ten metres, ten times what files round"""
     mesh = buoy(10.0, 4.0, counts=(6, 3, 2)).whole()
     inside = np.hypot(*mesh.points[:, :2].T)
     number = int(np.argmin(np.abs(inside - 5.0)))
@@ -229,3 +230,67 @@ def test_panels_of_a_drawing_are_a_thousandth_to_half_of_its_length(monkeypatch,
     monkeypatch.setattr(drawing, "_extent", lambda gmsh, body: (np.array([-20.0, -5, 0]), np.array([20.0, 5, 3])))
     with pytest.raises(ValueError, match="no part lies below still water, z = 0"):
         drawing._panels(one, "", 1.0, 0.0)
+
+
+@pytest.mark.parametrize(("draft", "lift", "told"), [(4.0, 3.9e-6, True), (4.0, 4.1e-6, False), (0.5, 4.9e-7, True), (0.5, 5.1e-7, False)])
+def test_edges_a_millionth_of_the_draft_off_the_surface_are_in_the_waterline(draft, lift, told):
+    wall = PanelMesh([[0, 0, -lift], [5, 0, -lift], [5, 0, -draft], [0, 0, -draft]], [[0, 1, 2, 3]])
+    found = waterline(wall)
+    assert len(found) == told and (not told or {tuple(end) for end in found[0]} == {(0, 0, 0), (5, 0, 0)})
+
+
+@pytest.mark.parametrize("turned", [False, True])
+def test_a_plan_keeps_a_notch_whichever_way_it_turns(turned):
+    """An arrow: its notch turns back by 127°, more than any corner that turns on; it is kept whatever the size is"""
+    ring = np.array([[0.0, 0, 0], [4, 2, 0], [0, 4, 0], [1.5, 2, 0]])
+    ring = np.roll(ring[::-1] if turned else ring, 1, axis=0)
+    made = lid._simplified(ring, 50.0)
+    assert sorted(map(tuple, made)) == sorted(map(tuple, ring))
+
+
+def test_what_is_drawn_a_hair_off_the_surface_or_either_mirror_plane_is_moved_into_it():
+    """Four thousandths of the median edge of 2 m"""
+    points = np.array([[0.007, 0.007, -0.007], [2, -0.0079, 0.0079], [2, 2, -2], [0.0081, 2.0, -0.0081]])
+    mesh = PanelMesh(points, [[0, 1, 2, 3]])
+    reach = 4e-3 * mesh.sizes[0]
+    for symmetry in ("", "x", "y", "xy"):
+        made = files._as_meant(replace(mesh, symmetry=symmetry)).points
+        wanted = points.copy()
+        for axis in ("z", *symmetry):
+            column = wanted[:, "xyz".index(axis)]
+            column[np.abs(column) <= reach] = 0.0
+        assert made.tolist() == wanted.tolist() and (made != points).any()
+    assert files._as_meant(replace(mesh, symmetry="xy")).points[0].tolist() == [0, 0, 0]
+
+
+@pytest.mark.parametrize("flipped", [(), (0,), (1,), (0, 1), (2,), (1, 2), (0, 1, 2)])
+def test_normals_that_point_inwards_are_told_of_each_part_and_of_all_that_stands_together(flipped):
+    """A box afloat, and a ring of two walls on the bed, whose inner one has a negative volume"""
+    afloat = box(4.0, 2.0, 1.0, counts=(1, 1, 1)).whole()
+    outer = box(8.0, 8.0, 5.0, counts=(1, 1, 1), bottom=False).whole().moved(dx=20.0)
+    inner = box(4.0, 4.0, 5.0, counts=(1, 1, 1), bottom=False).whole().moved(dx=20.0).flipped()
+    parts = [part.flipped() if i in flipped else part for i, part in enumerate((afloat, outer, inner))]
+    mesh = joined(parts)
+    texts = [one.text for one in findings(mesh, 5.0) if "point into the body" in one.text]
+    volumes = [one.volume for one in parts]
+    wrong = [0] * (volumes[0] < 0) + [1, 2] * (volumes[1] + volumes[2] < 0)
+    assert len(texts) == bool(wrong)
+    if wrong:
+        panels, whole = sum(len(parts[i]) for i in wrong), len(mesh)
+        assert texts[0].startswith(f"the normals of {panels} of {whole} panels point into the body (volume ")
+
+
+@pytest.mark.parametrize(("size", "good"), [(1_000_000, True), (1_000_001, False)])
+def test_files_are_read_up_to_a_million_bytes_a_megabyte(tmp_path, size, good):
+    path = tmp_path / "a.txt"
+    with path.open("wb") as file:
+        file.truncate(size)
+    if good:
+        check_size(path, largest=1)
+    else:
+        with pytest.raises(ValueError, match=r"a\.txt has 1 MB; allowed: up to 1 MB"):
+            check_size(path, largest=1)
+    with pytest.raises(ValueError, match="cannot be read: Is a directory"):
+        check_size(tmp_path)
+    with pytest.raises(ValueError, match="it is a device or a pipe, which may have no end; give a file"):
+        check_size("/dev/null")

@@ -230,7 +230,7 @@ def test_keys_of_an_example_are_explained_once_where_they_come_first(monkeypatch
     keys = (key("deep"), key("long", "m²", meaning="a list"), key("wide"), key("odd", ""))
     tables = (
         KeyTable(("",), "", keys),
-        KeyTable(("[walls.NAME]",), "", (key("deep", "ft", meaning="x" * 200), keys[3])),
+        KeyTable(("[walls.NAME]", "[other]"), "", (key("deep", "ft", meaning="x" * 200), keys[3])),
     )
     monkeypatch.setattr(beginning, "SCENES", tmp_path)
     kind = SimpleNamespace(example="pool.toml")
@@ -242,7 +242,7 @@ def test_keys_of_an_example_are_explained_once_where_they_come_first(monkeypatch
         "# hakobune keys pool   explains every key, including those that are not in this file", "# A pool",
         "deep = 2.0  # m, how deep", "# long: m², a list", "long = [1.0,", " 2.0]", "wide = 3.0 # told already",
         "deep = 4.0", "", "[[walls.north]]", f"# deep: ft, {'x' * 200}", "deep = 5.0", "odd = 1  # how deep", "[other]",
-        "deep = 6.0",
+        f"# deep: ft, {'x' * 200}", "deep = 6.0",
     ]  # fmt: skip
     assert beginning.commented("swim").endswith("deep = 6.0\n")
 
