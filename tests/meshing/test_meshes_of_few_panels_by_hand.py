@@ -28,19 +28,39 @@ FLAT = [[0, 0, -1], [2, 0, -1], [2, 2, -1], [0, 2, -1]]
 PEAK = [[0, 0, -1], [2, 0, -1], [1, 1, -2], [1, 1, -2]]
 
 
-@pytest.mark.parametrize(("name", "text", "read", "symmetry"), [
-    ("a.dat", "2 1\n" + SQUARE + "0 0. 0. 0.\n1 2 3 4\n1 2 5 5\n0 0 0 0\n", read_nemoh, "y"),
-    ("a.dat", "2 0\n" + SQUARE + "0 0. 0. 0.\n1 2 3 4\n1 2 5 5\n0 0 0 0\n", read_dat, ""),
-    ("a.pnl", "# mesh\n2 5 0 1 ! panels, nodes\n" + SQUARE + "1 4 1 2 3 4\n2 3 1 2 5\n", read_pnl, "y"),
-    ("a.pnl", "2 5 1 0\n" + SQUARE + "1 4 1 2 3 4\n2 3 1 2 5 0\n", read_pnl, "x"),
-    ("a.dat", "5 4\n" + SQUARE + "1 102 1 2\n2 204 1 2 3 4\n3 203 1 2 5 9\n4 102 2 3\n", read_dat, ""),
-    ("a.dat", SQUARE + "*RETURN\n1 1 2 3 4\n* note\n2 1 2 5 5\n*RETURN\n", read_dat, ""),
-    ("a.hst", "PROJECT\nNBBODY 1\nSYMMETRY_BODY 1 1\nCOORDINATES\n" + SQUARE
-     + "ENDCOORDINATES\nPANEL TYPE 0\n1 2 3 4\n1 2 5 5\nENDPANEL\nENDFILE 1\n", read_hydrostar, "y"),
-    ("a.hst", "NBODY 1\nSYMMETRY_BODY 1 2\nCOORDINATES\n" + SQUARE
-     + "ENDCOORDINATES\nPANEL TYPE 1\n1 1 2 3 4\n2 1 2 5 5\nENDPANEL\n9 9 9 9\n", read_hydrostar, "xy"),
-    ("a.hst", "SYMMETRY_BODY 1 0\nCOORDINATES\n" + SQUARE + "ENDCOORDINATES\nPANEL\n1 2 3 4\n1 2 5 1\n", read_hydrostar, ""),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("name", "text", "read", "symmetry"),
+    [
+        ("a.dat", "2 1\n" + SQUARE + "0 0. 0. 0.\n1 2 3 4\n1 2 5 5\n0 0 0 0\n", read_nemoh, "y"),
+        ("a.dat", "2 0\n" + SQUARE + "0 0. 0. 0.\n1 2 3 4\n1 2 5 5\n0 0 0 0\n", read_dat, ""),
+        ("a.pnl", "# mesh\n2 5 0 1 ! panels, nodes\n" + SQUARE + "1 4 1 2 3 4\n2 3 1 2 5\n", read_pnl, "y"),
+        ("a.pnl", "2 5 1 0\n" + SQUARE + "1 4 1 2 3 4\n2 3 1 2 5 0\n", read_pnl, "x"),
+        ("a.dat", "5 4\n" + SQUARE + "1 102 1 2\n2 204 1 2 3 4\n3 203 1 2 5 9\n4 102 2 3\n", read_dat, ""),
+        ("a.dat", SQUARE + "*RETURN\n1 1 2 3 4\n* note\n2 1 2 5 5\n*RETURN\n", read_dat, ""),
+        (
+            "a.hst",
+            "PROJECT\nNBBODY 1\nSYMMETRY_BODY 1 1\nCOORDINATES\n"
+            + SQUARE
+            + "ENDCOORDINATES\nPANEL TYPE 0\n1 2 3 4\n1 2 5 5\nENDPANEL\nENDFILE 1\n",
+            read_hydrostar,
+            "y",
+        ),
+        (
+            "a.hst",
+            "NBODY 1\nSYMMETRY_BODY 1 2\nCOORDINATES\n"
+            + SQUARE
+            + "ENDCOORDINATES\nPANEL TYPE 1\n1 1 2 3 4\n2 1 2 5 5\nENDPANEL\n9 9 9 9\n",
+            read_hydrostar,
+            "xy",
+        ),
+        (
+            "a.hst",
+            "SYMMETRY_BODY 1 0\nCOORDINATES\n" + SQUARE + "ENDCOORDINATES\nPANEL\n1 2 3 4\n1 2 5 1\n",
+            read_hydrostar,
+            "",
+        ),
+    ],
+)
 def test_numbered_points_are_the_corners_of_panels(tmp_path, name, text, read, symmetry):
     """A square, and a triangle down to a point; elements of other kinds, remarks and words after a panel are none"""
     (tmp_path / name).write_text(text)
@@ -49,33 +69,87 @@ def test_numbered_points_are_the_corners_of_panels(tmp_path, name, text, read, s
     assert corners(mesh)[0] == FLAT and [p for p in corners(mesh)[1] if p in PEAK][:3] == PEAK[:3]
 
 
-@pytest.mark.parametrize(("name", "text", "read", "says"), [
-    ("a.pnl", "1 3 0 0\n1 0 0 0\n2 1 x 0\n3 1 1 0\n1 3 1 2 3\n", read_pnl, "a.pnl, line 3: 'x' is not a finite number"),
-    ("a.pnl", "1 3 0 0\n1 0 0 0\n2 1 0\n3 1 1 0\n1 3 1 2 3\n", read_pnl, "a.pnl, line 3: 3 numbers; a node has a number and"),
-    ("a.pnl", "1 3 0 0\n1 0 0 0\n2 1 0 0\n3 1 1 0\n1 5 1 2 3\n", read_pnl, "a.pnl, line 5: a panel has a number, then 3 or 4"),
-    ("a.pnl", "1 3 0 0\n1 0 0 0\n2 1 0 0\n3 1 1 0\n1 4 1 2 3\n", read_pnl, "a.pnl, line 5: a panel has a number, then 3 or 4"),
-    ("a.pnl", "1 3 0 0\n1 0 0 0\n2 1 0 0\n3 1 1 0\n1\n", read_pnl, "a.pnl, line 5: a panel has a number, then 3 or 4"),
-    ("a.pnl", "1 3 0 2\n1 0 0 0\n2 1 0 0\n3 1 1 0\n1 3 1 2 3\n", read_pnl, "a.pnl, line 1: symmetry 0 2; allowed: 0 or 1 each"),
-    ("a.pnl", "2 3 0 0\n1 0 0 0\n2 1 0 0\n3 1 1 0\n1 3 1 2 3\n", read_pnl, "a.pnl: 4 lines of numbers; 3 nodes and 2 panels need 5"),
-    ("a.pnl", "1 3 0\n", read_pnl, "a.pnl: no line with numbers of panels, nodes, x symmetry, y symmetry"),
-    ("a.pnl", "x\n", read_pnl, "a.pnl: no line with numbers of panels"),
-    ("a.dat", "2 2\n1 0 0 0\n", read_nemoh, "a.dat: line 1 is neither '2 0' nor '2 1'; give '2 1' for a mesh with the"),
-    ("a.dat", "2\n", read_nemoh, "a.dat: line 1 is neither"), ("a.dat", "", read_nemoh, "a.dat: line 1 is neither"),
-    ("a.dat", "2 0\n1 0 0\n", read_nemoh, "a.dat, line 2: 3 numbers; a point has a number and x y z"),
-    ("a.dat", "2 0\n1 0 0 0\n", read_nemoh, "a.dat: no line '0 0. 0. 0.' after the points"),
-    ("a.dat", "2 0\n1 0 0 0\n0 0 0 0\n1 7 1 1\n", read_nemoh, "a.dat, line 4: there is no point 7; the file has 1"),
-    ("a.dat", "2 0\n1 0 0 0\n0 0 0 0\n1 1\n", read_nemoh, "a.dat, line 4: 2 nodes; a panel has 3 or 4"),
-    ("a.hst", "NBODY 2\n", read_hydrostar, "a.hst, line 1: 2 bodies; allowed: one body a file"),
-    ("a.hst", "COORDINATES\n1 0 0\n", read_hydrostar, "a.hst, line 2: 3 numbers; a point has a number and x y z"),
-    ("a.hst", "COORDINATES\n1 0 z 0\n", read_hydrostar, "a.hst, line 2: 'z' is not a finite number"),
-    ("a.hst", "PANEL TYPE 0\n", read_hydrostar, "a.hst has no COORDINATES, which a mesh of HydroStar has; if it is a matrix"),
-    ("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 x\n", read_obj, "a.obj, line 4: 'x' is not a finite number"),
-    ("a.obj", "v 0 0\n", read_obj, "a.obj, line 1: '0 0'; 3 numbers are needed"),
-    ("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 4\n", read_obj, "a.obj, line 4: there is no point 4; the file has 3"),
-    ("a.stl", "vertex 0 0 0\nvertex 1 0 y\nvertex 1 1 0\n", read_stl, "a.stl: 'y' of a vertex is not a number"),
-    ("a.stl", "vertex 0 0 0\nvertex 1 0 0\n", read_stl, "a.stl: 2 vertices; allowed: three for each triangle"),
-    ("a.stl", "solid\n", read_stl, "a.stl: 0 vertices"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("name", "text", "read", "says"),
+    [
+        (
+            "a.pnl",
+            "1 3 0 0\n1 0 0 0\n2 1 x 0\n3 1 1 0\n1 3 1 2 3\n",
+            read_pnl,
+            "a.pnl, line 3: 'x' is not a finite number",
+        ),
+        (
+            "a.pnl",
+            "1 3 0 0\n1 0 0 0\n2 1 0\n3 1 1 0\n1 3 1 2 3\n",
+            read_pnl,
+            "a.pnl, line 3: 3 numbers; a node has a number and",
+        ),
+        (
+            "a.pnl",
+            "1 3 0 0\n1 0 0 0\n2 1 0 0\n3 1 1 0\n1 5 1 2 3\n",
+            read_pnl,
+            "a.pnl, line 5: a panel has a number, then 3 or 4",
+        ),
+        (
+            "a.pnl",
+            "1 3 0 0\n1 0 0 0\n2 1 0 0\n3 1 1 0\n1 4 1 2 3\n",
+            read_pnl,
+            "a.pnl, line 5: a panel has a number, then 3 or 4",
+        ),
+        (
+            "a.pnl",
+            "1 3 0 0\n1 0 0 0\n2 1 0 0\n3 1 1 0\n1\n",
+            read_pnl,
+            "a.pnl, line 5: a panel has a number, then 3 or 4",
+        ),
+        (
+            "a.pnl",
+            "1 3 0 2\n1 0 0 0\n2 1 0 0\n3 1 1 0\n1 3 1 2 3\n",
+            read_pnl,
+            "a.pnl, line 1: symmetry 0 2; allowed: 0 or 1 each",
+        ),
+        (
+            "a.pnl",
+            "2 3 0 0\n1 0 0 0\n2 1 0 0\n3 1 1 0\n1 3 1 2 3\n",
+            read_pnl,
+            "a.pnl: 4 lines of numbers; 3 nodes and 2 panels need 5",
+        ),
+        ("a.pnl", "1 3 0\n", read_pnl, "a.pnl: no line with numbers of panels, nodes, x symmetry, y symmetry"),
+        ("a.pnl", "x\n", read_pnl, "a.pnl: no line with numbers of panels"),
+        (
+            "a.dat",
+            "2 2\n1 0 0 0\n",
+            read_nemoh,
+            "a.dat: line 1 is neither '2 0' nor '2 1'; give '2 1' for a mesh with the",
+        ),
+        ("a.dat", "2\n", read_nemoh, "a.dat: line 1 is neither"),
+        ("a.dat", "", read_nemoh, "a.dat: line 1 is neither"),
+        ("a.dat", "2 0\n1 0 0\n", read_nemoh, "a.dat, line 2: 3 numbers; a point has a number and x y z"),
+        ("a.dat", "2 0\n1 0 0 0\n", read_nemoh, "a.dat: no line '0 0. 0. 0.' after the points"),
+        ("a.dat", "2 0\n1 0 0 0\n0 0 0 0\n1 7 1 1\n", read_nemoh, "a.dat, line 4: there is no point 7; the file has 1"),
+        ("a.dat", "2 0\n1 0 0 0\n0 0 0 0\n1 1\n", read_nemoh, "a.dat, line 4: 2 nodes; a panel has 3 or 4"),
+        ("a.hst", "NBODY 2\n", read_hydrostar, "a.hst, line 1: 2 bodies; allowed: one body a file"),
+        ("a.hst", "COORDINATES\n1 0 0\n", read_hydrostar, "a.hst, line 2: 3 numbers; a point has a number and x y z"),
+        ("a.hst", "COORDINATES\n1 0 z 0\n", read_hydrostar, "a.hst, line 2: 'z' is not a finite number"),
+        (
+            "a.hst",
+            "PANEL TYPE 0\n",
+            read_hydrostar,
+            "a.hst has no COORDINATES, which a mesh of HydroStar has; if it is a matrix",
+        ),
+        ("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 x\n", read_obj, "a.obj, line 4: 'x' is not a finite number"),
+        ("a.obj", "v 0 0\n", read_obj, "a.obj, line 1: '0 0'; 3 numbers are needed"),
+        (
+            "a.obj",
+            "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 4\n",
+            read_obj,
+            "a.obj, line 4: there is no point 4; the file has 3",
+        ),
+        ("a.stl", "vertex 0 0 0\nvertex 1 0 y\nvertex 1 1 0\n", read_stl, "a.stl: 'y' of a vertex is not a number"),
+        ("a.stl", "vertex 0 0 0\nvertex 1 0 0\n", read_stl, "a.stl: 2 vertices; allowed: three for each triangle"),
+        ("a.stl", "solid\n", read_stl, "a.stl: 0 vertices"),
+    ],
+)
 def test_what_a_list_of_points_cannot_have_is_told_with_its_line(tmp_path, name, text, read, says):
     (tmp_path / name).write_text(text)
     with pytest.raises(ValueError) as error:
@@ -111,6 +185,7 @@ def test_an_obj_counts_points_from_one_or_back_from_the_last_and_cuts_polygons(t
 
 def test_a_waterline_forks_where_two_edges_end_as_where_two_begin():
     """Walls of which two end at (5, 0) and one begins there; the same turned round"""
+
     def wall(a, b):
         return PanelMesh([[*a, 0.0], [*b, 0.0], [*b, -1.0], [*a, -1.0]], [[0, 1, 2, 3]])
 
@@ -120,7 +195,9 @@ def test_a_waterline_forks_where_two_edges_end_as_where_two_begin():
             waterline(mesh)
     (line,) = waterline(joined([wall((0, 0), (5, 0)), wall((5, 0), (9, 0))]))
     assert {tuple(line[0]), tuple(line[-1])} == {(0, 0, 0), (9, 0, 0)} and len(line) == 3
-    loops = waterline(joined([box(4, 2, 1, counts=(1, 1, 1)).whole(), box(4, 2, 1, counts=(1, 1, 1)).whole().moved(dx=9)]))
+    loops = waterline(
+        joined([box(4, 2, 1, counts=(1, 1, 1)).whole(), box(4, 2, 1, counts=(1, 1, 1)).whole().moved(dx=9)])
+    )
     assert len(loops) == 2 and all(np.array_equal(loop[0], loop[-1]) for loop in loops)
 
 
@@ -138,7 +215,9 @@ def test_one_point_off_a_circle_is_enough_not_to_be_round(moved, round_):
 def test_the_foot_of_walls_is_what_one_panel_alone_ends_at():
     """Two walls back to back inside a box without a bottom end at an edge of two panels, which is no foot"""
     walls = box(4.0, 2.0, 1.0, counts=(2, 1, 1), bottom=False).whole()
-    assert walls.foot.area_vectors.sum(axis=0) == pytest.approx([0, 0, -8]) and walls.closed().volume == pytest.approx(8)
+    assert walls.foot.area_vectors.sum(axis=0) == pytest.approx([0, 0, -8]) and walls.closed().volume == pytest.approx(
+        8
+    )
     inner = PanelMesh([[0.0, -1, 0], [0, 1, 0], [0, 1, -1], [0, -1, -1]], [[0, 1, 2, 3], [3, 2, 1, 0]])
     both = joined([walls, inner])
     assert both.foot.area_vectors.sum(axis=0) == pytest.approx([0, 0, -8]) and len(both.foot) == len(walls.foot)
@@ -163,7 +242,9 @@ def test_a_mesh_lies_below_the_water_and_beside_each_of_its_mirror_planes(symmet
         assert words in text and text.startswith(("2 of", "1 of", "3 of", "4 of", "5 of"))
 
 
-@pytest.mark.parametrize(("extent", "longest", "count"), [(10.0, 2.0, 8), (10.0, 5 * math.pi, 1), (10.0, 15.6, 2), (4.0, math.inf, 1)])
+@pytest.mark.parametrize(
+    ("extent", "longest", "count"), [(10.0, 2.0, 8), (10.0, 5 * math.pi, 1), (10.0, 15.6, 2), (4.0, math.inf, 1)]
+)
 def test_the_longest_of_edges_spaced_by_a_cosine_is_half_pi_times_their_mean(extent, longest, count):
     """π/2 · 10/2 = 7.85"""
     assert shapes._most(extent, longest) == count
@@ -185,8 +266,13 @@ class Gmsh:
 
     def __init__(self):
         self.options, self.named = {}, []
-        occ = SimpleNamespace(fuse=lambda a, b: ([("fused", *a, *b)],), cut=lambda a, b: ([("cut", *a, *b)],),
-                              synchronize=lambda: None, getMass=lambda *one: 7.0, getCenterOfMass=lambda *one: (1.0, 2.0, 3.0))  # fmt: skip
+        occ = SimpleNamespace(
+            fuse=lambda a, b: ([("fused", *a, *b)],),
+            cut=lambda a, b: ([("cut", *a, *b)],),
+            synchronize=lambda: None,
+            getMass=lambda *one: 7.0,
+            getCenterOfMass=lambda *one: (1.0, 2.0, 3.0),
+        )
         self.model = SimpleNamespace(occ=occ, mesh=SimpleNamespace(generate=lambda n: None))
         self.option = SimpleNamespace(setNumber=self.options.__setitem__)
 
@@ -206,9 +292,14 @@ def test_panels_of_a_drawing_are_a_thousandth_to_half_of_its_length(monkeypatch,
     monkeypatch.setattr(drawing, "_placed", lambda occ, part, turn, grown, seam: (part["shape"], turn, grown, seam))
     monkeypatch.setattr(drawing, "_extent", lambda gmsh, body: (np.array([-20.0, -5, -4]), np.array([20.0, 5, 3])))
     monkeypatch.setattr(drawing, "_below", lambda occ, body, low, high, symmetry: [("below", *body)])
-    monkeypatch.setattr(drawing, "_wetted", lambda gmsh, body, reach, symmetry: setattr(gmsh, "body", body) or [(reach, symmetry)])
-    monkeypatch.setattr(drawing, "panels_of", lambda gmsh, sides, symmetry, name: SimpleNamespace(
-        sides=list(sides), symmetry=symmetry, name=name, copies=2))
+    monkeypatch.setattr(
+        drawing, "_wetted", lambda gmsh, body, reach, symmetry: setattr(gmsh, "body", body) or [(reach, symmetry)]
+    )
+    monkeypatch.setattr(
+        drawing,
+        "panels_of",
+        lambda gmsh, sides, symmetry, name: SimpleNamespace(sides=list(sides), symmetry=symmetry, name=name, copies=2),
+    )
     monkeypatch.setattr(drawing, "outwards", lambda mesh: mesh)
     parts = [({"shape": "box"}, 0.0), ({"shape": "sphere"}, 0.5), ({"shape": "cylinder", "cut": True}, 0.0)]
     one = drawing.Drawing(size, "x", 20, parts)
@@ -217,14 +308,22 @@ def test_panels_of_a_drawing_are_a_thousandth_to_half_of_its_length(monkeypatch,
             drawing._panels(one, "", 1.1, 0.2)
         return
     mesh, volume, center = drawing._panels(one, "", 1.1, 0.2)
-    assert mesh.sides == [(pytest.approx(4e-5), "x")] and (mesh.symmetry, mesh.name) == ("x", "") and gmsh.named == ["drawing"]
+    assert (
+        mesh.sides == [(pytest.approx(4e-5), "x")]
+        and (mesh.symmetry, mesh.name) == ("x", "")
+        and gmsh.named == ["drawing"]
+    )
     assert volume == 14.0 and center.tolist() == [0, 2, 3]
     parts = ("box", 0.0, 1.1, 0.2), ("sphere", 0.5, 1.1, 0.2), ("cylinder", 0.0, 1.1, 0.2)
     assert gmsh.body == [("below", ("cut", ("fused", *parts[:2]), parts[2]))]
     assert gmsh.options == {
-        "Mesh.MeshSizeMax": size, "Mesh.MeshSizeMin": 0.25 * size, "Mesh.Algorithm": 8, "Mesh.MeshSizeFromCurvature": 40,
-        "Mesh.RecombineAll": 1, "Mesh.MeshSizeExtendFromBoundary": 0,
-    }  # fmt: skip
+        "Mesh.MeshSizeMax": size,
+        "Mesh.MeshSizeMin": 0.25 * size,
+        "Mesh.Algorithm": 8,
+        "Mesh.MeshSizeFromCurvature": 40,
+        "Mesh.RecombineAll": 1,
+        "Mesh.MeshSizeExtendFromBoundary": 0,
+    }
     drawing._panels(one, "barge", 1.0, 0.0)
     assert gmsh.named[-1] == "barge"
     monkeypatch.setattr(drawing, "_extent", lambda gmsh, body: (np.array([-20.0, -5, 0]), np.array([20.0, 5, 3])))
@@ -232,7 +331,9 @@ def test_panels_of_a_drawing_are_a_thousandth_to_half_of_its_length(monkeypatch,
         drawing._panels(one, "", 1.0, 0.0)
 
 
-@pytest.mark.parametrize(("draft", "lift", "told"), [(4.0, 3.9e-6, True), (4.0, 4.1e-6, False), (0.5, 4.9e-7, True), (0.5, 5.1e-7, False)])
+@pytest.mark.parametrize(
+    ("draft", "lift", "told"), [(4.0, 3.9e-6, True), (4.0, 4.1e-6, False), (0.5, 4.9e-7, True), (0.5, 5.1e-7, False)]
+)
 def test_edges_a_millionth_of_the_draft_off_the_surface_are_in_the_waterline(draft, lift, told):
     wall = PanelMesh([[0, 0, -lift], [5, 0, -lift], [5, 0, -draft], [0, 0, -draft]], [[0, 1, 2, 3]])
     found = waterline(wall)

@@ -1,4 +1,4 @@
-"""Which parts of a study go where, with the physics replaced: passing ships, sweeps, runs, weights, panels of a problem."""
+"""Which parts of a study go where, with the physics replaced: passing ships, sweeps, runs, weights, problems."""
 
 from contextlib import contextmanager
 from pathlib import Path
@@ -25,7 +25,9 @@ def test_a_passage_is_computed_by_its_method_about_the_point_of_the_moored_ship(
     """The middle of its waterline is at (1, 2); only panels know heights"""
     asked = {}
     track = SimpleNamespace(froude=lambda depth: 0.5, through_water=3.0)
-    found = SimpleNamespace(in_time=SimpleNamespace(times=np.array([0.0, 1.0])), about=lambda center: asked.update(about=center) or found)
+    found = SimpleNamespace(
+        in_time=SimpleNamespace(times=np.array([0.0, 1.0])), about=lambda center: asked.update(about=center) or found
+    )
     hulls = {"moored": ("hull m", np.array([1.0, 2.0, 0.0])), "passing": ("hull p", np.zeros(3))}
 
     def method_of(name):
@@ -39,7 +41,9 @@ def test_a_passage_is_computed_by_its_method_about_the_point_of_the_moored_ship(
     }.items():  # fmt: skip
         monkeypatch.setattr(passing, name, lambda *_, value=value: value)
     monkeypatch.setattr(passing, "_hull", lambda study, name: hulls[name])
-    monkeypatch.setattr(passing, "size", lambda ship, hull: {"hull m": (200.0, 30.0, 12.0), "hull p": (150.0, 20.0, 9.0)}[hull])
+    monkeypatch.setattr(
+        passing, "size", lambda ship, hull: {"hull m": (200.0, 30.0, 12.0), "hull p": (150.0, 20.0, 9.0)}[hull]
+    )
     monkeypatch.setattr(passing, "along_track", lambda *all: asked.update(track=all) or "places")
     monkeypatch.setattr(passing, "Slender", lambda length, section: (length, section))
     monkeypatch.setattr(panels, "largest_section", lambda hull: f"section of {hull}")
@@ -59,10 +63,20 @@ def test_a_passage_is_computed_by_its_method_about_the_point_of_the_moored_ship(
     assert method != "kriebel" or asked["factors"] == (12.0, 15.0, 25.0, 25.0)
     point = np.array(given or (0.0, 0, 0)) - [1, 2, 0]
     assert asked["about"].tolist() == (point * (1, 1, method == "panels")).tolist()
-    assert made.labels["time"].values.tolist() == [0, 1] and made.labels["motion"].values.tolist() == ["surge", "sway", "yaw"]
-    assert len(made.labels["of_force"].values) == 6 and (made.findings, made.notes, made.detail) == (("f",), ("n",), found)
+    assert made.labels["time"].values.tolist() == [0, 1] and made.labels["motion"].values.tolist() == [
+        "surge",
+        "sway",
+        "yaw",
+    ]
+    assert len(made.labels["of_force"].values) == 6 and (made.findings, made.notes, made.detail) == (
+        ("f",),
+        ("n",),
+        found,
+    )
     track.froude = lambda depth: 1.0
-    with pytest.raises(StudyError, match=r"moves at 3 m/s through water of 15 m depth, faster than long waves there, 12\.1 m/s"):
+    with pytest.raises(
+        StudyError, match=r"moves at 3 m/s through water of 15 m depth, faster than long waves there, 12\.1 m/s"
+    ):
         passing.passing(study)
 
 
@@ -73,7 +87,10 @@ def test_the_largest_of_a_passage_has_its_place_and_the_part_of_the_flow_speed()
     assert made == {"largest.force": [-4, 8, 0], "largest.stagger": [0, 20, -20], "largest.lowest": [-4, 1, 0],
                     "largest.highest": [2, 8, 0], "largest.steady": [0.5, 0.5, 0]}  # fmt: skip
     units = {name: (q.unit, q.description) for name, q in passing._largest(found).items()}
-    assert units["largest.force"] == (("N", "N", "N m"), "force") and units["largest.stagger"] == ("m", "passing ship ahead by")
+    assert units["largest.force"] == (("N", "N", "N m"), "force") and units["largest.stagger"] == (
+        "m",
+        "passing ship ahead by",
+    )
     assert passing._largest(found)["largest.steady"].share
 
 
@@ -145,19 +162,31 @@ def test_runs_are_compared_with_other_methods_on_the_waves_of_their_study(monkey
         simulate.simulate(**{name: (given | {"seeds": 0})[name] for name in names})
 
 
-@pytest.mark.parametrize(("mass", "center", "names", "says"), [
-    (None, None, (), "b.h5: 2 frequencies, no motions: give --gyration kxx,kyy,kzz"),
-    (1234567.8, (0.0, 1.5, -2.0), ("rao",), "b.h5: 2 frequencies, mass 1.23457e+06 kg, centre of gravity 0, 1.5, -2 m, motions"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("mass", "center", "names", "says"),
+    [
+        (None, None, (), "b.h5: 2 frequencies, no motions: give --gyration kxx,kyy,kzz"),
+        (
+            1234567.8,
+            (0.0, 1.5, -2.0),
+            ("rao",),
+            "b.h5: 2 frequencies, mass 1.23457e+06 kg, centre of gravity 0, 1.5, -2 m, motions",
+        ),
+    ],
+)
 def test_a_weighed_database_is_told_in_one_line(monkeypatch, mass, center, names, says, capsys):
     db = SimpleNamespace(path="b.h5", omega=[1, 2], names=names, attributes={"imported": "wamit"},
                          header=SimpleNamespace(body={"mass": mass, "center_of_mass": center}))  # fmt: skip
     assert weighing._line(db) == says
     monkeypatch.setattr(weighing, "open_database", lambda path: db)
     nothing = SimpleNamespace(given=False)
-    assert weighing.weigh(Path("b.h5"), nothing, (0.0, float("inf")), None) == 0 and capsys.readouterr().out == says + "\n"
+    assert (
+        weighing.weigh(Path("b.h5"), nothing, (0.0, float("inf")), None) == 0 and capsys.readouterr().out == says + "\n"
+    )
     db.attributes = {}
-    with pytest.raises(ValueError, match=r"b\.h5 was solved by hakobune; give --gyration, --center-of-gravity and --mass"):
+    with pytest.raises(
+        ValueError, match=r"b\.h5 was solved by hakobune; give --gyration, --center-of-gravity and --mass"
+    ):
         weighing.weigh(Path("b.h5"), nothing, (0.0, float("inf")), None)
 
 
@@ -182,7 +211,9 @@ def test_quantities_that_depend_on_the_former_mass_are_left_out_but_for_motions(
     monkeypatch.setattr(weighing, "NEEDS_MOTION", ("rao", "drift_force", "other"))
     monkeypatch.setattr(weighing, "values_of", lambda db: values)
     monkeypatch.setattr(weighing, "between", lambda values, low, high: kept.append((low, high)) or values)
-    monkeypatch.setattr(weighing, "on_hull", lambda values, mesh, weight: kept.append(values.quantities) or (values, ["heavy"]))
+    monkeypatch.setattr(
+        weighing, "on_hull", lambda values, mesh, weight: kept.append(values.quantities) or (values, ["heavy"])
+    )
     monkeypatch.setattr(weighing, "_pairs", lambda db: ["qtf"])
     monkeypatch.setattr(weighing, "made_beside", beside)
     monkeypatch.setattr(weighing, "store", lambda *all: kept.append(all))
@@ -203,10 +234,17 @@ def test_quantities_that_depend_on_the_former_mass_are_left_out_but_for_motions(
     ("panel", (), 1.0, "band", "lid"), ("pressure", (), 1.0, None, "lid"), ("panel", ("d",), 1.0, None, "lid"),
     ("panel", (), 0.5, "band", None),
 ])  # fmt: skip
-def test_panels_of_a_problem_have_a_lid_for_short_waves_and_a_band_without_damping_lids(monkeypatch, method, lids, omega, band, lid):
+def test_panels_of_a_problem_have_a_lid_for_short_waves_and_a_band_without_damping_lids(
+    monkeypatch, method, lids, omega, band, lid
+):
     """ω²/g = 0.1 at 1 rad/s and 9.8 m/s²; a lid is needed from 0.05 on"""
-    for name, value in {"lid_needed_from": 0.05, "coarse_hull": "coarse", "damping_lids_of": lids, "shared_band": "band",
-                        "finer_hull": "finer"}.items():  # fmt: skip
+    for name, value in {
+        "lid_needed_from": 0.05,
+        "coarse_hull": "coarse",
+        "damping_lids_of": lids,
+        "shared_band": "band",
+        "finer_hull": "finer",
+    }.items():
         monkeypatch.setattr(problem, name, lambda *given, value=value: value)
     monkeypatch.setattr(problem, "make_lid", lambda scene, mesh: "made")
     monkeypatch.setattr(problem, "PanelProblem", lambda *given, **more: (given, more))
@@ -241,14 +279,30 @@ def test_a_plan_checks_the_weight_of_each_body_and_the_size_of_its_database(monk
         scene, [1, 2, 3], [0, 1], {"rao"}, "problem", ("body",))  # fmt: skip
 
 
-@pytest.mark.parametrize(("kinds", "more", "says"), [
-    ([("vertical", 0), ("vertical", 1)], {}, None), ([("file", 0), ("vertical", 1)], {}, None),
-    ([("file", 0), ("vertical", 0)], {}, "the modes of one body come from a beam and from files; allowed: only one of the two"),
-    ([("vertical", 0), ("vertical", 0)], {}, "[[modes]] has 'vertical_1' twice; allowed: each kind of beam once per body"),
-    ([("vertical", 0)], {"wall": 3.0}, "modes and a wall are given; give only one of them"),
-    ([("vertical", 0)], {"GM": 2.0}, "modes and the GM of a body are given; give z of center_of_gravity instead of GM"),
-    ([], {"wall": 3.0}, None),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("kinds", "more", "says"),
+    [
+        ([("vertical", 0), ("vertical", 1)], {}, None),
+        ([("file", 0), ("vertical", 1)], {}, None),
+        (
+            [("file", 0), ("vertical", 0)],
+            {},
+            "the modes of one body come from a beam and from files; allowed: only one of the two",
+        ),
+        (
+            [("vertical", 0), ("vertical", 0)],
+            {},
+            "[[modes]] has 'vertical_1' twice; allowed: each kind of beam once per body",
+        ),
+        ([("vertical", 0)], {"wall": 3.0}, "modes and a wall are given; give only one of them"),
+        (
+            [("vertical", 0)],
+            {"GM": 2.0},
+            "modes and the GM of a body are given; give z of center_of_gravity instead of GM",
+        ),
+        ([], {"wall": 3.0}, None),
+    ],
+)
 def test_shapes_of_a_body_are_of_one_origin_each_once(monkeypatch, kinds, more, says):
     looked = []
     monkeypatch.setattr(modes, "_check", lambda where, mode, scene: looked.append(where))
@@ -266,8 +320,14 @@ def test_shapes_of_a_body_are_of_one_origin_each_once(monkeypatch, kinds, more, 
 
 
 def test_hours_of_downtime_have_the_names_of_their_axes(monkeypatch):
-    for name, value in {"_whole": {"a": 1}, "_causes": {"b": 2}, "_by_month": {"c": 3}, "_by_year": {"d": 4},
-                        "_by_sector": ({"e": 5}, {"sector": 6}), "_windows": ({"f": 7}, {"window": 8})}.items():  # fmt: skip
+    for name, value in {
+        "_whole": {"a": 1},
+        "_causes": {"b": 2},
+        "_by_month": {"c": 3},
+        "_by_year": {"d": 4},
+        "_by_sector": ({"e": 5}, {"sector": 6}),
+        "_windows": ({"f": 7}, {"window": 8}),
+    }.items():
         monkeypatch.setattr(answers, name, lambda *given, value=value: value)
     study = SimpleNamespace(operations=[SimpleNamespace(name="cranes"), SimpleNamespace(name="arms")])
     hindcast = SimpleNamespace(year=np.array([2001, 2001, 2002]))

@@ -1,5 +1,5 @@
-"""Small rules of the house, each by hand and on both sides: names of columns, units of print, values given twice, what a
-method cannot, how a box of a sea is placed."""
+"""Small rules of the house, each by hand and on both sides: names of columns, units of print, values given twice,
+what a method cannot, flags in SI, bodies beside each other."""
 
 import math
 import warnings
@@ -29,13 +29,24 @@ def test_columns_of_one_name_have_that_of_the_column_before_in_front_but_for_the
     assert _distinct(names) == made
 
 
-@pytest.mark.parametrize(("unit", "values", "share", "read"), [
-    ("N", [1000.0], False, ("kN", 1e3)), ("N", [-1000.0, 1.0], False, ("kN", 1e3)), ("N", [999.0, -999.0], False, ("N", 1.0)),
-    ("N", [-2000.0], False, ("kN", 1e3)), ("N", [0.0], False, ("kN", 1e3)), ("N", [np.nan, 5.0], False, ("N", 1.0)),
-    ("N", [np.inf], False, ("kN", 1e3)), ("rad", [0.001], False, ("°", math.pi / 180)), ("m", [5.0], False, ("m", 1.0)),
-    ("", [0.5], True, ("%", 0.01)), ("N s2/m2", [5000.0], False, ("kN s²/m²", 1e3)), ("kg/m3", [1.0], False, ("kg/m³", 1.0)),
-    ("N s2/m2", [5.0], False, ("N s²/m²", 1.0)),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("unit", "values", "share", "read"),
+    [
+        ("N", [1000.0], False, ("kN", 1e3)),
+        ("N", [-1000.0, 1.0], False, ("kN", 1e3)),
+        ("N", [999.0, -999.0], False, ("N", 1.0)),
+        ("N", [-2000.0], False, ("kN", 1e3)),
+        ("N", [0.0], False, ("kN", 1e3)),
+        ("N", [np.nan, 5.0], False, ("N", 1.0)),
+        ("N", [np.inf], False, ("kN", 1e3)),
+        ("rad", [0.001], False, ("°", math.pi / 180)),
+        ("m", [5.0], False, ("m", 1.0)),
+        ("", [0.5], True, ("%", 0.01)),
+        ("N s2/m2", [5000.0], False, ("kN s²/m²", 1e3)),
+        ("kg/m3", [1.0], False, ("kg/m³", 1.0)),
+        ("N s2/m2", [5.0], False, ("N s²/m²", 1.0)),
+    ],
+)
 def test_thousands_of_a_unit_are_read_in_the_larger_one(unit, values, share, read):
     assert read_in(unit, np.array(values), share) == read
 
@@ -57,12 +68,18 @@ def test_warnings_of_a_study_are_kept_once_each_however_often_they_come_and_also
         assert said == ["again"]
 
 
-@pytest.mark.parametrize(("given", "turn", "says"), [
-    ([0.5, 0.6], None, None), ([0.5, 0.5], None, "waves.omega has 0.5 twice; allowed: each value once"),
-    ([0.0, 90.0, 359.0], 360.0, None), ([0.0, 90.0, 360.0], 360.0, "waves.omega has 0 twice, once as 360; allowed"),
-    ([-90.0, 45.0, 270.0], 360.0, "waves.omega has -90 twice, once as 270"),
-    ([10.0, 45.0, 370.0], 360.0, "waves.omega has 10 twice, once as 370"), ([10.0, 45.0, 45.0], 360.0, "has 45 twice; allowed"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("given", "turn", "says"),
+    [
+        ([0.5, 0.6], None, None),
+        ([0.5, 0.5], None, "waves.omega has 0.5 twice; allowed: each value once"),
+        ([0.0, 90.0, 359.0], 360.0, None),
+        ([0.0, 90.0, 360.0], 360.0, "waves.omega has 0 twice, once as 360; allowed"),
+        ([-90.0, 45.0, 270.0], 360.0, "waves.omega has -90 twice, once as 270"),
+        ([10.0, 45.0, 370.0], 360.0, "waves.omega has 10 twice, once as 370"),
+        ([10.0, 45.0, 45.0], 360.0, "has 45 twice; allowed"),
+    ],
+)
 def test_two_values_that_are_one_are_told_as_they_were_given(given, turn, says):
     values = sorted(given)
     if says is None:
@@ -79,15 +96,23 @@ def scene(shapes=("box",), **more):
     return SimpleNamespace(**given | more)
 
 
-@pytest.mark.parametrize(("method", "made", "says"), [
-    ("panel", scene(), []), ("panel", scene(damping_lids=(1,)), []),
-    ("contour", scene(damping_lids=(1,)), ["does not support damping lids"]), ("contour", scene(), []),
-    ("strip", scene(("box", "box")), ["supports one body only"]), ("transfer", scene(), ["is for several bodies"]),
-    ("contour", scene(("mesh",)), ["cannot represent a body of shape 'mesh'"]),
-    ("contour", scene(water=SimpleNamespace(depth=math.inf)), ["needs a finite water depth"]),
-    ("contour", scene(modes=(1,)), ["supports only the six rigid motions, not [[modes]]"]), ("panel", scene(modes=(1,)), []),
-    ("panel", scene(wall=5.0), []), ("strip", scene(wall=5.0), ["does not support a wall"]),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("method", "made", "says"),
+    [
+        ("panel", scene(), []),
+        ("panel", scene(damping_lids=(1,)), []),
+        ("contour", scene(damping_lids=(1,)), ["does not support damping lids"]),
+        ("contour", scene(), []),
+        ("strip", scene(("box", "box")), ["supports one body only"]),
+        ("transfer", scene(), ["is for several bodies"]),
+        ("contour", scene(("mesh",)), ["cannot represent a body of shape 'mesh'"]),
+        ("contour", scene(water=SimpleNamespace(depth=math.inf)), ["needs a finite water depth"]),
+        ("contour", scene(modes=(1,)), ["supports only the six rigid motions, not [[modes]]"]),
+        ("panel", scene(modes=(1,)), []),
+        ("panel", scene(wall=5.0), []),
+        ("strip", scene(wall=5.0), ["does not support a wall"]),
+    ],
+)
 def test_a_method_is_offered_what_it_can_represent(monkeypatch, method, made, says):
     monkeypatch.setattr(methods, "_relative_gap", lambda scene: 1.0)
     one = methods.METHODS[method]
@@ -100,8 +125,10 @@ def test_too_much_water_under_the_keel_is_told_with_how_much(monkeypatch):
         monkeypatch.setattr(methods, "_relative_gap", lambda scene, more=more: more * one.highest_gap)
         found = methods._obstacles(scene(), one)
         assert bool(found) is told
-        assert not told or found == [f"allows water under the keel up to {one.highest_gap:g} times the draft or half width, "
-                                     f"and here it is {1.01 * one.highest_gap:.3g} times"]  # fmt: skip
+        assert not told or found == [
+            f"allows water under the keel up to {one.highest_gap:g} times the draft or half width, "
+            f"and here it is {1.01 * one.highest_gap:.3g} times"
+        ]
 
 
 def test_flags_of_a_system_are_in_newtons_and_radians(monkeypatch):
@@ -109,10 +136,16 @@ def test_flags_of_a_system_are_in_newtons_and_radians(monkeypatch):
 
     asked = []
     monkeypatch.setattr(lines_command, "lines_command", lambda *given, **more: asked.append((given, more)) or 3)
-    assert flags.lines(Path("s.toml"), body="b", force="1,-2", offset="5", direction="0,180", broken=True, depth=20.0) == 3
+    assert (
+        flags.lines(Path("s.toml"), body="b", force="1,-2", offset="5", direction="0,180", broken=True, depth=20.0) == 3
+    )
     ((given, more),) = asked
     assert given == (Path("s.toml"), 20.0, None, None, None) and more["force"] == [1e3, -2e3]
-    assert more["directions"] == pytest.approx([0, math.pi]) and (more["body"], more["offset"], more["broken"]) == ("b", "5", True)
+    assert more["directions"] == pytest.approx([0, math.pi]) and (more["body"], more["offset"], more["broken"]) == (
+        "b",
+        "5",
+        True,
+    )
     flags.lines(Path("s.toml"))
     assert asked[1][1]["force"] is None and asked[1][1]["directions"] == pytest.approx([0, math.pi / 2])
     for text in ("a", "1,,2", "inf"):
@@ -122,7 +155,9 @@ def test_flags_of_a_system_are_in_newtons_and_radians(monkeypatch):
     monkeypatch.setattr(pictures, "draw_result", lambda *given: drawn.append(given) or "done")
     assert flags.lines(Path("s.h5"), plot=Path("p.png")) == 0 and drawn == [(Path("s.h5"), Path("p.png"))]
     for flag in ("body", "force", "offset", "direction", "depth", "characteristic", "database", "output", "moordyn"):
-        with pytest.raises(ValueError, match=f"--{flag} is for a system of lines and s.HDF5 is a result; allowed with it: --plot"):
+        with pytest.raises(
+            ValueError, match=f"--{flag} is for a system of lines and s.HDF5 is a result; allowed with it: --plot"
+        ):
             flags.lines(Path("s.HDF5"), **{flag: "x"})
     with pytest.raises(ValueError, match="--broken is for a system"):
         flags.lines(Path("s.h5"), broken=True)
@@ -133,8 +168,13 @@ def test_ends_of_a_moving_line_use_their_own_breaking_load(monkeypatch, whole):
     """Fairlead 3e5 of 1e6 N, anchor 2e5 of 5e5 N; of a cycle half of the two cycles"""
     end = {"slack": ("s", "slack", lambda of: of.slack), "tension": ("N", "tension", lambda of: of.tension)}
     monkeypatch.setattr(line_dynamics, "END", end)
-    found = SimpleNamespace(fairlead=SimpleNamespace(slack=4.0, tension=1.0), anchor=SimpleNamespace(slack=2.0, tension=3.0),
-                            cycles=2 if whole else None, begin=10.0, end=30.0)  # fmt: skip
+    found = SimpleNamespace(
+        fairlead=SimpleNamespace(slack=4.0, tension=1.0),
+        anchor=SimpleNamespace(slack=2.0, tension=3.0),
+        cycles=2 if whole else None,
+        begin=10.0,
+        end=30.0,
+    )
     strength = SimpleNamespace(breaking=np.array([5e5, 9e9, 1e6]), weakest=5e5 if whole else np.inf)
     run = SimpleNamespace(found=found, strength=strength, result=SimpleNamespace(
         tension_fairlead=np.array([1e5, 3e5]), tension_anchor=np.array([2e5, 1e5])))  # fmt: skip
@@ -142,19 +182,35 @@ def test_ends_of_a_moving_line_use_their_own_breaking_load(monkeypatch, whole):
     assert made["slack"].values.tolist() == [4, 2] and made["tension"].values.tolist() == [1, 3]
     assert ("slack.in_cycle" in made) is whole and (not whole or made["slack.in_cycle"].values.tolist() == [2, 1])
     assert made["tension.used"].values == pytest.approx([0.3, 0.4]) and made["tension.used"].share
-    assert made["tension.used"].table == ("title" if whole else "") and made["breaking_load"].values.tolist() == [1e6, 5e5]
-    window = {name: (made[f"window.{name}"].values.item(), made[f"window.{name}"].unit) for name in ("begin", "end", "cycles")}
+    assert made["tension.used"].table == ("title" if whole else "") and made["breaking_load"].values.tolist() == [
+        1e6,
+        5e5,
+    ]
+    window = {
+        name: (made[f"window.{name}"].values.item(), made[f"window.{name}"].unit) for name in ("begin", "end", "cycles")
+    }
     assert window == {"begin": (10, "s"), "end": (30, "s"), "cycles": (2 if whole else 0, "")}
 
 
 @pytest.mark.parametrize(("cycles", "title"), [(4, "work per cycle"), (None, "work in 20 s"), (0, "work in 20 s")])
 def test_the_work_of_a_moving_line_is_told_a_cycle_or_in_its_window(monkeypatch, cycles, title):
     monkeypatch.setattr(line_dynamics, "LOSSES", ("drag", "friction"))
-    found = SimpleNamespace(cycles=cycles, begin=10.0, end=30.0, work=100.0, losses={"drag": 60.0, "friction": 20.0}, stored=8.0,
-                            of_forces=99.0, share_of_work=lambda value: value / 100.0, exchanged=7.0)  # fmt: skip
+    found = SimpleNamespace(
+        cycles=cycles,
+        begin=10.0,
+        end=30.0,
+        work=100.0,
+        losses={"drag": 60.0, "friction": 20.0},
+        stored=8.0,
+        of_forces=99.0,
+        share_of_work=lambda value: value / 100.0,
+        exchanged=7.0,
+    )
     made = line_dynamics._work(found)
     values = np.array([100, 60, 20, 8, 99.0])
-    assert made["work.energy"].values.tolist() == values.tolist() and made["work.energy"].table == ("" if cycles else title)
+    assert made["work.energy"].values.tolist() == values.tolist() and made["work.energy"].table == (
+        "" if cycles else title
+    )
     assert made["work.per_cycle"].values == pytest.approx(values / (cycles or 1))
     assert made["work.per_cycle"].table == (title if cycles else "") and made["work.share"].table == title
     assert made["work.share"].values == pytest.approx(values / 100) and made["work.share"].share
@@ -163,14 +219,23 @@ def test_the_work_of_a_moving_line_is_told_a_cycle_or_in_its_window(monkeypatch,
 
 def test_the_softest_and_stiffest_of_a_fender_have_curves_of_their_own():
     """Linear fenders of 2 m to 1 m: 10, 8 and 13 kN/m"""
+
     def linear(k):
-        return SimpleNamespace(loading=lambda x: k * np.asarray(x), own=lambda x: x, energy=lambda x: 0.5 * k * np.asarray(x) ** 2,
-                               returned=lambda x: 0.25 * k * x**2, limit=1.0, height=2.0)  # fmt: skip
+        return SimpleNamespace(
+            loading=lambda x: k * np.asarray(x),
+            own=lambda x: x,
+            energy=lambda x: 0.5 * k * np.asarray(x) ** 2,
+            returned=lambda x: 0.25 * k * x**2,
+            limit=1.0,
+            height=2.0,
+        )
 
     def area(x):
         return 2e3 * np.asarray(x) ** 2
 
-    straight = SimpleNamespace(loading=type("Curve", (), {"__call__": lambda self, x: 2e4 * np.asarray(x), "integral": staticmethod(area)})())
+    straight = SimpleNamespace(
+        loading=type("Curve", (), {"__call__": lambda self, x: 2e4 * np.asarray(x), "integral": staticmethod(area)})()
+    )
     fender_of, original = [linear(8e3), linear(13e3)], fender.on_dolphin
     fender.on_dolphin = lambda pair: False
     try:
@@ -190,13 +255,17 @@ def test_the_softest_and_stiffest_of_a_fender_have_curves_of_their_own():
 
 
 def body(name, place, fixed=False, heading=0.0):
-    return SimpleNamespace(name=name, rotation_center=(*place, 1.0), heading=heading, fixed=fixed, own_center=(7.0, 8.0, 9.0))
+    return SimpleNamespace(
+        name=name, rotation_center=(*place, 1.0), heading=heading, fixed=fixed, own_center=(7.0, 8.0, 9.0)
+    )
 
 
 def test_sides_of_bodies_have_half_their_size_and_the_number_of_those_that_move(monkeypatch):
     boxes = {"a": (100.0, 20.0), "pier": (50.0, 10.0), "b": (60.0, 12.0)}
     monkeypatch.setattr(moor, "box_of", lambda db, one: dict(zip(("length", "beam"), boxes[one.name], strict=True)))
-    db = SimpleNamespace(bodies=[body("a", (1.0, 2.0)), body("pier", (3.0, 4.0), True), body("b", (5.0, 6.0), heading=0.5)])
+    db = SimpleNamespace(
+        bodies=[body("a", (1.0, 2.0)), body("pier", (3.0, 4.0), True), body("b", (5.0, 6.0), heading=0.5)]
+    )
     made = moor.sides_of(db)
     assert [one.name for one in made] == ["a", "pier", "b"] and [one.moves for one in made] == [0, -1, 1]
     assert [one.half.tolist() for one in made] == [[50, 10], [25, 5], [30, 6]]
@@ -212,10 +281,16 @@ class Hull:
         return np.add(point, self.by)
 
 
-@pytest.mark.parametrize(("to", "bollard", "says"), [
-    (None, None, None), ("b", (1.0, 1.0, 1.0), None), ("b", None, "lines[0].bollard is missing; give x, y, z on b, m, where the"),
-    ("a", (1.0, 1.0, 1.0), "lines[0].to is 'a'; allowed: another body, b"), ("c", (1.0, 1.0, 1.0), "lines[0].to is 'c'; allowed: another"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("to", "bollard", "says"),
+    [
+        (None, None, None),
+        ("b", (1.0, 1.0, 1.0), None),
+        ("b", None, "lines[0].bollard is missing; give x, y, z on b, m, where the"),
+        ("a", (1.0, 1.0, 1.0), "lines[0].to is 'a'; allowed: another body, b"),
+        ("c", (1.0, 1.0, 1.0), "lines[0].to is 'c'; allowed: another"),
+    ],
+)
 def test_a_line_from_body_to_body_has_both_ends_in_space(monkeypatch, to, bollard, says):
     monkeypatch.setattr(moor.msgspec.structs, "replace", lambda line, **changed: changed)
     bodies = {"a": Hull((10.0, 0.0, 0.0)), "b": Hull((0.0, 20.0, 0.0))}

@@ -79,43 +79,71 @@ def test_a_body_is_given_once_and_only_where_it_is_needed(scene, database, neede
 @pytest.mark.parametrize(
     ("path", "value", "says"),
     [
-        ("project.service_life", 0.0, "project.service_life is 0"), ("project.service_life", 1e-3, None),
+        ("project.service_life", 0.0, "project.service_life is 0"),
+        ("project.service_life", 1e-3, None),
         ("project.probability", 0.0, "project.probability is 0; allowed: above 0, below 1"),
         ("project.probability", 1.0, "project.probability is 1; allowed: above 0, below 1"),
-        ("project.probability", 0.01, None), ("project.probability", 0.99, None),
-        ("levels.low", math.inf, "levels.low is inf m; allowed: finite"), ("levels.low", -3.0, None),
-        ("anchors", {"holding_kN": 0.0}, "anchors.holding_kN is 0"), ("anchors", {"holding_kN": 0.1}, None),
+        ("project.probability", 0.01, None),
+        ("project.probability", 0.99, None),
+        ("levels.low", math.inf, "levels.low is inf m; allowed: finite"),
+        ("levels.low", -3.0, None),
+        ("anchors", {"holding_kN": 0.0}, "anchors.holding_kN is 0"),
+        ("anchors", {"holding_kN": 0.1}, None),
         ("anchors", {"holding_kN": 1.0, "lines": {"a": 1.0, "bow": -1.0}}, "anchors.lines.bow is -1"),
         ("states", [], "the project has no states; give at least one [[states]]"),
         ("states", [STATES[0], OTHER], None),
-        ("states", [STATES[0], OTHER, {**OTHER, "name": "calm"}], "states[1].name is 'calm', the name of another state"),
+        (
+            "states",
+            [STATES[0], OTHER, {**OTHER, "name": "calm"}],
+            "states[1].name is 'calm', the name of another state",
+        ),
         ("rules", [], "the project has no rules; give at least one [[rules]] or [[limits]]"),
         ("states.0.state", "calm", "states[0].state is 'calm'; allowed: normal, abnormal"),
         ("states.0.state", "abnormal", None),
-        ("states.0.lost", "all", "states[0].lost is 'all'; allowed: worst, each"), ("states.0.lost", "each", None),
+        ("states.0.lost", "all", "states[0].lost is 'all'; allowed: worst, each"),
+        ("states.0.lost", "each", None),
         ("states.0.lines", [], "states[0].lines is empty; allowed: intact, one lost"),
         ("states.0.lines", ["intact", "two lost"], "states[0].lines is 'two lost'; allowed: intact, one lost"),
         ("states.0.lines", ["one lost"], None),
         ("states.0.levels", [], "states[0].levels is empty; allowed: mean"),
         ("states.0.levels", ["mean", "low"], "states[0].levels is 'low'; allowed: mean"),
-        *((f"states.0.{key}", value, says and f"states[0].{key} is {value}; allowed: at least one, −360 to 360")
-          for key in ("incidence_deg", "wind_off_deg", "current_off_deg")
-          for value, says in (([], 1), ([360.0], None), ([-360.0], None), ([0.0, 360.1], 1), ([-360.1, 0.0], 1))),
+        *(
+            (f"states.0.{key}", value, says and f"states[0].{key} is {value}; allowed: at least one, −360 to 360")
+            for key in ("incidence_deg", "wind_off_deg", "current_off_deg")
+            for value, says in (([], 1), ([360.0], None), ([-360.0], None), ([0.0, 360.1], 1), ([-360.1, 0.0], 1))
+        ),
         ("states.0.wind", None, "states[0] has neither wind, current nor waves; allowed: at least one"),
-        ("states.0.wind", {"speed": 20.0, "direction_deg": 0.0},
-         "states[0].wind.direction_deg is given; give directions in states[0].incidence_deg only"),
+        (
+            "states.0.wind",
+            {"speed": 20.0, "direction_deg": 0.0},
+            "states[0].wind.direction_deg is given; give directions in states[0].incidence_deg only",
+        ),
         ("states.0.current", {"speed": 1.0, "incidence_deg": 0.0}, "states[0].current.incidence_deg is given"),
-        ("states.0.waves", {"height": 2.0, "period": 8.0, "direction_deg": 0.0},
-         "states[0].waves.direction_deg is given"),
-        ("states.0.waves", {"height": 2.0, "period": 8.0}, None), ("states.0.current", {"speed": 1.0}, None),
+        (
+            "states.0.waves",
+            {"height": 2.0, "period": 8.0, "direction_deg": 0.0},
+            "states[0].waves.direction_deg is given",
+        ),
+        ("states.0.waves", {"height": 2.0, "period": 8.0}, None),
+        ("states.0.current", {"speed": 1.0}, None),
         ("states.0.waves", {"height": -2.0, "period": 8.0}, "states[0].waves.height is -2"),
-        ("states.0.waves", {"height": 2.0, "period": 8.0, "swell": [{"height": 1.0, "peak_period": 12.0, "direction_deg": 0.0}, {"height": -1.0, "peak_period": 12.0, "direction_deg": 0.0}]},
-         "states[0].waves.swell[1].height is -1"),
+        (
+            "states.0.waves",
+            {
+                "height": 2.0,
+                "period": 8.0,
+                "swell": [
+                    {"height": 1.0, "peak_period": 12.0, "direction_deg": 0.0},
+                    {"height": -1.0, "peak_period": 12.0, "direction_deg": 0.0},
+                ],
+            },
+            "states[0].waves.swell[1].height is -1",
+        ),
         ("states.0.wind", {"speed": -20.0}, "states[0].wind.speed is -20"),
         ("states.0.wind", {"speed": 20.0, "ship": "boat"}, "states[0].wind.ship is 'boat'; allowed: "),
         ("states.0.current", {"speed": 1.0, "file": "c.csv"}, "states[0].current.file is given in a study that is not"),
     ],
-)  # fmt: skip
+)
 def test_numbers_and_states_of_a_project(path, value, says):
     holds(of_tables(project(path, value)), says)
 
@@ -220,29 +248,51 @@ VALUE = {"quantity": "gust factor", "value": 1.0, "source": "a tunnel"}
         ({"limits": [{**LIMIT, "quantity": SCOPE}]}, [], (), None),
         ({"limits": [{**LIMIT, "quantity": "service life"}]}, [], (), None),
         ({"limits": [{**LIMIT, "quantity": "gust factor"}], "values": [VALUE]}, ["gust factor"], (), None),
-        ({"limits": [{**LIMIT, "subject": "hawser"}]}, [], (),
-         f"limits[0].subject is {HAWSER!r}, but the study has no hawser; leave the subject out"),
+        (
+            {"limits": [{**LIMIT, "subject": "hawser"}]},
+            [],
+            (),
+            f"limits[0].subject is {HAWSER!r}, but the study has no hawser; leave the subject out",
+        ),
         ({"limits": [{**LIMIT, "subject": "hawser"}]}, [], [(True, True)], None),
         ({"limits": [{**LIMIT, "subject": "hawser"}]}, [], [(False, True)], "but the study has no hawser"),
         ({"limits": [{**LIMIT, "subject": "hawser"}]}, [], [(False, True), (True, True)], None),
-        ({}, [], [(False, True), (False, False)],
-         "the study has lines, but no chosen criterion judges them; give a rule set that does, or [[limits]] of 'a'"),
+        (
+            {},
+            [],
+            [(False, True), (False, False)],
+            "the study has lines, but no chosen criterion judges them; give a rule set that does, or [[limits]] of 'a'",
+        ),
         ({}, [], [(True, False)], "or [[limits]] of 'a' with subject = \"hawser\""),
         ({"wear": {"mm_per_year": 0.1}}, [WORN], (), None),
         ({"wear": {"mm_per_year": 0.1}}, [HOLDING], (), f"[wear] is given, but no chosen criterion limits {WORN!r};"),
         ({"anchors": {"holding_kN": 1.0}}, [HOLDING], (), None),
         ({"anchors": {"holding_kN": 1.0}}, [WORN], (), "that does, or leave out [anchors]"),
         ({"values": [VALUE]}, ["gust factor"], (), None),
-        ({"values": [VALUE]}, [], (), "values[0].quantity is 'gust factor'; allowed by the chosen criteria: none is asked"),
-        ({"values": [VALUE, {**VALUE, "quantity": "roll"}]}, ["gust factor", "roll", "b"], (),
-         "values[1].quantity is 'roll'; allowed by the chosen criteria: gust factor; b"),
+        (
+            {"values": [VALUE]},
+            [],
+            (),
+            "values[0].quantity is 'gust factor'; allowed by the chosen criteria: none is asked",
+        ),
+        (
+            {"values": [VALUE, {**VALUE, "quantity": "roll"}]},
+            ["gust factor", "roll", "b"],
+            (),
+            "values[1].quantity is 'roll'; allowed by the chosen criteria: gust factor; b",
+        ),
         ({"values": [{**VALUE, "state": "calm"}]}, ["gust factor"], (), "values[0].state is 'calm'; allowed: "),
         ({"values": [{**VALUE, "lines": "none"}]}, ["gust factor"], (), "values[0].lines is 'none'; allowed: "),
-        ({"values": [{**VALUE, "value": -0.1}]}, ["gust factor"], (), "values[0].value is -0.1; allowed: 0 or more, finite"),
+        (
+            {"values": [{**VALUE, "value": -0.1}]},
+            ["gust factor"],
+            (),
+            "values[0].value is -0.1; allowed: 0 or more, finite",
+        ),
         ({"values": [{**VALUE, "value": 0.0}]}, ["gust factor"], (), None),
         ({"values": [{**VALUE, "value": math.inf}]}, ["gust factor"], (), "values[0].value is inf; allowed: 0 or more"),
     ],
-)  # fmt: skip
+)
 def test_limits_needs_and_values_of_a_project(more, asked, needs, says, tmp_path):
     """needs : (of a hawser, judged) of each"""
     wanted = [

@@ -46,11 +46,20 @@ def test_kinds_are_listed_with_their_commands_in_three_forms(monkeypatch):
     assert json.loads(shown.kinds_text(True, False)) == data
 
 
-@pytest.mark.parametrize(("word", "names"), [
-    ("[water]", [["depth", "wide"]]), ("place", [["depth", "wide"]]), ("WATER", [["depth", "wide"]]),
-    ("dep", [["depth"]]), ("E", [["depth", "wide"], ["times"]]), ("when", [["times"]]), ("how", [["depth"]]), ("nothing", []),
-    ("wat", []),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("word", "names"),
+    [
+        ("[water]", [["depth", "wide"]]),
+        ("place", [["depth", "wide"]]),
+        ("WATER", [["depth", "wide"]]),
+        ("dep", [["depth"]]),
+        ("E", [["depth", "wide"], ["times"]]),
+        ("when", [["times"]]),
+        ("how", [["depth"]]),
+        ("nothing", []),
+        ("wat", []),
+    ],
+)
 def test_tables_with_a_word_in_heading_or_name_come_before_meanings(word, names):
     """A heading has whole words; a name or a meaning parts"""
     own = [[k.name for k in table.keys] for table in shown.having((WATER, SEA), word)]
@@ -104,8 +113,17 @@ def test_the_reference_on_a_terminal_is_in_columns_of_the_longest_name_and_unit(
 def test_the_reference_as_data_has_every_field_and_the_places():
     rows = json.loads(shown.as_json((WATER, SEA)))
     assert [row["name"] for row in rows] == ["depth", "wide", "times"]
-    assert rows[0] == {"table": "[water]", "name": "depth", "unit": "m", "type": "number", "needed": False,
-                       "default": 2.5, "meaning": "how deep", "example": "", "places": ["[water]", "[sea.place]"]}  # fmt: skip
+    assert rows[0] == {
+        "table": "[water]",
+        "name": "depth",
+        "unit": "m",
+        "type": "number",
+        "needed": False,
+        "default": 2.5,
+        "meaning": "how deep",
+        "example": "",
+        "places": ["[water]", "[sea.place]"],
+    }
     assert "\n" in shown.as_json((WATER,)) and "°" in shown.as_json((KeyTable(("",), "", (key("a", "°"),)),))
 
 

@@ -1,4 +1,4 @@
-"""What a response on a mooring is made of, with the physics behind it replaced: which parts go where, and what is told."""
+"""What a response on a mooring is made of, with the physics replaced: which parts go where, and what is told."""
 
 import math
 from dataclasses import dataclass
@@ -52,9 +52,12 @@ K = np.diag([4e5, 9e5, 1.0, 2.0, 3.0, 5e8])
 def house(monkeypatch):
     asked = {}
     statics = SimpleNamespace(
-        equilibrium=SimpleNamespace(stiffness=K), displacement=np.arange(6.0), steady_force=np.array([1e4, -2e4, 0, 0, 0, 5e6]),
-        loads={"wind": np.array([1.0, 2, 3, 4, 5, 6])}, warnings=["FAILS: bow", "note: stern"],
-    )  # fmt: skip
+        equilibrium=SimpleNamespace(stiffness=K),
+        displacement=np.arange(6.0),
+        steady_force=np.array([1e4, -2e4, 0, 0, 0, 5e6]),
+        loads={"wind": np.array([1.0, 2, 3, 4, 5, 6])},
+        warnings=["FAILS: bow", "note: stern"],
+    )
     given = Conditions(waves="own waves", current="stream")
     study = SimpleNamespace(
         without_berth=lambda what: asked.update(berth=what) or study, hull_of=lambda sizes: f"hull of {sizes}",
@@ -82,7 +85,9 @@ def house(monkeypatch):
     monkeypatch.setattr("hakobune.mooring.on_current.waves.carrier_of", lambda current: f"carried by {current}")
     monkeypatch.setattr(moored, "gusts_of", lambda wind: asked.get("gusts"))
     reader = Body("body")
-    db = SimpleNamespace(reader=reader, sizes="sizes", rotation_center="center", density=1025.0, gravity=9.8, water_depth=np.inf)
+    db = SimpleNamespace(
+        reader=reader, sizes="sizes", rotation_center="center", density=1025.0, gravity=9.8, water_depth=np.inf
+    )
     read = SimpleNamespace(current=None, restrained=lambda body: Body(f"read {body.name}", body.stiffness))
     return SimpleNamespace(asked=asked, statics=statics, study=study, db=db, read=read, given=given)
 
@@ -92,7 +97,7 @@ def test_a_body_on_its_mooring_moves_on_the_stiffness_of_its_lines_under_the_ste
     found = moored.moored("m.toml", house.read, house.db, SEA, 3600.0, "points")
     asked = house.asked
     assert asked["berth"] == "response --moored" and asked["system"] == ("hull of sizes", "center", 1025.0, 9.8)
-    db, system, hull, conditions, allowable = asked["multi_point"]
+    db, _, hull, conditions, allowable = asked["multi_point"]
     assert (db, hull, allowable) == (house.db, "hull of sizes", 0.5) and conditions.method == "irregular"
     assert conditions.waves == Waves(3.0, 8.0, 0.3)
     assert (conditions.sea, conditions.duration, conditions.current) == (SEA, 3600.0, "stream")
@@ -105,11 +110,11 @@ def test_a_body_on_its_mooring_moves_on_the_stiffness_of_its_lines_under_the_ste
     assert asked["long_period"] == (house.db, "hull of sizes", house.statics, None)
     assert found.motion == "slow" and found.failures == ("FAILS: bow",) and found.stiffness is K
     assert found.notes == (
-        "moored by 3 lines of m.toml: steady forces Fx 10, Fy -20 kN, Mz 5000 kN m; slow drift by Newman's rule; the drag "
-        "of the hull is linearised; give the drag of the lines by body.damping_ratio",
+        "moored by 3 lines of m.toml: steady forces Fx 10, Fy -20 kN, Mz 5000 kN m; slow drift by Newman's rule; the "
+        "drag of the hull is linearised; give the drag of the lines by body.damping_ratio",
         "the waves of m.toml are not used; the waves are those of the response study",
         "read floating body on lines, carried by stream laws damped",
-    )  # fmt: skip
+    )
 
 
 def test_gusts_push_with_the_wind_of_the_plane_and_bound_waves_are_told_in_shallow_water(house, monkeypatch):
@@ -123,7 +128,9 @@ def test_gusts_push_with_the_wind_of_the_plane_and_bound_waves_are_told_in_shall
     assert gust[0] is gusts and gust[1].tolist() == [1, 2, 6] and house.asked["long_period"][3] is gusts
     assert "; slow drift by Newman's rule, gusts of NPD; the drag" in found.notes[0] and found.notes[1] == "bound 20"
     house.read.current = "given"
-    with pytest.raises(StudyError, match=r"current is given with --moored; leave it out: the current is that of m\.toml"):
+    with pytest.raises(
+        StudyError, match=r"current is given with --moored; leave it out: the current is that of m\.toml"
+    ):
         moored.moored("m.toml", house.read, house.db, SEA, 3600.0, "points")
 
 
@@ -175,10 +182,15 @@ def test_several_bodies_move_on_the_damping_of_what_drives_them_and_the_stiffnes
     )  # fmt: skip
     monkeypatch.setattr(of_study, "read_study", lambda path: (study, ""))
     monkeypatch.setattr("hakobune.bem.hinges.driven", lambda alone: SimpleNamespace(damping=5.0))
-    monkeypatch.setattr("hakobune.pipelines.common.quay_tables.linked", lambda body, hinges, db: asked.update(linked=(body, hinges)) or linked)
+    monkeypatch.setattr(
+        "hakobune.pipelines.common.quay_tables.linked",
+        lambda body, hinges, db: asked.update(linked=(body, hinges)) or linked,
+    )
     monkeypatch.setattr("hakobune.pipelines.common.weather.seas.sea_with_swell", lambda where, sea, depth: SEA)
     monkeypatch.setattr(of_mooring, "multi_point", lambda *given: asked.update(given=given) or made)
-    read = SimpleNamespace(current=None, hinges=(), sea=SimpleNamespace(duration_hours=2.0), restrained=lambda body: (*body, "read"))
+    read = SimpleNamespace(
+        current=None, hinges=(), sea=SimpleNamespace(duration_hours=2.0), restrained=lambda body: (*body, "read")
+    )
     db = SimpleNamespace(water_depth=20.0, bodies_reader=SimpleNamespace(floating=lambda: "floating"))
     found = moored.moored_together("m.toml", read, db)
     assert found.body == ("held", 3.0, "K", "read") and asked["linked"] == ("floating", "hinges")

@@ -32,26 +32,39 @@ def told(made):
 def test_a_forced_oscillation_is_told_with_every_coefficient_and_its_error(monkeypatch):
     """T = 2π/ω; shares as per cent"""
     made = SimpleNamespace(
-        by_harmonics=(11.0, 21.0), error=(1.5, 2.5), motion=SimpleNamespace(amplitude=0.4, omega=0.5), added_mass=7e3,
-        linear=10.0, quadratic=20.0, same_energy=30.0, same_force=31.0, off=0.02, with_cubic=np.array([12.0, 13.0, 0.01]),
+        by_harmonics=(11.0, 21.0),
+        error=(1.5, 2.5),
+        motion=SimpleNamespace(amplitude=0.4, omega=0.5),
+        added_mass=7e3,
+        linear=10.0,
+        quadratic=20.0,
+        same_energy=30.0,
+        same_force=31.0,
+        off=0.02,
+        with_cubic=np.array([12.0, 13.0, 0.01]),
         fitted=lambda time: 2 * time,
-    )  # fmt: skip
+    )
     monkeypatch.setattr(damping, "forced", lambda *given: made)
     time, force = np.array([0.0, 1.0, 2.0]), np.array([1.0, 5.0, 3.0])
     found, findings, notes = damping._forced(time, None, force)
     title = "forced oscillation"
     assert told(found) == {
-        "amplitude": (0.4, "m", "amplitude", title), "period": (4 * math.pi, "s", "period", title),
-        "added_mass": (7e3, "kg", "added mass", title), "B1": (10, "N s/m", "B1", title),
-        "B1.by_harmonics": (11, "N s/m", "B1 by harmonics", title), "B1.error": (1.5, "N s/m", "standard error of B1", title),
-        "B2": (20, "N s2/m2", "B2", title), "B2.by_harmonics": (21, "N s2/m2", "B2 by harmonics", title),
+        "amplitude": (0.4, "m", "amplitude", title),
+        "period": (4 * math.pi, "s", "period", title),
+        "added_mass": (7e3, "kg", "added mass", title),
+        "B1": (10, "N s/m", "B1", title),
+        "B1.by_harmonics": (11, "N s/m", "B1 by harmonics", title),
+        "B1.error": (1.5, "N s/m", "standard error of B1", title),
+        "B2": (20, "N s2/m2", "B2", title),
+        "B2.by_harmonics": (21, "N s2/m2", "B2 by harmonics", title),
         "B2.error": (2.5, "N s2/m2", "standard error of B2", title),
         "linear.same_energy": (30, "N s/m", "equivalent linear damping by energy", title),
         "linear.same_force": (31, "N s/m", "equivalent linear damping by largest force", title),
-        "left": (0.02, "", "force not explained", title), "cubic.B1": (12, "N s/m", "B1 beside a cube", title),
+        "left": (0.02, "", "force not explained", title),
+        "cubic.B1": (12, "N s/m", "B1 beside a cube", title),
         "cubic.B3": (13, "N s3/m3", "B3", title),
         "cubic.left": (0.01, "", "force not explained even with a cubic term", title),
-    }  # fmt: skip
+    }
     assert found["left"].share and found["cubic.left"].share and (findings, notes) == ((), ())
     assert found["record.force"].values.tolist() == [-2, 2, 0] and found["fitted.force"].values.tolist() == [0, 2, 4]
     made.same_energy, made.off = -3e4, 0.5
@@ -69,14 +82,18 @@ def test_a_decay_is_told_over_its_mass_and_with_it(monkeypatch, mass):
     title = "free decay"
     of_mass = {"B1": (0.16, "N s/m", "B1", title), "B2": (0.24, "N s2/m2", "B2", title)}
     assert told(found) == {
-        "period": (4 * math.pi, "s", "natural period", title), "a": (0.1, "", "a by half cycles", title),
-        "b": (0.2, "1/m", "b by half cycles", title), "a.alone": (0.3, "", "a of a fit to half cycles with b = 0", title),
-        "B1_over_M": (0.04, "1/s", "B1/M", title), "B2_over_M": (0.06, "1/m", "B2/M", title),
+        "period": (4 * math.pi, "s", "natural period", title),
+        "a": (0.1, "", "a by half cycles", title),
+        "b": (0.2, "1/m", "b by half cycles", title),
+        "a.alone": (0.3, "", "a of a fit to half cycles with b = 0", title),
+        "B1_over_M": (0.04, "1/s", "B1/M", title),
+        "B2_over_M": (0.06, "1/m", "B2/M", title),
         "critical": (0.04, "", "B1 over critical damping", title),
-        "left": (0.02, "", "motion not explained", title), "cubic.B1_over_M": (1, "1/s", "B1/M with a cubic term", title),
+        "left": (0.02, "", "motion not explained", title),
+        "cubic.B1_over_M": (1, "1/s", "B1/M with a cubic term", title),
         "cubic.B3_over_M": (2, "s/m2", "B3/M", title),
         "cubic.left": (0.03, "", "motion not explained even with a cubic term", title),
-    } | (of_mass if mass else {})  # fmt: skip
+    } | (of_mass if mass else {})
     assert found["critical"].share and notes == ("3 extremes from 2 m; M with added mass",) and findings == ()
     assert found["record.motion"].values.tolist() == [2, -1] and found["fitted.motion"].values.tolist() == [1, 0]
     keys = damping._to_paste({"B1": SimpleNamespace(values=4e3), "B2": SimpleNamespace(values=5e3)}, "roll")
@@ -98,14 +115,21 @@ def test_waves_around_a_body_are_told_with_their_length_and_its_motion(motion):
     found = SimpleNamespace(elevation=np.array([[1j, 2.0]]))
     made = waves._map(around, found, body)
     assert made["body.motion"].unit == ("m/m", "rad/m") and made["map"].axes == ("y", "x") and made["map"].record
-    assert np.isnan(made["body.motion"].values).all() if motion is None else made["body.motion"].values.tolist() == motion
+    assert (
+        np.isnan(made["body.motion"].values).all() if motion is None else made["body.motion"].values.tolist() == motion
+    )
     assert made["far_field.missed"].values == 0.02 and made["far_field.missed"].share
     made = waves._heights({"a": (1.0, 2.0, 3 + 4j), "b": (5.0, 6.0, -2.0)})
     assert {n: q.values.tolist() for n, q in made.items()} == {
         "place.height": [5, 2], "place.phase": [pytest.approx(math.atan2(4, 3)), pytest.approx(math.pi)],
         "place.x": [1, 5], "place.y": [2, 6],
     }  # fmt: skip
-    assert [(q.unit, q.description) for q in made.values()] == [("", "height"), ("rad", "phase"), ("m", "x"), ("m", "y")]
+    assert [(q.unit, q.description) for q in made.values()] == [
+        ("", "height"),
+        ("rad", "phase"),
+        ("m", "x"),
+        ("m", "y"),
+    ]
 
 
 def test_places_of_a_map_are_its_highest_and_lowest_both_sides_and_those_asked_for(monkeypatch):
@@ -114,16 +138,24 @@ def test_places_of_a_map_are_its_highest_and_lowest_both_sides_and_those_asked_f
                             elevation=np.array([[1j, np.nan], [0.5, -3.0]]))  # fmt: skip
     monkeypatch.setattr(waves, "sides", lambda around: {"windward": np.array([7.0, 8.0])})
     made = waves._places(found, np.array([[0.25, -1.0]]))
-    assert made == {"highest": (2, 6, -3), "lowest": (1, 6, 0.5), "windward": (7, 8, 7 + 8j), "0.25, -1 m": (0.25, -1, 0.25 - 1j)}
+    assert made == {
+        "highest": (2, 6, -3),
+        "lowest": (1, 6, 0.5),
+        "windward": (7, 8, 7 + 8j),
+        "0.25, -1 m": (0.25, -1, 0.25 - 1j),
+    }
 
 
 @pytest.mark.parametrize("count", [1, 2])
 def test_the_place_of_each_body_has_its_heel(count):
     made = SimpleNamespace(
-        amplitudes=np.zeros(6 * count), displacement=np.arange(3.0 * count), heel=10 + np.arange(2.0 * count), allowable=0.5,
+        amplitudes=np.zeros(6 * count),
+        displacement=np.arange(3.0 * count),
+        heel=10 + np.arange(2.0 * count),
+        allowable=0.5,
         conditions=SimpleNamespace(motion_factor=1.86),
         equilibrium=SimpleNamespace(stiffness=np.eye(6), residual=np.arange(6.0 * count)),
-    )  # fmt: skip
+    )
     found = moor._place(made)
     rows = {"x": [0, 3], "y": [1, 4], "yaw": [2, 5], "roll": [10, 12], "pitch": [11, 13]}
     for name, values in rows.items():
@@ -138,28 +170,47 @@ def test_the_place_of_each_body_has_its_heel(count):
 
 
 def test_a_site_has_its_contour_states_and_levels_in_si():
-    climate = SimpleNamespace(law=SimpleNamespace(period_kind="peak_period"), height=[4.0, 5.0, 3.0], period=[9.0, 10.0, 8.0],
-                              top=(5.0, 10.0))  # fmt: skip
+    climate = SimpleNamespace(
+        law=SimpleNamespace(period_kind="peak_period"), height=[4.0, 5.0, 3.0], period=[9.0, 10.0, 8.0], top=(5.0, 10.0)
+    )
     one = SimpleNamespace(fit=None, value=30.0, low=25.0, high=36.0)
-    values = SimpleNamespace(years=475.0, probability=0.9, seismic=0.15, wind=one, waves=None, wind_10=28.0, climate=climate,
-                             states={"extreme": {"waves": {"height": 5.0, "peak_period": 9.0, "direction_deg": 90.0},
-                                                 "wind": {"speed": 28.0, "gamma": 3.3}}},
-                             levels={"high": 2.0, "low": -1.0})  # fmt: skip
+    values = SimpleNamespace(
+        years=475.0,
+        probability=0.9,
+        seismic=0.15,
+        wind=one,
+        waves=None,
+        wind_10=28.0,
+        climate=climate,
+        states={
+            "extreme": {
+                "waves": {"height": 5.0, "peak_period": 9.0, "direction_deg": 90.0},
+                "wind": {"speed": 28.0, "gamma": 3.3},
+            }
+        },
+        levels={"high": 2.0, "low": -1.0},
+    )
     made, axes = site._quantities(values)
     contour, state = "contour of 475 years", "state extreme"
     assert told(made) == {
         "return_period": (475, "years", "return period", "site"),
         "probability": (0.9, "", "probability not to be exceeded in the service life", "site"),
-        "seismic": (0.15, "", "seismic coefficient", "site"), "wind.value": (30, "m/s", "wind as measured", ""),
-        "wind.low": (25, "m/s", "wind as measured, from", ""), "wind.high": (36, "m/s", "wind as measured, to", ""),
+        "seismic": (0.15, "", "seismic coefficient", "site"),
+        "wind.value": (30, "m/s", "wind as measured", ""),
+        "wind.low": (25, "m/s", "wind as measured, from", ""),
+        "wind.high": (36, "m/s", "wind as measured, to", ""),
         "wind.ten": (28, "m/s", "wind of ten minutes at 10 m", "site"),
-        "extreme.waves.height": (5, "m", "waves height", state), "extreme.waves.peak_period": (9, "s", "waves peak_period", state),
+        "extreme.waves.height": (5, "m", "waves height", state),
+        "extreme.waves.peak_period": (9, "s", "waves peak_period", state),
         "extreme.waves.direction": (pytest.approx(math.pi / 2), "rad", "waves direction", state),
-        "extreme.wind.speed": (28, "m/s", "wind speed", state), "extreme.wind.gamma": (3.3, "", "wind gamma", state),
+        "extreme.wind.speed": (28, "m/s", "wind speed", state),
+        "extreme.wind.gamma": (3.3, "", "wind gamma", state),
         "level.height": ([2, -1], "m", "above still water", "water levels"),
-        "contour.height": ([4, 5, 3], "m", "significant height", ""), "contour.period": ([9, 10, 8], "s", "peak period", ""),
-        "contour.highest": (5, "m", "highest sea", contour), "contour.period_at_highest": (10, "s", "its peak period", contour),
-    }  # fmt: skip
+        "contour.height": ([4, 5, 3], "m", "significant height", ""),
+        "contour.period": ([9, 10, 8], "s", "peak period", ""),
+        "contour.highest": (5, "m", "highest sea", contour),
+        "contour.period_at_highest": (10, "s", "its peak period", contour),
+    }
     assert axes["place"].values.tolist() == [1, 2, 3] and axes["level"].values.tolist() == ["high", "low"]
     one.fit = "Gumbel"
     assert site._quantities(values)[0]["wind.low"].table == "extremes and their interval"
@@ -174,7 +225,9 @@ def test_a_contour_beyond_the_scatter_is_told(monkeypatch, top, said):
     made = states.climate_of(SimpleNamespace(scatter="s.csv", hours=3.0), 475.0, "folder", findings)
     assert made == ("folder/s.csv", law, "h", "T", (top, 12.0), 3.0) and len(findings) == said
     if said:
-        assert findings[0].startswith("the contour of 475 years reaches 9.1 m, the scatter ends at 9 m: above that height")
+        assert findings[0].startswith(
+            "the contour of 475 years reaches 9.1 m, the scatter ends at 9 m: above that height"
+        )
 
 
 def test_time_is_moved_from_one_phase_to_another_with_its_share_of_the_processor():
@@ -194,7 +247,10 @@ def test_a_result_names_its_study_version_and_database(tmp_path):
     path.write_bytes(b"stored")
     seal = hashlib.sha256(b"stored").hexdigest()
     both = {"database": str(path), "database_sha256": seal}
-    assert provenance("a = 1", path, source="report") == {"software_version": __version__, "study": "a = 1", "source": "report"} | both
+    assert (
+        provenance("a = 1", path, source="report")
+        == {"software_version": __version__, "study": "a = 1", "source": "report"} | both
+    )
     assert provenance(database=SimpleNamespace(path=path)) == {"software_version": __version__} | both
     assert provenance() == {"software_version": __version__}
 
@@ -209,15 +265,18 @@ def test_measured_values_are_columns_by_name_and_blanks_are_not_known(tmp_path):
     for text, says in (
         ("period_s\n5\n", "has columns period_s; allowed: period_s, transmission, front_kN_per_m2, back_kN_per_m2"),
         ("period_s,transmission,odd\n5,1,1\n", "has columns period_s, transmission, odd; allowed"),
-        ("", "has columns none; allowed"), ("period_s,transmission\n5,x\n", "has rows that are too short or are not numbers"),
+        ("", "has columns none; allowed"),
+        ("period_s,transmission\n5,x\n", "has rows that are too short or are not numbers"),
         ("period_s,transmission\n5\n", "has rows that are too short or are not numbers"),
-    ):  # fmt: skip
+    ):
         path.write_text(text)
         with pytest.raises(StudyError, match=says):
             read_measured(path)
 
 
-@pytest.mark.parametrize(("amplitudes", "duration", "count"), [(None, 36000.0, 500), ("random", 36000.0, 11460), ("random", 60.0, 500)])
+@pytest.mark.parametrize(
+    ("amplitudes", "duration", "count"), [(None, 36000.0, 500), ("random", 36000.0, 11460), ("random", 60.0, 500)]
+)
 def test_random_amplitudes_need_a_component_for_each_frequency_of_the_record(amplitudes, duration, count):
     """2 rad/s over 36 000 s are 11 459.2 frequencies of 2π/36 000"""
     spectrum = SimpleNamespace(quantile=lambda share: 2.0)
@@ -227,10 +286,16 @@ def test_random_amplitudes_need_a_component_for_each_frequency_of_the_record(amp
 def test_the_time_of_members_is_told_a_tenth_of_a_second_each(monkeypatch):
     said = []
     monkeypatch.setattr(members, "told", lambda *given: said.append(given))
-    for name, value in {"given": (SimpleNamespace(water=SimpleNamespace(density=1.0)), "text"), "wind_on": [], "placed": [1, 2, 3]}.items():
+    for name, value in {
+        "given": (SimpleNamespace(water=SimpleNamespace(density=1.0)), "text"),
+        "wind_on": [],
+        "placed": [1, 2, 3],
+    }.items():
         monkeypatch.setattr(members, name, lambda *_, value=value: value)
     monkeypatch.setattr(members, "wave_of", lambda study: SimpleNamespace(amplitude=0.0))
-    monkeypatch.setattr(members, "_rows", lambda standing, wind, wave, phases, density: [("a", np.zeros(3), np.ones((len(phases), 6)))])
+    monkeypatch.setattr(
+        members, "_rows", lambda standing, wind, wave, phases, density: [("a", np.zeros(3), np.ones((len(phases), 6)))]
+    )
     monkeypatch.setattr(members, "findings", lambda *given: ["f"])
     monkeypatch.setattr(members, "_notes", lambda wave: ["n"])
     made = members.members("study")
@@ -238,23 +303,37 @@ def test_the_time_of_members_is_told_a_tenth_of_a_second_each(monkeypatch):
     assert (made.findings, made.notes) == (("f",), ("n",)) and made.labels["member"].values.tolist() == ["a"]
 
 
-@pytest.mark.parametrize(("mass", "volume", "kept"), [(0.0, 0.0, False), (10.0, 0.0, True), (0.0, 2.0, True), (10.0, 2.0, True)])
+@pytest.mark.parametrize(
+    ("mass", "volume", "kept"), [(0.0, 0.0, False), (10.0, 0.0, True), (0.0, 2.0, True), (10.0, 2.0, True)]
+)
 def test_points_of_a_moordyn_line_with_mass_or_volume_are_its_bodies(monkeypatch, mass, volume, kept):
     joint = SimpleNamespace(mass=mass, volume=volume, drag_area=0.1, added_mass=0.5)
-    lines = [SimpleNamespace(name=n, length=length, elements=e, bed_friction=0.25 * n) for n, length, e in ((2, 50.0, 9), (1, 30.0, 2))]
-    system = SimpleNamespace(depth=40.0, density=1025.0, gravity=9.8, points=[SimpleNamespace(name=n) for n in "ab"],
-                             load=lambda: SimpleNamespace(points=[np.array([1.0, 2, 3]), np.array([4.0, 5, 6])]))  # fmt: skip
+    lines = [
+        SimpleNamespace(name=n, length=length, elements=e, bed_friction=0.25 * n)
+        for n, length, e in ((2, 50.0, 9), (1, 30.0, 2))
+    ]
+    system = SimpleNamespace(
+        depth=40.0,
+        density=1025.0,
+        gravity=9.8,
+        points=[SimpleNamespace(name=n) for n in "ab"],
+        load=lambda: SimpleNamespace(points=[np.array([1.0, 2, 3]), np.array([4.0, 5, 6])]),
+    )
     options = {"kBot": "3e6", "cb": None}
     file = SimpleNamespace(option=lambda *names: options.get(names[0]))
     monkeypatch.setattr("hakobune.mooring.formats.moordyn.read_moordyn", lambda path: file)
-    monkeypatch.setattr("hakobune.mooring.formats.moordyn_system.system_of_moordyn", lambda file, path, depth, moves: system)
+    monkeypatch.setattr(
+        "hakobune.mooring.formats.moordyn_system.system_of_moordyn", lambda file, path, depth, moves: system
+    )
     monkeypatch.setattr(moordyn, "_way", lambda system, name: (lines, [joint], "a", "b"))
     monkeypatch.setattr(moordyn, "_type", lambda line, path: f"type {line.name}")
     monkeypatch.setattr(moordyn.msgspec.structs, "replace", lambda one, **changed: {"of": one} | changed)
     study = SimpleNamespace(moordyn=SimpleNamespace(file="m.dat", depth=None, line=2), bed=None, surface=None,
                             fairlead=SimpleNamespace(position=None, table=None))  # fmt: skip
     made = moordyn.with_moordyn(study, "folder")
-    assert [tuple(getattr(b, k) for k in ("mass", "volume", "drag_area")) for b in made["bodies"]] == ([(mass, volume, 0.1)] if kept else [])
+    assert [tuple(getattr(b, k) for k in ("mass", "volume", "drag_area")) for b in made["bodies"]] == (
+        [(mass, volume, 0.1)] if kept else []
+    )
     assert [(s.type, s.length, s.elements) for s in made["segments"]] == [("line 2", 50.0, 9), ("line 1", 30.0, 4)]
     assert made["types"] == {"line 2": "type 2", "line 1": "type 1"} and made["anchor"] == (1, 2, 3)
     assert made["bed"].friction == 0.5 and made["bed"].stiffness_kPa_per_m == 3e3 and made["surface"] is True

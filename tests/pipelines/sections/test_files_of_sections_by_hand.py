@@ -12,12 +12,9 @@ from hakobune.pipelines.sections import result as of_sections
 
 
 class Made(dict):
-    detail = [{"B_over_d": 5.0, "H_over_d": 2.0, "xi_B": 0.5}]
-    labels = {"shape": None, "frequency": None}
-
     def __init__(self):
         super().__init__(M_H=np.zeros((2, 3)))
-        self.files = []
+        self.files, self.detail, self.labels = [], ["a row"], {"shape": None, "frequency": None}
 
     def write(self, path):
         self.files.append(path)
@@ -50,10 +47,16 @@ def test_a_document_is_printed_once(made, monkeypatch, capsys):
     assert command.sections() == 0 and capsys.readouterr().out == ""
 
 
-@pytest.mark.parametrize(("text", "says"), [
-    ("1,2,1", "--xi is '1,2,1'; give each number once"), ("2:1:3", "--xi is '2:1:3'; allowed: start:stop:count with start below"),
-    ("1:1:3", "--xi is '1:1:3'; allowed"), ("1:inf:3", "--xi is '1:inf:3'; allowed"), ("1:2:1", "--xi"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("1,2,1", "--xi is '1,2,1'; give each number once"),
+        ("2:1:3", "--xi is '2:1:3'; allowed: start:stop:count with start below"),
+        ("1:1:3", "--xi is '1:1:3'; allowed"),
+        ("1:inf:3", "--xi is '1:inf:3'; allowed"),
+        ("1:2:1", "--xi"),
+    ],
+)
 def test_a_grid_rises_and_has_each_number_once(made, text, says):
     with pytest.raises(ValueError) as error:
         command.sections(xi=text)
@@ -100,5 +103,10 @@ def test_results_are_written_drawn_and_named(monkeypatch, tmp_path, capsys):
     table = SimpleNamespace(kind="moor", told=("FAILS: it",), notes=("a note",), to_csv=lambda: "a,b\n1,2\n")
     output.write_result(table, tmp_path / "r.CSV")
     lines = (tmp_path / "r.CSV").read_text().splitlines()
-    assert lines[0] == "# result of hakobune moor" and "# FAILS: it" in lines and any(line.startswith("# a note") for line in lines) and lines[-2:] == ["a,b", "1,2"]
+    assert (
+        lines[0] == "# result of hakobune moor"
+        and "# FAILS: it" in lines
+        and any(line.startswith("# a note") for line in lines)
+        and lines[-2:] == ["a,b", "1,2"]
+    )
     assert output._is_one(tmp_path / "r.CSV", "moor") and not output._is_one(tmp_path / "r.CSV", "sea")

@@ -59,12 +59,23 @@ def test_snaps_of_lines_and_hits_of_fenders_in_few_runs_are_both_told(monkeypatc
     assert parts == ["bow", "stern"] and largest.tolist() == [row[1:3] for row in runs[:5]]
 
 
-@pytest.mark.parametrize(("runs", "differ", "says"), [
-    (1, True, "largest: the largest value in 1 run; up to 90 % of such runs exceed it (confidence 90 %); run 5 seeds for"),
-    (4, True, "largest: the largest value in 4 runs; up to 44 % of such runs exceed it"),
-    (5, True, "median extreme: exceeded by half of such runs; its interval holds for any distribution of the largest"),
-    (5, False, "seeds do not differ, since there are no random waves or gusts: every run has the same largest and"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("runs", "differ", "says"),
+    [
+        (
+            1,
+            True,
+            "largest: the largest value in 1 run; up to 90 % of such runs exceed it (confidence 90 %); run 5 seeds for",
+        ),
+        (4, True, "largest: the largest value in 4 runs; up to 44 % of such runs exceed it"),
+        (
+            5,
+            True,
+            "median extreme: exceeded by half of such runs; its interval holds for any distribution of the largest",
+        ),
+        (5, False, "seeds do not differ, since there are no random waves or gusts: every run has the same largest and"),
+    ],
+)
 def test_what_the_largest_of_runs_means_is_told_with_how_many_exceed_it(monkeypatch, runs, differ, says):
     """1 − 0.1^(1/n): 90 % of one run, 44 % of four, 37 % of five"""
     monkeypatch.setattr(over_runs, "whole_rows", lambda file: np.ones(runs, bool))
@@ -98,8 +109,11 @@ def test_stations_are_those_of_the_study_or_the_middle_of_every_beam():
     def beam(start, end):
         return Beam("vertical", 1, start, end, 0.0, 1e9, 1e3)
 
-    modes = [SimpleNamespace(body=0, shape=beam(-50.0, 60.0), turns=False), SimpleNamespace(body=0, shape=None, turns=True),
-             SimpleNamespace(body=1, shape=beam(-20.0, 20.0), turns=False)]  # fmt: skip
+    modes = [
+        SimpleNamespace(body=0, shape=beam(-50.0, 60.0), turns=False),
+        SimpleNamespace(body=0, shape=None, turns=True),
+        SimpleNamespace(body=1, shape=beam(-20.0, 20.0), turns=False),
+    ]
     db = SimpleNamespace(modes=modes, bodies=[SimpleNamespace(name="ship"), SimpleNamespace(name="barge")])
     study = SimpleNamespace(simulation=None)
     found = stations.stations_of(study, db)
@@ -158,7 +172,9 @@ class Settings:
     (("a",), "auto", True, Choice(Settings(("a",)))), ((), "auto", True, Choice(Settings(()))),
     (None, "auto", True, "chosen"), (None, (), True, ("static", "left")), (None, (), False, ("left",)),
 ])  # fmt: skip
-def test_lines_in_motion_are_those_of_the_task_or_of_a_trial_or_none_with_the_reason(monkeypatch, moving, asked, able, wanted):
+def test_lines_in_motion_are_those_of_the_task_or_of_a_trial_or_none_with_the_reason(
+    monkeypatch, moving, asked, able, wanted
+):
     from hakobune.mooring.motion import simulation
 
     given = []
@@ -219,7 +235,9 @@ def test_methods_side_by_side_have_amplitudes_and_periods_in_their_columns(monke
     assert {seed for *_, seed in asked} == {4}
 
 
-@pytest.mark.parametrize(("memory", "states", "anew"), [("states", [1], False), ("states", [], True), ("constant", [], False)])
+@pytest.mark.parametrize(
+    ("memory", "states", "anew"), [("states", [1], False), ("states", [], True), ("constant", [], False)]
+)
 def test_a_method_is_run_after_the_ramp_and_rounding_is_no_motion(monkeypatch, memory, states, anew):
     from hakobune.mooring.motion import simulation
 
@@ -233,7 +251,9 @@ def test_a_method_is_run_after_the_ramp_and_rounding_is_no_motion(monkeypatch, m
 
     def windows(late, step, length):
         asked.append((late, step, length))
-        return SimpleNamespace(amplitude=np.array([[2e-6, 0.9e-6, math.radians(0.9e-6)]]), period=np.array([[1.0, 2.0, 3.0]]))
+        return SimpleNamespace(
+            amplitude=np.array([[2e-6, 0.9e-6, math.radians(0.9e-6)]]), period=np.array([[1.0, 2.0, 3.0]])
+        )
 
     monkeypatch.setattr(simulation, "simulate", simulate)
     monkeypatch.setattr(simulation, "with_memory", lambda body: "with memory")
@@ -248,11 +268,15 @@ def test_a_method_is_run_after_the_ramp_and_rounding_is_no_motion(monkeypatch, m
     assert late[:, 0].tolist() == time[time >= 0].tolist() and (step, length) == (0.5, 2.5)
 
 
-@pytest.mark.parametrize(("method", "centre", "depth", "says"), [
-    ("contour", (0, 0, 1), 20.0, None), ("panel", (0, 0, 1), 20.0, "--division is d.h5, solved by the panel method; allowed: contour"),
-    ("contour", (0, 0, 1.1), 20.0, "--division is d.h5, whose depth or rotation centre differs"),
-    ("contour", (0, 0, 1), 21.0, "--division is d.h5, whose depth or rotation centre differs"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("method", "centre", "depth", "says"),
+    [
+        ("contour", (0, 0, 1), 20.0, None),
+        ("panel", (0, 0, 1), 20.0, "--division is d.h5, solved by the panel method; allowed: contour"),
+        ("contour", (0, 0, 1.1), 20.0, "--division is d.h5, whose depth or rotation centre differs"),
+        ("contour", (0, 0, 1), 21.0, "--division is d.h5, whose depth or rotation centre differs"),
+    ],
+)
 def test_the_divided_box_has_the_mass_and_springs_of_the_ship(monkeypatch, method, centre, depth, says):
     from hakobune.bem import database
     from hakobune.mooring.motion import simulation

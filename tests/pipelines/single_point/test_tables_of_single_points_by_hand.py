@@ -23,13 +23,22 @@ def told(made):
 def at_rest(heading=-90.0, growth=0.02, pull=2e5, tension=(3e5, 4e5)):
     rad = math.radians(heading)
     return SimpleNamespace(
-        heading=rad, place=np.array([10.0, -20.0]), buoy=np.array([3.0, 4.0]), pull=pull, force=np.array([1.0, 2.0, 3.0]),
-        hawser=np.array([1e5, 1.5e5]), roots=np.array([-1 + 1j, -2, -3, -4]), quartic=None,
+        heading=rad,
+        place=np.array([10.0, -20.0]),
+        buoy=np.array([3.0, 4.0]),
+        pull=pull,
+        force=np.array([1.0, 2.0, 3.0]),
+        hawser=np.array([1e5, 1.5e5]),
+        roots=np.array([-1 + 1j, -2, -3, -4]),
+        quartic=None,
         slewing=SimpleNamespace(growth=growth, stable=growth < 0, period=300.0),
-        lines=SimpleNamespace(tension=np.array(tension), position=np.array([[3.0, 4.0, -1.5]]),
-                              lines=SimpleNamespace(grounded_length=np.array([50.0, 60.0]))),
+        lines=SimpleNamespace(
+            tension=np.array(tension),
+            position=np.array([[3.0, 4.0, -1.5]]),
+            lines=SimpleNamespace(grounded_length=np.array([50.0, 60.0])),
+        ),
         point=SimpleNamespace(system=SimpleNamespace(breaking_load=np.array([1e6, 2e6]))),
-    )  # fmt: skip
+    )
 
 
 def system(weight=1000.0):
@@ -50,14 +59,21 @@ def test_all_headings_of_rest_are_in_one_table():
     made, axes = quantities.rest_of(SimpleNamespace(rest=rest, point=point()))
     title = "headings of rest"
     assert told(made) == {
-        "rest.heading": ("rad", "heading", title), "rest.stable": ("", "stable", title),
-        "rest.growth": ("1/s", "growth", title), "rest.period": ("s", "period", title), "rest.pull": ("N", "pull", title),
-        "rest.largest_line": ("N", "largest line", title), "rest.place": ("m", "centre of mass", ""),
-        "rest.buoy": ("m", "buoy", ""), "rest.buoy_z": ("m", "buoy, z", ""),
-        "rest.force": ("N, N, N m", "force of wind, water and drift", ""), "rest.hawser": ("N", "pull of", title),
-        "rest.line": ("N", "tension", ""), "rest.root": ("1/s", "eigenvalue of small motions", ""),
+        "rest.heading": ("rad", "heading", title),
+        "rest.stable": ("", "stable", title),
+        "rest.growth": ("1/s", "growth", title),
+        "rest.period": ("s", "period", title),
+        "rest.pull": ("N", "pull", title),
+        "rest.largest_line": ("N", "largest line", title),
+        "rest.place": ("m", "centre of mass", ""),
+        "rest.buoy": ("m", "buoy", ""),
+        "rest.buoy_z": ("m", "buoy, z", ""),
+        "rest.force": ("N, N, N m", "force of wind, water and drift", ""),
+        "rest.hawser": ("N", "pull of", title),
+        "rest.line": ("N", "tension", ""),
+        "rest.root": ("1/s", "eigenvalue of small motions", ""),
         "rest.quartic": ("", "quartic", ""),
-    }  # fmt: skip
+    }
     values = {name: one.values.tolist() for name, one in made.items()}
     assert np.degrees(values["rest.heading"]) == pytest.approx([270, 10])
     assert values["rest.stable"] == [False, True] and values["rest.growth"] == [0.02, -0.01]
@@ -85,13 +101,20 @@ def test_the_final_heading_has_place_pull_and_the_scope_of_its_most_loaded_line(
     made, axes = quantities.state_of(SimpleNamespace(best=one, point=point()))
     scope, height, w, T = "scope without uplift, under steady loads", 38.5, 1000.0, 4e5
     assert axes == {} and told(made) == {
-        "heading": ("rad", "heading, from +x to the bow", title), "place.x": ("m", "centre of mass, x", title),
-        "place.y": ("m", "centre of mass, y", title), "buoy.x": ("m", "buoy, x", title), "buoy.y": ("m", "buoy, y", title),
-        "pull": ("N", "steady pull", title), "slewing": ("", "slewing", title),
-        "slewing.time": ("s", "grows by a factor of e in", title), "slewing.period": ("s", "period", title),
-        "slewing.growth": ("1/s", "growth, below 0 for decay", ""), "scope.depths": ("", "depths", scope),
-        "scope.length": ("m", "length", scope), "scope.line": ("m", "length of the line", scope),
-    }  # fmt: skip
+        "heading": ("rad", "heading, from +x to the bow", title),
+        "place.x": ("m", "centre of mass, x", title),
+        "place.y": ("m", "centre of mass, y", title),
+        "buoy.x": ("m", "buoy, x", title),
+        "buoy.y": ("m", "buoy, y", title),
+        "pull": ("N", "steady pull", title),
+        "slewing": ("", "slewing", title),
+        "slewing.time": ("s", "grows by a factor of e in", title),
+        "slewing.period": ("s", "period", title),
+        "slewing.growth": ("1/s", "growth, below 0 for decay", ""),
+        "scope.depths": ("", "depths", scope),
+        "scope.length": ("m", "length", scope),
+        "scope.line": ("m", "length of the line", scope),
+    }
     found = {name: one.values.tolist() for name, one in made.items()}
     length = math.sqrt(height**2 + 2 * height * (T - w * height) / w)
     assert [found[name] for name in ("place.x", "place.y", "buoy.x", "buoy.y", "pull")] == [10, -20, 3, 4, 2e5]
@@ -117,9 +140,12 @@ def test_lines_have_tension_bed_and_the_largest_share_of_their_strength(monkeypa
         "allowable": ("", "allowable", ""),
     }  # fmt: skip
     assert {name: one.values.tolist() for name, one in made.items()} == {
-        "line.tension": [3e5, 4e5], "line.grounded": [50, 60], "line.used": [0.3, 0.5], "line.breaking_load": [1e6, 2e6],
+        "line.tension": [3e5, 4e5],
+        "line.grounded": [50, 60],
+        "line.used": [0.3, 0.5],
+        "line.breaking_load": [1e6, 2e6],
         "allowable": 0.6,
-    }  # fmt: skip
+    }
     assert made["line.used"].share and made["allowable"].share and not made["line.tension"].share
     found.run = None
     one = quantities.lines_at(found)[0]["line.used"]
@@ -160,8 +186,13 @@ def ran(drifts=False, wave=0.0, stable=True, hawsers=1):
                     np.array([[1e5, 2e5], [4e5, 3e5], [2e5, 6e5]]), np.array([10.0, 12.0, 11.0]))  # fmt: skip
     at = point()
     at.lengths = np.full(hawsers, 30.0)
-    steady = SimpleNamespace(heading=math.radians(1.0), point=at, hawser=np.array([1e5]), slewing=SimpleNamespace(stable=stable),
-                             lines=SimpleNamespace(tension=np.array([1e5, 2e5])))  # fmt: skip
+    steady = SimpleNamespace(
+        heading=math.radians(1.0),
+        point=at,
+        hawser=np.array([1e5]),
+        slewing=SimpleNamespace(stable=stable),
+        lines=SimpleNamespace(tension=np.array([1e5, 2e5])),
+    )
     return Run(record, steady, Cycle(0.1, 250.0, 1.0, False), 150.0, 12.5, drifts, ("one",), 0.0)
 
 
@@ -172,15 +203,22 @@ def test_a_run_is_kept_with_its_records(wave):
     title, record = "200 s in time, motion", "record"
     of = told(made)
     assert {name: of[name] for name in of if not name.startswith("run.s") and name[4:] not in ("mean", "largest")} == {
-        "run.amplitude": ("rad", "heading amplitude at the end", title), "run.period": ("s", "period at the end", title),
+        "run.amplitude": ("rad", "heading amplitude at the end", title),
+        "run.period": ("s", "period at the end", title),
         "run.radius": ("m", "watch circle about the buoy at rest, radius", title),
-        "run.wave_sigma": (("m", "m", "m", "rad", "rad", "rad"), "standard deviation",
-                           "motion in the waves" if wave else ""),
-        "run.place": ("m", "centre of mass in slow motion", ""), "run.heading_in_time": ("rad", "heading in slow motion", ""),
-        "run.wave_motion": ("m, m, m, rad, rad, rad", "motion in the waves", ""), "run.buoy": ("m", "buoy", ""),
-        "run.hawser_tension": ("N", "tension", ""), "run.line_tension": ("N", "tension", ""),
+        "run.wave_sigma": (
+            ("m", "m", "m", "rad", "rad", "rad"),
+            "standard deviation",
+            "motion in the waves" if wave else "",
+        ),
+        "run.place": ("m", "centre of mass in slow motion", ""),
+        "run.heading_in_time": ("rad", "heading in slow motion", ""),
+        "run.wave_motion": ("m, m, m, rad, rad, rad", "motion in the waves", ""),
+        "run.buoy": ("m", "buoy", ""),
+        "run.hawser_tension": ("N", "tension", ""),
+        "run.line_tension": ("N", "tension", ""),
         "run.wind_speed": ("m/s", "wind", ""),
-    }  # fmt: skip
+    }
     assert of["run.settled"] == ("s", "time to come within 0.2° of rest", title)
     assert of["run.largest"][0::2] == ("N", "200 s in time") and of["run.largest"][1] == "largest"
     assert made["run.place"].record and made["run.place"].axes == ("time", "xy") and record
@@ -188,12 +226,19 @@ def test_a_run_is_kept_with_its_records(wave):
     kept = {"place": r.place, "heading_in_time": r.heading, "wave_motion": r.wave, "buoy": r.buoy,
             "hawser_tension": r.hawser, "line_tension": r.lines, "wind_speed": r.wind_speed}  # fmt: skip
     assert all(np.array_equal(made[f"run.{name}"].values, value) for name, value in kept.items())
-    assert [made[f"run.{name}"].values.item() for name in ("amplitude", "period", "settled", "radius")] == [0.1, 250, 150, 12.5]
+    assert [made[f"run.{name}"].values.item() for name in ("amplitude", "period", "settled", "radius")] == [
+        0.1,
+        250,
+        150,
+        12.5,
+    ]
     assert axes["motion"].values.tolist() == ["surge", "sway", "heave", "roll", "pitch", "yaw"]
     assert axes["rope"].values.tolist() == ["hawser 1", *LINES] and axes["time"].values.tolist() == TIME.tolist()
     assert quantities.run_of(SimpleNamespace(run=None)) == ({}, {})
     words = [quantities._of_rope("significant_with_drift", "t", drifts) for drifts in (True, False)]
-    assert words == [("significant + 20 %", ""), ("significant + 20 %", "t")] and quantities._of_rope("mean", "t", True) == ("mean", "t")
+    assert words == [("significant + 20 %", ""), ("significant + 20 %", "t")] and quantities._of_rope(
+        "mean", "t", True
+    ) == ("mean", "t")
 
 
 def test_maps_are_kept_over_their_keys_and_the_share_that_slews():
@@ -205,7 +250,10 @@ def test_maps_are_kept_over_their_keys_and_the_share_that_slews():
     over = "over hawser.length and wind.speed"
     assert made["map_2.slews"].values == pytest.approx(1 / 3) and made["map_2.slews"].share
     assert told(made)["map_1.slews"] == ("", f"map {over}: slewing", "maps")
-    assert told(made)["map_1.growth"] == ("1/s", f"growth {over}", "") and made["map_1.growth"].axes == ("map_1_y", "map_1_x")
+    assert told(made)["map_1.growth"] == ("1/s", f"growth {over}", "") and made["map_1.growth"].axes == (
+        "map_1_y",
+        "map_1_x",
+    )
     assert told(made)["map_1.heading"][0] == "rad" and made["map_1.heading"].values[1, 1] == pytest.approx(math.pi)
     assert told(made)["map_1.period"][0] == "s" and made["map_1.period"].values.tolist() == [[9, 9]] * 2
     assert axes["map_1_x"].values.tolist() == [1, 2] and axes["map_2_y"].values.tolist() == [5, 6]
@@ -226,7 +274,12 @@ def test_a_film_has_the_hull_about_the_middle_of_its_hawsers(freeboard, above):
     }  # fmt: skip
     assert [one.unit for one in made.values()] == ["m", "m", "m", "m", "kg/m3"]
     assert [one.description for one in made.values()] == [
-        "size of the hull", "middle of the hull", "end on the hull", "depth of the water", "density of the water"]  # fmt: skip
+        "size of the hull",
+        "middle of the hull",
+        "end on the hull",
+        "depth of the water",
+        "density of the water",
+    ]
     assert axes["size"].values.tolist() == ["length", "beam", "draft", "freeboard"]
 
 
@@ -278,11 +331,14 @@ def test_a_run_is_drawn_with_rest_tensions_and_its_track(monkeypatch, tmp_path, 
     made, hulls = [], []
     monkeypatch.setattr(picture, "save", lambda figure, path, dpi: made.append((figure, path)))
     monkeypatch.setattr(pictures, "draw_lines", lambda axes, lines: hulls.append(lines))
-    monkeypatch.setattr(pictures, "draw_hull", lambda axes, study, point, place, heading, **_: hulls.append((*place, heading)))
+    monkeypatch.setattr(
+        pictures, "draw_hull", lambda axes, study, point, place, heading, **_: hulls.append((*place, heading))
+    )
     run = ran(wave=1.0)
     run.steady.point.lengths[0] = length
     running.draw(SimpleNamespace(hull=SimpleNamespace(length=10.0)), run, tmp_path / "r.png")
     ((figure, path),) = made
+    assert path == tmp_path / "r.png"
     heading, hawser, lines, plan = figure.axes
     assert heading.lines[0].get_xydata() == pytest.approx(
         np.column_stack([TIME, np.degrees(np.radians([2, 4, 6]) + [0, 0.3, 0])]))  # fmt: skip
@@ -318,32 +374,48 @@ def test_a_constant_record_is_drawn_as_a_level_line(monkeypatch, tmp_path):
 
 def of_study(scheme="full", waves=True, hawser=True, **more):
     buoy = {"mass": 50.0, "diameter": 8.0, "height": 5.0, "z": 1.0, "hawser_z": 3.0}
-    rope = {"axial_stiffness_kN": 2e4, "axial_stiffness_tonf": None, "breaking_load_kN": None, "breaking_load_tonf": None,
-            "strain": None, "exponent": 1.5}  # fmt: skip
+    rope = {
+        "axial_stiffness_kN": 2e4,
+        "axial_stiffness_tonf": None,
+        "breaking_load_kN": None,
+        "breaking_load_tonf": None,
+        "strain": None,
+        "exponent": 1.5,
+    }
     buoy |= {key: more[key] for key in buoy if key in more}
     rope |= {key: more[key] for key in rope if key in more}
     return SimpleNamespace(
-        slewing=SimpleNamespace(scheme=scheme), waves=SimpleNamespace(drift_tonf_per_m2=more.get("drift")) if waves else None,
-        hawser=SimpleNamespace(**rope) if hawser else None, buoy=SimpleNamespace(**buoy), attachment=SimpleNamespace(z=6.0),
+        slewing=SimpleNamespace(scheme=scheme),
+        waves=SimpleNamespace(drift_tonf_per_m2=more.get("drift")) if waves else None,
+        hawser=SimpleNamespace(**rope) if hawser else None,
+        buoy=SimpleNamespace(**buoy),
+        attachment=SimpleNamespace(z=6.0),
         current=None,
-    )  # fmt: skip
+    )
 
 
 @pytest.mark.parametrize(
     ("more", "says"),
     [
-        ({}, None), ({"mass": None}, 'slewing.scheme is "full"; with a hawser it needs mass, diameter and height of [buoy]'),
+        ({}, None),
+        ({"mass": None}, 'slewing.scheme is "full"; with a hawser it needs mass, diameter and height of [buoy]'),
         ({"hawser_z": 0.9}, "buoy.hawser_z is 0.9 m; allowed: at least buoy.z, 1 m, at most buoy.height, 5 m"),
-        ({"hawser_z": 5.1}, "buoy.hawser_z is 5.1 m"), ({"hawser_z": 1.0}, None), ({"hawser_z": 5.0}, None),
+        ({"hawser_z": 5.1}, "buoy.hawser_z is 5.1 m"),
+        ({"hawser_z": 1.0}, None),
+        ({"hawser_z": 5.0}, None),
         ({"hawser_z": None}, None),
-        ({"axial_stiffness_kN": None}, 'hawser: slewing.scheme "full" needs axial_stiffness, or breaking_load with its strain'),
-        ({"breaking_load_kN": 9.0, "strain": 0.1}, "hawser: slewing.scheme"), ({"strain": 0.1}, "hawser: slewing.scheme"),
+        (
+            {"axial_stiffness_kN": None},
+            'hawser: slewing.scheme "full" needs axial_stiffness, or breaking_load with its strain',
+        ),
+        ({"breaking_load_kN": 9.0, "strain": 0.1}, "hawser: slewing.scheme"),
+        ({"strain": 0.1}, "hawser: slewing.scheme"),
         ({"axial_stiffness_kN": None, "breaking_load_kN": 9.0}, "hawser: slewing.scheme"),
         ({"axial_stiffness_kN": None, "breaking_load_kN": 9.0, "strain": 0.1}, None),
         ({"axial_stiffness_kN": None, "breaking_load_kN": 9.0, "strain": -0.1}, "hawser.strain is -0.1"),
         ({"axial_stiffness_kN": None, "breaking_load_kN": 9.0, "strain": 0.1, "exponent": 0.0}, "hawser.exponent is 0"),
     ],
-)  # fmt: skip
+)
 def test_a_buoy_of_its_own_mass_needs_an_elastic_hawser_at_its_height(more, says):
     """50 t; 3 m above the keel and 2 m above the place of the lines; kN"""
     if says:
@@ -358,10 +430,19 @@ def test_a_buoy_of_its_own_mass_needs_an_elastic_hawser_at_its_height(more, says
     assert tuple(rope)[:2] == (2e7, 1.0) if not more.get("strain") else tuple(rope) == (9e3, 0.1, 1.5)
 
 
-@pytest.mark.parametrize(("scheme", "waves", "db", "runs"), [
-    ("slow", True, True, "slow"), ("two_scale", True, True, "two"), ("full", True, True, "full"), (None, True, True, "two"),
-    ("full", False, True, "full"), ("full", True, None, "full"), (None, True, None, "slow"), (None, False, True, "slow"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("scheme", "waves", "db", "runs"),
+    [
+        ("slow", True, True, "slow"),
+        ("two_scale", True, True, "two"),
+        ("full", True, True, "full"),
+        (None, True, True, "two"),
+        ("full", False, True, "full"),
+        ("full", True, None, "full"),
+        (None, True, None, "slow"),
+        (None, False, True, "slow"),
+    ],
+)
 def test_a_run_has_waves_where_a_database_knows_them_and_the_scheme_is_not_slow(monkeypatch, scheme, waves, db, runs):
     monkeypatch.setattr(running, "check", lambda study, db: None)
     monkeypatch.setattr(running, "_in_one", lambda study, times, steady, db, waves: ("full", bool(waves)))
@@ -369,7 +450,15 @@ def test_a_run_has_waves_where_a_database_knows_them_and_the_scheme_is_not_slow(
     monkeypatch.setattr(running, "two_scale_run", lambda steady, times, body: ("two", steady, body))
     monkeypatch.setattr(running, "slow_run", lambda steady, times: ("slow", steady, times))
     study = of_study(scheme, waves)
-    more = {"duration": 3600.0, "step": 0.5, "slow_step": 10.0, "waves_after": 600.0, "offset_deg": 90.0, "tolerance": 1e-3, "seed": 7}
+    more = {
+        "duration": 3600.0,
+        "step": 0.5,
+        "slow_step": 10.0,
+        "waves_after": 600.0,
+        "offset_deg": 90.0,
+        "tolerance": 1e-3,
+        "seed": 7,
+    }
     study.slewing = SimpleNamespace(scheme=scheme, **more)
     made = running.run(study, "steady", db)
     assert made[0] == runs
@@ -388,7 +477,9 @@ def test_two_scales_need_waves_of_a_database(monkeypatch, scheme, waves, db, ref
     monkeypatch.setattr(running, "_buoy_and_rope", looked.append)
     study = of_study(scheme, waves)
     if refused:
-        with pytest.raises(StudyError, match=r"is \"two_scale\", which needs \[waves\] and --database; give both, or \"slow\""):
+        with pytest.raises(
+            StudyError, match=r"is \"two_scale\", which needs \[waves\] and --database; give both, or \"slow\""
+        ):
             running.check(study, db)
     else:
         running.check(study, db)
@@ -399,7 +490,9 @@ def test_two_scales_need_waves_of_a_database(monkeypatch, scheme, waves, db, ref
 
 
 @pytest.mark.parametrize(("waves", "drift", "length"), [(True, None, 30.0), (True, 2.0, 30.0), (False, None, 0.0)])
-def test_one_equation_has_first_order_waves_and_their_drift_where_the_database_has_it(monkeypatch, waves, drift, length):
+def test_one_equation_has_first_order_waves_and_their_drift_where_the_database_has_it(
+    monkeypatch, waves, drift, length
+):
     run, asked = ran(), []
     steady = SimpleNamespace(point=SimpleNamespace(lengths=np.array([length])))
     times = SimpleNamespace(begin=lambda steady: "begin")
@@ -456,8 +549,13 @@ def test_a_study_is_checked_with_its_database_as_far_as_it_is_known(monkeypatch)
 
 def test_drift_of_a_database_tells_of_waves_that_the_current_stops(monkeypatch):
     for name, value in {
-        "sea_with_swell": "sea", "wave_forces": "forces", "waves_carrier": None, "_between_waves": ["unsure"],
-        "check_blocked": ["blocked"], "mean_drift": "mean", "DriftLoad": "load",
+        "sea_with_swell": "sea",
+        "wave_forces": "forces",
+        "waves_carrier": None,
+        "_between_waves": ["unsure"],
+        "check_blocked": ["blocked"],
+        "mean_drift": "mean",
+        "DriftLoad": "load",
     }.items():
         monkeypatch.setattr(loads, name, lambda *given, value=value: value)
     body = SimpleNamespace(depth=30.0, gravity=9.8)
@@ -472,6 +570,9 @@ def test_drift_of_a_database_tells_of_waves_that_the_current_stops(monkeypatch):
     assert findings == ["unsure", "blocked", "mean mean"]
     assert loads._drift(SimpleNamespace(waves=None), db, 0, []) is None
     db.reader.knows_drift = False
-    for given, says in ((db, "the database contains no drift"), (None, "waves: the wave drift is unknown; give --database")):
+    for given, says in (
+        (db, "the database contains no drift"),
+        (None, "waves: the wave drift is unknown; give --database"),
+    ):
         with pytest.raises(StudyError, match=says):
             loads._drift(study, given, np.zeros(2), [])

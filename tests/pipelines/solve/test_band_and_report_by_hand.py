@@ -1,6 +1,7 @@
 """How frequencies of a band are added, of made-up databases, and what the end of a run prints."""
 
 import io
+from contextlib import nullcontext
 from dataclasses import dataclass
 from types import SimpleNamespace
 
@@ -53,7 +54,9 @@ def test_many_frequencies_are_added_far_from_the_tolerance_and_one_at_a_time_nea
     """Twelve first; then three while the error is more than ten times the tolerance of 1 %"""
     given = []
     monkeypatch.setattr(adaptive, "Abscissa", lambda w: ("stored", w))
-    monkeypatch.setattr(adaptive, "chosen", lambda stored, open_, n: given.append((stored, open_, n)) or np.array([2, 0]))
+    monkeypatch.setattr(
+        adaptive, "chosen", lambda stored, open_, n: given.append((stored, open_, n)) or np.array([2, 0])
+    )
     known = SimpleNamespace(omega=np.linspace(0.4, 1.6, inside), depth=20.0, gravity=9.8, length=50.0)
     places = np.array([0.5, 0.7, 0.9])
     monkeypatch.setattr(adaptive, "abscissa", lambda w, *water: given.append((w, water)) or (w,))
@@ -81,7 +84,9 @@ def resonance(omega=0.55, damping=0.1, error=0.0, peak=2.0):
         (resonance(0.5 / 1.051), ("rao", "drift_force"), 0.01, True),
     ],
 )  # fmt: skip
-def test_a_resonance_is_solved_where_it_is_sharp_unsure_or_amplifies_errors_of_drift(monkeypatch, one, names, error, solved):
+def test_a_resonance_is_solved_where_it_is_sharp_unsure_or_amplifies_errors_of_drift(
+    monkeypatch, one, names, error, solved
+):
     """Damping below 2 %; an error above 1 % of the peak; farther than 0.2 % from what is stored; for drift, farther
     than half its width (of 10 %) and an error above 2 · 10 % · 1 %"""
     db = SimpleNamespace(names=names, omega=OMEGA, bodies_reader="reader")
@@ -92,14 +97,27 @@ def test_a_resonance_is_solved_where_it_is_sharp_unsure_or_amplifies_errors_of_d
     assert list(found) == expected
 
 
-@pytest.mark.parametrize(("names", "error", "says"), [
-    ((*COEFFICIENTS, "excitation_force"), 0.0123,
-     "3 frequencies from 0.4 to 1.6 rad/s: estimated error of coefficients and forces between them 1.2 % (tolerance 1 %)"),
-    ((*COEFFICIENTS, "rao"), 0.005,
-     "3 frequencies from 0.4 to 1.6 rad/s: estimated error of coefficients between them 0.5 % (tolerance 1 %), and more for motions"),
-    ((*COEFFICIENTS, "rao", "drift_force"), 0.005, "(tolerance 1 %), and more for motions and drift"),
-    ((*COEFFICIENTS,), np.inf, "3 frequencies from 0.4 to 1.6 rad/s, too few to estimate the error between frequencies"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("names", "error", "says"),
+    [
+        (
+            (*COEFFICIENTS, "excitation_force"),
+            0.0123,
+            ": estimated error of coefficients and forces between them 1.2 % (tolerance 1 %)",
+        ),
+        (
+            (*COEFFICIENTS, "rao"),
+            0.005,
+            ": estimated error of coefficients between them 0.5 % (tolerance 1 %), and more for motions",
+        ),
+        ((*COEFFICIENTS, "rao", "drift_force"), 0.005, "(tolerance 1 %), and more for motions and drift"),
+        (
+            (*COEFFICIENTS,),
+            np.inf,
+            "3 frequencies from 0.4 to 1.6 rad/s, too few to estimate the error between frequencies",
+        ),
+    ],
+)
 def test_the_error_of_a_band_is_told_in_per_cent_beside_its_tolerance(names, error, says):
     said = adaptive._text(scene(), SimpleNamespace(omega=np.append(OMEGA, 2.0), names=names), error)
     assert said.endswith(says) and said.startswith("3 frequencies from 0.4 to 1.6 rad/s")
@@ -126,7 +144,10 @@ def test_a_band_is_told_as_it_fills(monkeypatch):
     assert adaptive.filled_band(scene(), "a", lambda file: failed, None, out) is failed and not out.file.getvalue()
     made = adaptive.filled_band(scene(), "a", lambda file: Done(), None, out)
     assert out.file.getvalue() == text + "\n"
-    assert made.remarks == ("so", f"FAILS: {text}; the tolerance is not reached; give a larger tolerance, or more panels")
+    assert made.remarks == (
+        "so",
+        f"FAILS: {text}; the tolerance is not reached; give a larger tolerance, or more panels",
+    )
 
 
 @dataclass(frozen=True)
@@ -195,7 +216,9 @@ def test_panels_are_given_as_a_number_or_by_a_file(panels, shapes, given):
 @pytest.mark.parametrize(("tolerance", "limit"), [({"tolerance": 0.03}, 0.03), ({}, 0.01)])
 def test_damping_is_checked_beside_the_stored_checks(monkeypatch, tolerance, limit):
     monkeypatch.setattr(report, "damping_errors", lambda db: np.array([0.0, 0.02, 0.04]))
-    db = base(attributes=tolerance, checks=lambda: {"residual": np.array([0, 2e-6, 0.0]), "energy": np.array([0.02, 0, 0])})
+    db = base(
+        attributes=tolerance, checks=lambda: {"residual": np.array([0, 2e-6, 0.0]), "energy": np.array([0.02, 0, 0])}
+    )
     residual, energy, damping = report.checked(db)
     assert (residual.name, residual.limit, residual.exceeding) == ("residual", 1e-6, 1)
     assert (energy.limit, energy.exceeding, energy.omega) == (limit, int(limit < 0.02), 0.4)
@@ -230,8 +253,12 @@ def test_natural_periods_that_cannot_be_found_are_left_out(monkeypatch, error):
 
 def test_the_table_of_several_bodies_tells_where_each_turns_and_which_is_fixed(monkeypatch):
     def body(number, name):
-        whole = SimpleNamespace(bodies=[SimpleNamespace(rotation_center=(1.0, 2.0, -0.0), heading=np.pi / 6, fixed=False),
-                                        SimpleNamespace(rotation_center=(0.0, 0.0, 3.0), heading=0.0, fixed=True)])  # fmt: skip
+        whole = SimpleNamespace(
+            bodies=[
+                SimpleNamespace(rotation_center=(1.0, 2.0, -0.0), heading=np.pi / 6, fixed=False),
+                SimpleNamespace(rotation_center=(0.0, 0.0, 3.0), heading=0.0, fixed=True),
+            ]
+        )
         return SimpleNamespace(
             name=name, number=number, database=whole, bodies=(1, 2), modes=(), dimensions={"radius": 5.0},
             water_depth=20.0, density=1000.0, displaced_volume=1234.5678, mass=9e5, center_of_mass=(0, 0, 1),
@@ -282,7 +309,9 @@ def test_check_tells_findings_notes_laws_and_what_is_missing_with_its_status(mon
     bad = report.Check("energy", 0.034, 0.5, 0.01, 2)
     status, lines = of_check(monkeypatch, checked=[report.Check("residual", 1e-9, 0.4, 1e-6, 0), bad])
     assert status == 1 and "2 checks" in lines
-    assert any("energy, waves carried away, is 0.034 at ω = 0.5 rad/s, 2 of 3 frequencies above 0.01" in x for x in lines)
+    assert any(
+        "energy, waves carried away, is 0.034 at ω = 0.5 rad/s, 2 of 3 frequencies above 0.01" in x for x in lines
+    )
     assert not any("residual, linear system" in line for line in lines)
     status, lines = of_check(monkeypatch, complete=False)
     assert status == 1 and any("2 of 3 frequencies are stored; run the command again" in line for line in lines)
@@ -300,7 +329,7 @@ def test_damage_of_a_file_is_a_finding_and_repair_tells_what_it_marks(monkeypatc
     path, kept = tmp_path / "b.h5", []
     path.write_bytes(b"")
     monkeypatch.setattr(checking, "keep_room", kept.append)
-    monkeypatch.setattr(checking, "opened", lambda path, mode: open(path, "rb" if mode == "r+" else mode))
+    monkeypatch.setattr(checking, "opened", lambda path, mode: nullcontext(mode))
     monkeypatch.setattr(checking, "repair", lambda file: {"rao": 2, "added_mass": 1})
     out = console()
     assert checking.check(path, out, repair=True) == 1
@@ -318,7 +347,8 @@ def test_a_scene_of_other_water_than_its_results_is_told(monkeypatch, key, store
     setattr(db, "water_depth" if key == "depth" else key, stored)
     (said,) = checking._scene_findings(db)
     assert said.severity == "error"
-    assert said.text == f"water.{key} is {water[key]:g} in its scene, but its results are for {stored:g}; solve it again with --fresh"
+    says = f"water.{key} is {water[key]:g} in its scene, but its results are for {stored:g}; solve it again with"
+    assert said.text == f"{says} --fresh"
     db.header.scene = "a ="
     (said,) = checking._scene_findings(db)
     assert said.text.startswith("the text of its scene cannot be read: ") and said.severity == "error"
@@ -326,8 +356,16 @@ def test_a_scene_of_other_water_than_its_results_is_told(monkeypatch, key, store
     assert list(checking._scene_findings(db)) == []
 
 
-@pytest.mark.parametrize(("method", "names", "on"), [
-    ("panel", (), True), ("contour", (), False), ("contour", ("pressure",), True), ("else", (), True), (None, (), True)])  # fmt: skip
+@pytest.mark.parametrize(
+    ("method", "names", "on"),
+    [
+        ("panel", (), True),
+        ("contour", (), False),
+        ("contour", ("pressure",), True),
+        ("else", (), True),
+        (None, (), True),
+    ],
+)
 def test_panels_count_where_a_method_or_a_result_used_them(method, names, on):
     assert checking._on_panels(SimpleNamespace(attributes={"method": method}, names=names)) is on
 

@@ -39,15 +39,27 @@ def beside(dx=0.0, dy=0.0, of=ONE):
     return of.moved(dx=dx, dy=dy)
 
 
-@pytest.mark.parametrize(("dx", "dy", "gap"), [(0, 12, 2), (0, -12, 2), (23, 0, 3), (-23, 0, 3), (23, 14, 5), (0, 10, 0)])
+@pytest.mark.parametrize(
+    ("dx", "dy", "gap"), [(0, 12, 2), (0, -12, 2), (23, 0, 3), (-23, 0, 3), (23, 14, 5), (0, 10, 0)]
+)
 def test_the_gap_of_two_boxes_is_that_of_their_sides_or_edges(dx, dy, gap):
     least, size = arrangement._gap(ONE, beside(dx, dy))
     assert least == pytest.approx(gap, abs=1e-9) and 0 < size <= ONE.sizes.max() + 1e-9
 
 
-@pytest.mark.parametrize(("dx", "dy", "far"), [
-    (0, 10 + 4.9, False), (0, 10 + 5.3, True), (0, -10 - 5.3, True), (20 + 4.9, 0, False), (20 + 5.3, 0, True), (0, 0, False),
-    (20 + 3.6, 10 + 3.6, True), (20 + 3.3, 10 + 3.3, False)])  # fmt: skip
+@pytest.mark.parametrize(
+    ("dx", "dy", "far"),
+    [
+        (0, 10 + 4.9, False),
+        (0, 10 + 5.3, True),
+        (0, -10 - 5.3, True),
+        (20 + 4.9, 0, False),
+        (20 + 5.3, 0, True),
+        (0, 0, False),
+        (20 + 3.6, 10 + 3.6, True),
+        (20 + 3.3, 10 + 3.3, False),
+    ],
+)
 def test_hulls_are_far_from_each_other_beyond_drafts_and_panels(monkeypatch, dx, dy, far):
     """A draft of 5 m, once its depth told; panels of less"""
     monkeypatch.setattr(arrangement, "NARROW", 1.0)
@@ -107,7 +119,9 @@ def test_bodies_apart_are_told_of_gaps_that_their_panels_do_not_resolve(monkeypa
     ((name, gap, draft, across, wall),) = gaps[0]
     assert (name, draft, wall) == ("b and c", 5.0, False)
     assert (gap, across) == pytest.approx((0.2 * size, 20 + 0.2 * size))
-    assert arrangement.check_apart(three, Many(ONE, far, beside(0, 210.0 + 0.2 * size)), panels_matter=False) == ("water",)
+    assert arrangement.check_apart(three, Many(ONE, far, beside(0, 210.0 + 0.2 * size)), panels_matter=False) == (
+        "water",
+    )
     assert arrangement.check_apart(scene("a", "b"), Many(ONE, beside(0, 10 + 0.6 * size))) == ("water",)
 
 
@@ -133,11 +147,17 @@ def test_bodies_that_overlap_or_touch_are_refused(move, says):
     assert str(error.value) == says
 
 
-@pytest.mark.parametrize(("wall", "second", "told"), [
-    (8.0, -30.0, None), (8.0, 30.0, "b extends from y = 25 to 35 m, and the wall is at y = 8 m; allowed: all bodies on"),
-    (-8.0, 30.0, None), (4.0, -30.0, "a extends from y = -5 to 5 m, and the wall is at y = 4 m"), (5.0, -30.0, "a extends"),
-    (None, 30.0, None),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("wall", "second", "told"),
+    [
+        (8.0, -30.0, None),
+        (8.0, 30.0, "b extends from y = 25 to 35 m, and the wall is at y = 8 m; allowed: all bodies on"),
+        (-8.0, 30.0, None),
+        (4.0, -30.0, "a extends from y = -5 to 5 m, and the wall is at y = 4 m"),
+        (5.0, -30.0, "a extends"),
+        (None, 30.0, None),
+    ],
+)
 def test_all_bodies_are_on_one_side_of_a_wall(wall, second, told):
     try:
         arrangement._check_wall(scene("a", "b", wall=wall), Many(ONE, beside(0, second)))
@@ -210,7 +230,9 @@ def test_a_result_without_a_wanted_quantity_is_a_failure_and_the_rest_is_not_sto
 def test_jobs_are_frequencies_with_their_directions_and_limits(monkeypatch):
     plan = SimpleNamespace(problem="problem", header=SimpleNamespace(theta="theta"))
     monkeypatch.setattr(run, "KOCHIN", {"kochin_radiation"})
-    rows = [SimpleNamespace(omega=w, headings=[w], want=want) for w, want in ((0.5, {"rao"}), (0.6, {"kochin_radiation"}))]
+    rows = [
+        SimpleNamespace(omega=w, headings=[w], want=want) for w, want in ((0.5, {"rao"}), (0.6, {"kochin_radiation"}))
+    ]
     one, two = run._rows("storing", plan, rows)
     assert one.where == 0.5 and one.call == (run.solve_one, "problem", 0.5, [0.5], {"rao"}, None)
     assert two.call[-1] == "theta" and two.store.args == ("storing", rows[1])
@@ -269,12 +291,16 @@ def test_panels_are_shared_by_the_wetted_area(monkeypatch, bottom, areas):
     assert hull._share(two, bodies[1]) == 1.0
 
 
-@pytest.mark.parametrize(("several", "panels", "total", "refused"), [
-    (True, None, 20_001, True), (True, None, 20_000, False), (False, None, 20_001, False), (True, 9, 20_001, False)])  # fmt: skip
+@pytest.mark.parametrize(
+    ("several", "panels", "total", "refused"),
+    [(True, None, 20_001, True), (True, None, 20_000, False), (False, None, 20_001, False), (True, 9, 20_001, False)],
+)
 def test_several_bodies_need_at_most_20000_panels_together(several, panels, total, refused):
     two = Scene(bodies=[1, 2], several=several, panels=panels, accuracy=0.01)
     if refused:
-        with pytest.raises(SceneError, match="tolerance 0.01 needs 20001 panels on 2 bodies; allowed: 20000; leave out"):
+        with pytest.raises(
+            SceneError, match=r"tolerance 0\.01 needs 20001 panels on 2 bodies; allowed: 20000; leave out"
+        ):
             hull._check_count(two, total)
     else:
         hull._check_count(two, total)
@@ -300,7 +326,9 @@ def test_panels_are_no_longer_than_the_shortest_wave(monkeypatch, longest, refus
     monkeypatch.setattr(hull, "resonant_water", lambda scene, mesh: ("slow water",))
     monkeypatch.setattr(hull, "check_apart", lambda scene, mesh: ("close",))
     if refused:
-        with pytest.raises(SceneError, match=r"^mesh: panels up to 10 m are too long for the shortest wave, 10 m; allowed"):
+        with pytest.raises(
+            SceneError, match=r"^mesh: panels up to 10 m are too long for the shortest wave, 10 m; allowed"
+        ):
             hull._usable(one, mesh)
     else:
         assert hull._usable(one, mesh) == ("slow water", "20 10")
@@ -327,12 +355,18 @@ def test_a_lid_has_a_third_of_the_panels_or_edges_of_a_fifth_of_the_wave(monkeyp
     assert hull._smallest_waterplane(SimpleNamespace(bodies=3, copies=1, of_body=lambda i: parts[i])) == 15.0
     cover = SimpleNamespace(areas=np.array([3.0, 5.0]))
     few, many = SimpleNamespace(total=50), SimpleNamespace(total=200)
-    assert hull.lid_in_proportion(cover, many, few) == pytest.approx((4.0,)) and hull.lid_in_proportion(None, 1, 2) is None
+    assert (
+        hull.lid_in_proportion(cover, many, few) == pytest.approx((4.0,)) and hull.lid_in_proportion(None, 1, 2) is None
+    )
 
 
-@pytest.mark.parametrize(("panels", "shapes", "none"), [(None, ("box",), False), (9, ("box",), True), (None, ("box", "mesh"), True)])
+@pytest.mark.parametrize(
+    ("panels", "shapes", "none"), [(None, ("box",), False), (9, ("box",), True), (None, ("box", "mesh"), True)]
+)
 def test_meshes_are_refined_where_a_tolerance_holds(panels, shapes, none):
-    one = SimpleNamespace(panels=panels, bodies=[SimpleNamespace(shape=shape) for shape in shapes], omegas=lambda: "omegas")
+    one = SimpleNamespace(
+        panels=panels, bodies=[SimpleNamespace(shape=shape) for shape in shapes], omegas=lambda: "omegas"
+    )
     made = hull.finer_hull(one)
     assert (made is None) is none and (none or made.omegas == "omegas")
 
@@ -345,7 +379,9 @@ def test_a_finer_mesh_has_at_most_5000_panels(monkeypatch, total, none):
     assert (found is None) is none and (none or found == (found[0], ("cover", "mesh", found[0])))
 
 
-@pytest.mark.parametrize(("method", "names", "matter"), [("panel", [], True), ("contour", [], False), ("contour", ["pressure"], True)])
+@pytest.mark.parametrize(
+    ("method", "names", "matter"), [("panel", [], True), ("contour", [], False), ("contour", ["pressure"], True)]
+)
 def test_panels_matter_where_a_method_or_a_result_uses_them(method, names, matter):
     assert hull.panels_matter(SimpleNamespace(solved_by=method, names=lambda: names)) is matter
 

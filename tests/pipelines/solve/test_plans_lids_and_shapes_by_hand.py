@@ -71,7 +71,9 @@ def test_counts_for_a_tolerance_are_at_least_a_few_in_each_direction(monkeypatch
     asked = []
     monkeypatch.setattr(panel_counts, "panels_for", lambda one, tolerance: (one.shape, tolerance))
     for shape, least in (("box", (3, 3, 3)), ("buoy", (4, 3, 3)), ("ship", (12, 3, 3))):
-        monkeypatch.setitem(panel_counts.MAKERS, shape, (None, lambda *all, **more: asked.append((all, more)) or (1, 9, 2)))
+        monkeypatch.setitem(
+            panel_counts.MAKERS, shape, (None, lambda *all, **more: asked.append((all, more)) or (1, 9, 2))
+        )
         assert panel_counts.fine_counts(body(shape), 0.02, 5.0) == (least[0], 9, 3)
     assert asked[0] == ((100.0, 40.0, 10.0), {"panels": ("box", 0.02), "longest": 5.0})
     panel_counts.fine_counts(body(), 0.02, 5.0, bottom=False)
@@ -81,11 +83,22 @@ def test_counts_for_a_tolerance_are_at_least_a_few_in_each_direction(monkeypatch
 SQUARE = np.array([[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0]])
 
 
-@pytest.mark.parametrize(("dry", "place"), [
-    ((0.1, 0.1), "0.1, y = 0.1"), ((9.9, 0.1), "9.9, y = 0.1"), ((9.9, 9.9), "9.9, y = 9.9"), ((5.0, 0.1), "5, y = 0.1"),
-    ((9.9, 5.0), "9.9, y = 5"), ((5.0, 9.9), "5, y = 9.9"), ((0.1, 5.0), "0.1, y = 5"), ((5.0, 5.0), "5, y = 5"),
-    ((0.0, 0.0), None), ((10.0, 5.0), None), (None, None),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("dry", "place"),
+    [
+        ((0.1, 0.1), "0.1, y = 0.1"),
+        ((9.9, 0.1), "9.9, y = 0.1"),
+        ((9.9, 9.9), "9.9, y = 9.9"),
+        ((5.0, 0.1), "5, y = 0.1"),
+        ((9.9, 5.0), "9.9, y = 5"),
+        ((5.0, 9.9), "5, y = 9.9"),
+        ((0.1, 5.0), "0.1, y = 5"),
+        ((5.0, 5.0), "5, y = 5"),
+        ((0.0, 0.0), None),
+        ((10.0, 5.0), None),
+        (None, None),
+    ],
+)
 def test_a_lid_lies_on_open_water_at_its_corners_sides_and_middle(monkeypatch, dry, place):
     """A fiftieth inside of them: a lid may touch a hull"""
     monkeypatch.setattr(damping_lids, "covered", lambda points, mesh: np.array(
@@ -93,7 +106,9 @@ def test_a_lid_lies_on_open_water_at_its_corners_sides_and_middle(monkeypatch, d
     if place is None:
         damping_lids._check_on_water("damping_lids[0]", SQUARE, "mesh")
     else:
-        with pytest.raises(SceneError, match=rf"damping_lids\[0\] covers a hull at x = {place} m; allowed: open water only"):
+        with pytest.raises(
+            SceneError, match=rf"damping_lids\[0\] covers a hull at x = {place} m; allowed: open water only"
+        ):
             damping_lids._check_on_water("damping_lids[0]", SQUARE, "mesh")
 
 
@@ -101,7 +116,10 @@ def test_lids_are_those_of_corners_or_of_every_moonpool(monkeypatch):
     looked = []
     monkeypatch.setattr(damping_lids, "moonpools", lambda mesh: [SQUARE, SQUARE + 50])
     monkeypatch.setattr(damping_lids, "_check_on_water", lambda *given: looked.append(given[0]))
-    tables = [SimpleNamespace(corners=None, damping=0.1), SimpleNamespace(corners=(SQUARE + 20)[::-1].tolist(), damping=0.2)]
+    tables = [
+        SimpleNamespace(corners=None, damping=0.1),
+        SimpleNamespace(corners=(SQUARE + 20)[::-1].tolist(), damping=0.2),
+    ]
     made = damping_lids.damping_lids_of(SimpleNamespace(damping_lids=tables), "mesh")
     assert [one.damping for one in made] == [0.1, 0.1, 0.2] and looked == ["damping_lids[1]"]
     assert [one.corners.mean(axis=0).tolist() for one in made] == [[5, 5], [55, 55], [25, 25]]
@@ -135,8 +153,15 @@ class Plan:
 def test_another_weight_is_taken_up_and_what_depends_on_it_is_computed_again(monkeypatch, moved, names, anew):
     db = SimpleNamespace(header=Header(), path="b.h5", mesh="mesh", names=names)
     for name, value in {
-        "open_database": db, "check_same": moved, "to_toml": "text", "scene_hash": "hash", "fixed_part": "fixed",
-        "body_properties": "body", "modes_of": "modes", "own_hulls_of_modes": (), "pending": "pending",
+        "open_database": db,
+        "check_same": moved,
+        "to_toml": "text",
+        "scene_hash": "hash",
+        "fixed_part": "fixed",
+        "body_properties": "body",
+        "modes_of": "modes",
+        "own_hulls_of_modes": (),
+        "pending": "pending",
     }.items():
         monkeypatch.setattr(plan, name, lambda *given, value=value: value)
     monkeypatch.setattr(plan, "_by_the_same_method", lambda scene, header, path: f"{scene} {path}")
@@ -171,7 +196,9 @@ def test_angles_of_kochin_functions_grow_with_the_highest_frequency(monkeypatch,
 
 def of_scene(mass=None, gyration=(3.0, 20.0, 20.0), **more):
     hull = SimpleNamespace(mass=mass, gyration=gyration, center_of_gravity=(1.0, 2.0, 3.0))
-    return SimpleNamespace(bodies=[hull], water=SimpleNamespace(density=1000.0, gravity=9.8), several=False, modes=(), **more)
+    return SimpleNamespace(
+        bodies=[hull], water=SimpleNamespace(density=1000.0, gravity=9.8), several=False, modes=(), **more
+    )
 
 
 def of_hull(volume=5000.0):
@@ -180,7 +207,14 @@ def of_hull(volume=5000.0):
 
 
 def table(kind="vertical", count=2, **more):
-    given = {"length": None, "mass_per_length": None, "inertia_per_length": None, "EI": 1e9, "GJ": 2e9, "axis_height": -1.0}
+    given = {
+        "length": None,
+        "mass_per_length": None,
+        "inertia_per_length": None,
+        "EI": 1e9,
+        "GJ": 2e9,
+        "axis_height": -1.0,
+    }
     return SimpleNamespace(kind=kind, count=count, **given | more)
 
 
@@ -191,7 +225,7 @@ def table(kind="vertical", count=2, **more):
 def test_a_beam_is_as_long_as_the_hull_with_its_mass_spread_along_it(monkeypatch, mass, more, ends, per_length):
     monkeypatch.setattr(modes, "owner", lambda scene, table: 0)
     one, two = modes._shapes("modes[0]", of_scene(mass), table(**more), of_hull())
-    assert (one.start, one.end) == ends and one.per_length == pytest.approx(per_length)
+    assert (one.start, one.end) == ends and two.start == one.start and one.per_length == pytest.approx(per_length)
     assert one == Beam("vertical", 1, *ends, -1.0, 1e9, pytest.approx(per_length))
 
 
@@ -206,12 +240,19 @@ def test_a_beam_that_twists_has_the_inertia_of_its_radius_of_gyration(monkeypatc
         modes._shapes("modes[0]", of_scene(2e6, None), table("torsion", 1), of_hull())
 
 
-@pytest.mark.parametrize(("kinds", "mass", "per_length"), [
-    ((("vertical", 7.0),), None, 7.0), ((("torsion", 9.0), ("vertical", 7.0)), None, 7.0), ((("torsion", 9.0),), 2e6, 2e4),
-    ((("torsion", 9.0),), None, 5e4),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("kinds", "mass", "per_length"),
+    [
+        ((("vertical", 7.0),), None, 7.0),
+        ((("torsion", 9.0), ("vertical", 7.0)), None, 7.0),
+        ((("torsion", 9.0),), 2e6, 2e4),
+        ((("torsion", 9.0),), None, 5e4),
+    ],
+)
 def test_masses_lie_along_the_beam_at_the_height_of_the_centre_of_gravity(kinds, mass, per_length):
-    of = [SimpleNamespace(shape=Beam(kind, 1, -40.0, 60.0, 0.0, 1e9, own), turns=kind == "torsion") for kind, own in kinds]
+    of = [
+        SimpleNamespace(shape=Beam(kind, 1, -40.0, 60.0, 0.0, 1e9, own), turns=kind == "torsion") for kind, own in kinds
+    ]
     points, masses = modes._masses(of_scene(mass), 0, [of_hull()], of)
     assert masses.sum() == pytest.approx(100 * per_length)
     assert (points[:, 1:] == [2.0, 3.0]).all() and points[:, 0] @ masses == pytest.approx(10.0 * masses.sum())

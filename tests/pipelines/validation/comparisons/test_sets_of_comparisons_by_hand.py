@@ -32,8 +32,15 @@ def test_a_box_of_the_series_is_solid_with_its_centre_in_the_waterplane():
     assert cases.CLOSE_XI[0] == 0.1 and len(cases.CLOSE_XI) == 54 and cases.CLOSE_XI[-1] == 2.75
 
 
-@pytest.mark.parametrize(("method", "height", "tolerance", "drifts"), [
-    ("contour", None, 1e-3, True), ("contour", 0.065, 1e-3, True), ("strip", None, 1e-3, False), ("panel", None, None, True)])  # fmt: skip
+@pytest.mark.parametrize(
+    ("method", "height", "tolerance", "drifts"),
+    [
+        ("contour", None, 1e-3, True),
+        ("contour", 0.065, 1e-3, True),
+        ("strip", None, 1e-3, False),
+        ("panel", None, None, True),
+    ],
+)
 def test_a_model_turns_about_its_centre_of_gravity_and_drifts_where_its_method_knows(method, height, tolerance, drifts):
     """M3A of L/B = 1.2, 2.4 × 2 m, in water of 1.2 m"""
     case = cases.model_case("M3A_Bd10", method, (0.5, 1.0), height)
@@ -62,8 +69,11 @@ def test_sets_ask_for_their_boxes_with_one_check_of_another_method(monkeypatch):
     monkeypatch.setattr(models, "model_case", lambda *given: given)
     found = models.Models().cases()
     assert len(found) == 3 * 5 + 2 * 3 and found[0] == ("M3A_Bd10", "panel", models.XI)
-    assert found[15:] == [(m, "contour", models.XI, h) for m, hs in (("M3A_Bd10", (0.0325, 0.065, 0.13)),
-                                                                    ("M3B_Bd10", (0.025, 0.05, 0.1))) for h in hs]  # fmt: skip
+    assert found[15:] == [
+        (m, "contour", models.XI, h)
+        for m, hs in (("M3A_Bd10", (0.0325, 0.065, 0.13)), ("M3B_Bd10", (0.025, 0.05, 0.1)))
+        for h in hs
+    ]
     assert models.XI[0] == 0.3 and models.XI[-1] == 3.0 and {0.9, 0.95, 1.8} <= set(models.XI) and len(models.XI) == 37
 
 
@@ -107,7 +117,9 @@ def test_pictures_of_series_have_coefficients_and_forces_of_every_box():
     assert motions["amplitude"][0] == f"Motions, {words}" and motions["phase"][0] == f"Motions, phase, {words}"
     roll = motions["amplitude"][1][3]
     assert roll.title == "Roll, φ_a/kζ_a, χ = 0°" and roll.curves[0].y == pytest.approx([12] * 3)
-    assert roll.curves[0].label == "L/B 4" and motions["phase"][1][3].curves[0].y == pytest.approx([math.degrees(0.5)] * 3)
+    assert roll.curves[0].label == "L/B 4" and motions["phase"][1][3].curves[0].y == pytest.approx(
+        [math.degrees(0.5)] * 3
+    )
 
 
 def test_the_picture_of_sections_is_over_length_and_its_line_of_one():
@@ -115,9 +127,11 @@ def test_the_picture_of_sections_is_over_length_and_its_line_of_one():
     title, drawn, columns = series.Sections().pictures([*boxes, result(method="strip")])["ratios"]
     assert title == "Three-dimensional over two-dimensional, H/d = 2, B/d = 5, beam waves" and columns == 3
     assert [panel.title for panel in drawn][:4] == [
-        "Fig. 2.1.5.91  Heave added mass M/m", "Fig. 2.1.5.92  Sway added mass M/m", "Fig. 2.1.5.93  Roll added mass M/m",
+        "Fig. 2.1.5.91  Heave added mass M/m",
+        "Fig. 2.1.5.92  Sway added mass M/m",
+        "Fig. 2.1.5.93  Roll added mass M/m",
         "Fig. 2.1.5.94  Heave damping N/n",
-    ]  # fmt: skip
+    ]
     assert len(drawn) == 9 and drawn[8].title == "Fig. 2.1.5.99  Roll force F/f" and drawn[0].levels == (1.0,)
     assert drawn[0].axes == {"xlabel": "L/B", "xscale": "log", "xticks": series.LENGTH_BEAM}
     curve = drawn[5].curves[1]
@@ -138,11 +152,15 @@ def test_lines_of_series_tell_differences_of_methods_and_largest_rolls(monkeypat
 
 
 def test_pictures_of_models_have_each_method_in_its_style_and_roll_by_height():
-    inviscid = [result(method=m, model=model, drift=m == "contour") for model in cases.MODELS for m in ("contour", "strip")]
+    inviscid = [
+        result(method=m, model=model, drift=m == "contour") for model in cases.MODELS for m in ("contour", "strip")
+    ]
     damped = [result(height=h, model=model, factor=1 + 10 * h) for model, hs in models.WAVE_HEIGHTS.items() for h in hs]
     made = models.Models().pictures([*inviscid, *damped])
     title, drawn, columns = made["M3A_Bd20"]
-    assert title == "M3A, B/d = 20, motions  (figs. 2.4.4.4; the pressure method has no surge, sway, yaw)" and columns == 6
+    assert (
+        title == "M3A, B/d = 20, motions  (figs. 2.4.4.4; the pressure method has no surge, sway, yaw)" and columns == 6
+    )
     assert [curve.label for curve in drawn[0].curves] == ["contour", "strip"] and len(drawn) == 18
     assert drawn[0].curves[1].style == models.STYLES["strip"]
     title, drawn, columns = made["drift"]
@@ -153,8 +171,14 @@ def test_pictures_of_models_have_each_method_in_its_style_and_roll_by_height():
     assert drawn[1].curves[0].y == pytest.approx([3, 12, 21]) and drawn[3].curves[0].y == pytest.approx([7, 16, 25])
     assert drawn[3].axes["ylim"] == (None, None)
     title, drawn, *shape = made["roll"]
-    assert title == "Roll in beam waves with the viscous damping b_R of Yamashita, for deep water" and shape == [2, (5, 4), False]
-    assert [panel.title for panel in drawn] == ["M3A, B/d = 10", "M3B, B/d = 10"] and drawn[0].axes["ylabel"] == "φ_a/kζ_a"
+    assert title == "Roll in beam waves with the viscous damping b_R of Yamashita, for deep water" and shape == [
+        2,
+        (5, 4),
+        False,
+    ]
+    assert [panel.title for panel in drawn] == ["M3A, B/d = 10", "M3B, B/d = 10"] and drawn[0].axes[
+        "ylabel"
+    ] == "φ_a/kζ_a"
     labels = ["no viscous damping", "waves of 3.25 cm", "waves of 6.5 cm", "waves of 13 cm"]
     assert [curve.label for curve in drawn[0].curves] == labels
     assert [curve.style["color"] for curve in drawn[0].curves] == ["0.1", "C0", "C1", "C3"]
@@ -178,7 +202,9 @@ def test_natural_periods_are_told_beside_the_measured_ones(monkeypatch, inside):
     """M3A, B/d = 10: 2.07 s of roll and 1.87 s of pitch; added mass over ρ∇ (B/2)² and (L/2)² at the period"""
     alone = SimpleNamespace(period=[0, 0, 0, 2.3, 1.7], inside=[False, False, False, True, True])
     coupled = SimpleNamespace(period=[0, 0, 0, 2.4, 1.6], inside=[False, False, False, inside, True])
-    monkeypatch.setattr(models, "natural_periods", lambda reader, coupled=True, alone=alone, both=coupled: both if coupled else alone)
+    monkeypatch.setattr(
+        models, "natural_periods", lambda reader, coupled=True, alone=alone, both=coupled: both if coupled else alone
+    )
     asked = []
     matrix = np.zeros((6, 6))
     matrix[3, 3], matrix[4, 4] = 300.0, 800.0
@@ -188,10 +214,16 @@ def test_natural_periods_are_told_beside_the_measured_ones(monkeypatch, inside):
     (row,) = models.period_rows([one])
     nan = np.nan
     assert row["case"] == "box" and row["model"] == "M3A_Bd10" and row["method"] == "contour"
-    found = [row[f"{key}"] for key in ("A44", "T_roll_s", "T_roll_coupled_s", "T_roll_measured_s", "T_roll_difference_percent")]
+    found = [
+        row[f"{key}"]
+        for key in ("A44", "T_roll_s", "T_roll_coupled_s", "T_roll_measured_s", "T_roll_difference_percent")
+    ]
     wanted = [300 / 50, 2.3, 2.4, 2.07, 100 * (2.3 / 2.07 - 1)] if inside else [nan, nan, nan, 2.07, nan]
     assert found == pytest.approx(wanted, nan_ok=True)
-    found = [row[key] for key in ("A55", "T_pitch_s", "T_pitch_coupled_s", "T_pitch_measured_s", "T_pitch_difference_percent")]
+    found = [
+        row[key]
+        for key in ("A55", "T_pitch_s", "T_pitch_coupled_s", "T_pitch_measured_s", "T_pitch_difference_percent")
+    ]
     assert found == pytest.approx([800 / 200, 1.7, 1.6, 1.87, 100 * (1.7 / 1.87 - 1)])
     assert asked == pytest.approx([2 * np.pi / t for t in ((2.3, 1.7) if inside else (1.7,))])
 
@@ -216,9 +248,14 @@ def test_directions_and_frequencies_are_found_among_those_of_a_database():
     assert rows.tolist() == [2, 0] and columns.tolist() == [1, 2, 3]
 
 
-@pytest.mark.parametrize(("values", "wanted"), [
-    ([170.0, -170.0, -160.0], [170, np.nan, -160]), ([0.0, 179.0, -1.1], [0, 179, np.nan]), ([10.0, -169.0], [10, -169]),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("values", "wanted"),
+    [
+        ([170.0, -170.0, -160.0], [170, np.nan, -160]),
+        ([0.0, 179.0, -1.1], [0, 179, np.nan]),
+        ([10.0, -169.0], [10, -169]),
+    ],
+)
 def test_curves_of_phases_are_broken_where_they_cross_180(values, wanted):
     assert panels._unbroken(np.array(values)) == pytest.approx(wanted, nan_ok=True)
 
@@ -265,7 +302,9 @@ def test_a_set_is_announced_solved_and_written(monkeypatch, tmp_path, capsys):
     written.clear()
     assert sets.make("depth-series", one, folder) == 1 and not written
     told = "".join(capsys.readouterr())
-    assert "a: ω = 1 rad/s: it diverges" in told and "no table and pictures are made; the same command tries again" in told
+    assert (
+        "a: ω = 1 rad/s: it diverges" in told and "no table and pictures are made; the same command tries again" in told
+    )
     file = tmp_path / "file"
     file.write_text("")
     with pytest.raises(SceneError, match=r"file, which is a file; allowed: a folder, or a new name"):
@@ -293,13 +332,23 @@ def test_cases_that_fail_are_told_and_left_out(monkeypatch, tmp_path, capsys):
         sets.solved(Set().cases(None), tmp_path)
 
 
-@pytest.mark.parametrize(("which", "given", "says"), [
-    ("lines", {"only": "a"}, "--only is given with lines; allowed: with single-point, multi-point, appendix-1, appendix-2"),
-    ("appendix-1", {"hours": 1.0}, "--hours is given with appendix-1; allowed: with multi-point"),
-    ("appendix-1", {"seeds": 0}, "--seeds is 0; allowed: 1 to 100"), ("appendix-1", {"seeds": 101}, "--seeds is 101; allowed"),
-    ("appendix-1", {"seeds": 100, "only": "x"}, None), ("multi-point", {"hours": 0.1}, None),
-    ("multi-point", {"hours": 0.09}, "--hours is 0.09; allowed: 0.1 to 24"), ("dolphin", {"quay": 25.0}, None),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("which", "given", "says"),
+    [
+        (
+            "lines",
+            {"only": "a"},
+            "--only is given with lines; allowed: with single-point, multi-point, appendix-1, appendix-2",
+        ),
+        ("appendix-1", {"hours": 1.0}, "--hours is given with appendix-1; allowed: with multi-point"),
+        ("appendix-1", {"seeds": 0}, "--seeds is 0; allowed: 1 to 100"),
+        ("appendix-1", {"seeds": 101}, "--seeds is 101; allowed"),
+        ("appendix-1", {"seeds": 100, "only": "x"}, None),
+        ("multi-point", {"hours": 0.1}, None),
+        ("multi-point", {"hours": 0.09}, "--hours is 0.09; allowed: 0.1 to 24"),
+        ("dolphin", {"quay": 25.0}, None),
+    ],
+)
 def test_flags_of_a_series_are_its_own_and_within_bounds(which, given, says):
     if says is None:
         flags._check(which, given)
@@ -348,7 +397,12 @@ def test_tables_beside_a_publication_have_units_by_the_ends_of_their_columns():
     assert (made.notes, made.findings) == (("note",), ("finding",))
     assert beside.number("") != beside.number("") and beside.number("2.5") == 2.5
     named = {"A-sinker": 1, "A-buoy": 2, "AB": 3, "B": 4}
-    assert [beside.chosen(named, only) for only in (None, "A", "A-sinker, B", "AB")] == [[1, 2, 3, 4], [1, 2], [1, 4], [3]]
+    assert [beside.chosen(named, only) for only in (None, "A", "A-sinker, B", "AB")] == [
+        [1, 2, 3, 4],
+        [1, 2],
+        [1, 4],
+        [3],
+    ]
     with pytest.raises(Exception, match=r"--only names 'C'; allowed: A-sinker, A-buoy, AB, B, or how names begin"):
         beside.chosen(named, "A,C")
 
@@ -362,7 +416,9 @@ def test_cases_are_announced_one_after_another(capsys):
 def test_a_database_of_a_series_is_whole(monkeypatch, tmp_path, status, interrupted):
     from hakobune.pipelines.solve import run
 
-    monkeypatch.setattr(run, "solve", lambda scene, path, fresh: SimpleNamespace(interrupted=interrupted, exit_status=status))
+    monkeypatch.setattr(
+        run, "solve", lambda scene, path, fresh: SimpleNamespace(interrupted=interrupted, exit_status=status)
+    )
     monkeypatch.setattr(beside, "open_database", lambda path: path.name)
     path = tmp_path / "new" / "a.h5"
     if interrupted:
