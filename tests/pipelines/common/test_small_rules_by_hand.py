@@ -303,3 +303,34 @@ def test_a_line_from_body_to_body_has_both_ends_in_space(monkeypatch, to, bollar
     made = moor._in_space("lines[0]", line, bodies["a"], bodies)
     assert made == {"fairlead": (11, 2, 3)} | ({"bollard": (1, 21, 1)} if to else {})
     assert moor._in_space("lines[0]", line, None, bodies) is line
+
+
+@pytest.mark.parametrize(("count", "factor", "times"), [(1, 1.0, 1.0), (3, 1.0, 3.0), (2, 1.5, 3.0)])
+def test_fenders_side_by_side_are_named_by_their_number_and_push_as_many_times(count, factor, times):
+    from hakobune.pipelines.common import fender_tables
+
+    made = fender_tables.fender_of(fender_tables.FenderTable(family="cell", height=2.0, count=count, factor=factor))
+    one = fender_tables.fender_of(fender_tables.FenderTable(family="cell", height=2.0))
+    assert made.rated_reaction == pytest.approx(times * one.rated_reaction)
+    assert made.name == (f"{count} × {one.name}" if count > 1 else one.name)
+
+
+def test_numbers_that_are_not_known_are_told_of_their_motion_and_frequency(monkeypatch):
+    """Two motions of three frequencies: of surge the second is unknown in one of its columns, of heave none"""
+    from hakobune.pipelines.common import gaps
+
+    values = np.zeros((3, 2, 2))
+    values[1, 1, 0] = np.nan
+    monkeypatch.setattr(
+        gaps, "QUANTITIES", {"a": (("omega", "influenced_dof", "radiating_dof"),), "b": (("omega", "theta"),)}
+    )
+
+    class Stored(dict):
+        names, path, asked, rows = ("a", "b"), "b.h5", None, np.array([True])
+
+    db = Stored(a=values, b=np.array([[1.0, np.inf], [1.0, 2.0], [np.nan, 2.0]]), radiating_dof=["Surge", "Heave"])
+    assert {name: one.tolist() for name, one in gaps._unknown(db, "a").items()} == {"Surge": [1]}
+    assert {name: one.tolist() for name, one in gaps._unknown(db, "b").items()} == {"": [0, 2]}
+    values[2, 0, 1] = np.inf
+    assert {name: one.tolist() for name, one in gaps._unknown(db, "a").items()} == {"Surge": [1], "Heave": [2]}
+    assert gaps._unknown(Stored(a=np.zeros((3, 2, 2))), "a") == {}
