@@ -1,6 +1,7 @@
 """Free edges of panels as rings: which of them lie along another, of squares with unequal edges."""
 
 import math
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -32,7 +33,7 @@ def joined(*parts):
 def of_ring(made, sizes):
     """The numbers of the rings of squares of so many edges, each of which is one"""
     ends = np.cumsum([0, *sizes])
-    numbers = [set(made.number[a:b].tolist()) for a, b in zip(ends, ends[1:], strict=False)]
+    numbers = [set(made.number[a:b].tolist()) for a, b in pairwise(ends)]
     assert all(len(one) == 1 for one in numbers)
     return [one.pop() for one in numbers]
 
