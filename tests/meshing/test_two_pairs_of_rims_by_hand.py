@@ -8,6 +8,7 @@ import pytest
 
 from hakobune.meshing.drawing import drawing_of
 from hakobune.meshing.quality.seams import rings
+from hakobune.meshing.shapes import box, buoy
 
 
 def square(x, side, parts, level=0.0, turned=False):
@@ -58,3 +59,16 @@ def test_copies_of_a_part_stand_in_equal_steps_about_the_vertical():
     made = drawing_of({"size": 1.0, "parts": [ball | {"turns": 4}, ball]})
     assert [turn for _, turn in made.parts] == pytest.approx([0, math.pi / 2, math.pi, 1.5 * math.pi, 0])
     assert (made.size, made.symmetry, made.around) == (1.0, "", 24)
+
+
+@pytest.mark.parametrize("symmetry", ["z", "yx", "xx", "xyz"])
+def test_shapes_have_mirror_planes_that_exist(symmetry):
+    for make in (
+        lambda: box(4.0, 2.0, 1.0, panels=50, symmetry=symmetry),
+        lambda: buoy(4.0, 2.0, panels=50, symmetry=symmetry),
+    ):
+        with pytest.raises(ValueError, match="symmetry"):
+            make()
+    for good in ("", "x", "y", "xy"):
+        assert box(4.0, 2.0, 1.0, counts=(1, 1, 1), symmetry=good).symmetry == good
+        assert buoy(4.0, 2.0, counts=(4, 2, 1), symmetry=good).symmetry == good

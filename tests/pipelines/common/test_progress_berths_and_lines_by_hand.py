@@ -1,4 +1,4 @@
-"""Progress as it is printed, what is told of a berth, lines of a file as tables, pairs of waves: of parts set by hand."""
+"""Progress as it is printed, what is told of a berth, lines of a file, pairs of waves: of parts set by hand."""
 
 import io
 import json

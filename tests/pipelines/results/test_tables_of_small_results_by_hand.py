@@ -365,3 +365,26 @@ def test_a_scene_of_a_sweep_is_solved_with_its_files_beside_it(monkeypatch, tmp_
 
     monkeypatch.setattr("hakobune.pipelines.scene.scene.make_scene", refuse)
     assert sweep.solved({}, tmp_path / "s") == (2, "no water", {}, {})
+
+
+@pytest.mark.parametrize(
+    ("names", "found", "sizes"),
+    [
+        (("t (s)", "roll (deg)"), ["time_s", "motion_deg"], [1, 1]),
+        (("Time [ms]", "pitch [rad]"), ["time_s", "motion_deg"], [1e-3, 180 / math.pi]),
+        (("t_s", "heave_cm"), ["time_s", "motion_m"], [1, 0.01]),
+        (("t (s)", "heave (mm)"), ["time_s", "motion_m"], [1, 1e-3]),
+        (("t (s)", "heave (kN)"), None, None),
+        (("x (s)", "heave (m)"), None, None),
+        (("t (kg)", "heave (m)"), None, None),
+        (("t (s)",), None, None),
+        (None, None, None),
+    ],
+)
+def test_a_decay_may_name_its_units_in_its_head(names, found, sizes):
+    values = np.array([[1.0, 2.0], [3.0, 4.0]])
+    made = damping._decay_by_units("d.csv", names, values)
+    if found is None:
+        assert made is None
+    else:
+        assert made[0] == found and made[1] == pytest.approx(values * sizes)

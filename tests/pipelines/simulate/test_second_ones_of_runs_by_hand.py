@@ -304,3 +304,18 @@ def test_the_divided_box_has_the_mass_and_springs_of_the_ship(monkeypatch, metho
     (water, *given), more = methods._divided(study, body, "d.h5")
     assert water == Water((0, 0, 1), 20.0, "ship", "ship", None, False) and given == ["lines", "hull"]
     assert more == {"spring": 1, "damping": 2, "quadratic": 3, "berth": 4} and sizes == ["sizes"]
+
+
+@pytest.mark.parametrize(("seed", "kept", "known", "place"), [
+    (5, 0, {"a": 1}, 1), (5, 1, {"a": 1}, 1), (5, 2, {"a": 1}, None), (5, 2, {"motion": 1}, 1), (4, 1, {"a": 1}, None),
+    (9, 0, {"a": 1}, None),
+])  # fmt: skip
+def test_a_row_of_a_seed_is_taken_over_unless_its_record_is_wanted_and_lacking(monkeypatch, seed, kept, known, place):
+    from hakobune.pipelines.simulate import file
+
+    written = []
+    monkeypatch.setattr(file, "row_values", lambda old, row: known)
+    monkeypatch.setattr(file, "put", lambda *given: written.append(given))
+    old, new = {"seed": [3, seed]}, {"seed": {(): np.array([4, 5, 6])}, "kept_seed": np.zeros(kept)}
+    file._take_over(old, new, 1)
+    assert written == ([] if place is None else [(new, place, known)])

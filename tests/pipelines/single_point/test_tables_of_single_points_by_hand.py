@@ -498,7 +498,7 @@ def test_one_equation_has_first_order_waves_and_their_drift_where_the_database_h
     times = SimpleNamespace(begin=lambda steady: "begin")
     monkeypatch.setattr(running, "_buoy_and_rope", lambda study: ("buoy", "rope"))
     monkeypatch.setattr(running, "_sea", lambda study, db: "sea")
-    monkeypatch.setattr(running, "_components", lambda study, db: "parts")
+    monkeypatch.setattr(running, "_components", lambda study, db: "parts" if db == "db" else None)
     monkeypatch.setattr(running, "waves_carrier", lambda study: "carrier")
     monkeypatch.setattr(running, "body_at", lambda *given, **more: asked.append((given, more)) or "moved")
     monkeypatch.setattr(running, "full_run", lambda *given: asked.append(given) or run)

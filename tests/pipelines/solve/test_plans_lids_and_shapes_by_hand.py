@@ -258,3 +258,31 @@ def test_masses_lie_along_the_beam_at_the_height_of_the_centre_of_gravity(kinds,
     assert (points[:, 1:] == [2.0, 3.0]).all() and points[:, 0] @ masses == pytest.approx(10.0 * masses.sum())
     assert (points[:, 0] - 10) ** 2 @ masses == pytest.approx(masses.sum() * 100**2 / 12)
     assert points[:, 0].min() > -40 and points[:, 0].max() < 60
+
+
+@pytest.mark.parametrize(("depth", "wanted"), [(50.0, 50.0), (500.0, 2 * math.pi * 9.8 / 0.81), (4.0, None)])
+def test_the_rise_between_two_hulls_is_looked_for_around_the_formula_and_ever_closer(monkeypatch, depth, wanted):
+    """A peak of 7 m/m at 0.93 rad/s, by a formula at 0.9; water deeper than a wave is as deep as a wave"""
+    from hakobune.pipelines.solve.gaps import resonant_water
+
+    asked = []
+
+    def side_by_side(pair, depth, omega, gravity, tolerance):
+        asked.append((pair, depth, gravity, tolerance))
+        return SimpleNamespace(gains=[7.0 - 100 * (omega - 0.93) ** 2])
+
+    monkeypatch.setattr("hakobune.bem.sections.side_by_side.side_by_side", side_by_side)
+    found = resonant_water.peak(2.0, 5.0, 10.0, depth, 0.9, 9.8)
+    if wanted is None:
+        assert found is None and not asked
+        return
+    assert found == (pytest.approx(0.93, abs=3e-3), pytest.approx(7.0, abs=2e-3))
+    pair, of, gravity, tolerance = asked[0]
+    assert [place for _, place in pair] == [-6.0, 6.0] and pair[0][0] is pair[1][0]
+    assert (of, gravity, tolerance) == (pytest.approx(wanted), 9.8, 1e-2)
+
+    def refuse(*given, **more):
+        raise ValueError
+
+    monkeypatch.setattr("hakobune.bem.sections.side_by_side.side_by_side", refuse)
+    assert resonant_water.peak(2.0, 5.0, 10.0, depth, 0.9, 9.8) is None
