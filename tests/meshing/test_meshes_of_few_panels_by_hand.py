@@ -350,10 +350,11 @@ def test_a_plan_keeps_a_notch_whichever_way_it_turns(turned):
 
 
 def test_what_is_drawn_a_hair_off_the_surface_or_either_mirror_plane_is_moved_into_it():
-    """Four thousandths of the median edge of 2 m"""
-    points = np.array([[0.007, 0.007, -0.007], [2, -0.0079, 0.0079], [2, 2, -2], [0.0081, 2.0, -0.0081]])
+    """Four thousandths of the median edge of 2.8 m"""
+    points = np.array([[0.007, 0.007, -0.007], [2, -0.0079, 0.0079], [2, 2, -2], [0.0118, 2.0, -0.0118]])
     mesh = PanelMesh(points, [[0, 1, 2, 3]])
     reach = 4e-3 * mesh.sizes[0]
+    assert reach < 0.0118 < 1.05 * reach
     for symmetry in ("", "x", "y", "xy"):
         made = files._as_meant(replace(mesh, symmetry=symmetry)).points
         wanted = points.copy()

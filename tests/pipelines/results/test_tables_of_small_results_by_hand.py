@@ -388,3 +388,39 @@ def test_a_decay_may_name_its_units_in_its_head(names, found, sizes):
         assert made is None
     else:
         assert made[0] == found and made[1] == pytest.approx(values * sizes)
+
+
+def test_records_on_an_axis_are_columns_of_a_file_and_the_rest_is_left_out(tmp_path):
+    from hakobune.pipelines.results import records
+    from hakobune.pipelines.results.quantity import Quantity
+    from hakobune.pipelines.results.result import Result, labels
+
+    time = [0.0, 0.5]
+    made = Result("berth", {
+        "a": Quantity([1.0, 2.0], ("time",), "N", "a", record=True), "b": Quantity(3.0, (), "m", "b"),
+        "c": Quantity([[4.0, 5.0], [6.0, 7.0]], ("time", "line"), "m", "c", record=True),
+        "d": Quantity([8.0, 9.0], ("line",), "", "d", record=True), "e": Quantity([0.25, 0.75], ("time",), "", "e"),
+        "f": Quantity([10.0, 11.0], ("time",), "", "f", record=True),
+    }, labels("time", time, "s") | labels("line", ["x", "y"]))  # fmt: skip
+    path = tmp_path / "r.csv"
+    records.write_records(made, path)
+    first, head, *rows = path.read_text().splitlines()
+    assert first == "# hakobune berth, records" and head.split(",")[:2] == ["time [s]", "a [N]"]
+    assert [word.endswith("[m]") for word in head.split(",")] == [False, False, True, True, False]
+    assert [list(map(float, row.split(","))) for row in rows] == [[0, 1, 4, 5, 10], [0.5, 2, 6, 7, 11]]
+    records.check_records(path, "berth")
+    with pytest.raises(ValueError, match="is not a course of sea, so it is not replaced"):
+        records.check_records(path, "sea")
+    whole = tmp_path / "r.h5"
+    records.write_records(made, whole)
+    records.check_records(whole, "berth")
+    with pytest.raises(ValueError, match="is not a course of sea"):
+        records.check_records(whole, "sea")
+
+
+def test_a_scene_is_as_broad_as_its_first_body_or_its_diameter():
+    from hakobune.pipelines.scene.scene import Scene
+
+    for beam, radius, wanted in ((20.0, None, 20.0), (None, 7.0, 14.0)):
+        one = SimpleNamespace(body=SimpleNamespace(beam=beam, radius=radius))
+        assert Scene.beam.fget(one) == wanted
