@@ -24,7 +24,7 @@ def read_measured(path):
             f"{path} has columns {', '.join(map(str, names)) or 'none'}; allowed: {', '.join((*NEEDED, *MORE))}"
         )
     try:
-        return {name: np.array([float(row[name] or "nan") for row in rows]) for name in names}
+        return {name: np.array([float("nan" if row[name] == "" else row[name]) for row in rows]) for name in names}
     except (TypeError, ValueError):
         raise StudyError(
             f"{path} has rows that are too short or are not numbers; allowed: numbers, or empty cells"

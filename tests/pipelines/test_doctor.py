@@ -54,3 +54,27 @@ def test_kernels_are_compiled_by_commands_that_exist_and_one_that_cannot_run_is_
     assert "the kernels of a system of lines could" not in told  # a verdict
     assert all(words[0] in cli.app for words in ran), ran
     assert all(Path(word).is_file() for words in ran for word in words if word.endswith(".toml"))
+
+
+def test_the_doctor_tells_what_is_optional_and_missing_and_nothing_amiss_only_where_it_is_so(capsys, monkeypatch):
+    monkeypatch.setattr(doctor, "OPTIONAL", {"no-such-library": "pictures of ships", "numpy": "numbers"})
+    monkeypatch.setattr(doctor, "_gmsh", lambda: "")
+    assert cli.main(["doctor"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert "  no-such-library" in next(line for line in lines if "pictures of ships" in line)
+    assert "missing   optional, pictures of ships" in next(line for line in lines if "pictures of ships" in line)
+    assert next(line for line in lines if line.endswith("optional, numbers")).split()[1] == metadata.version("numpy")
+    monkeypatch.setattr(doctor, "_gmsh", lambda: "gmsh is broken")
+    assert cli.main(["doctor"]) == 1
+    told = capsys.readouterr().out
+    assert "nothing is amiss" not in told and "FAILS: gmsh is broken" in told
+
+
+def test_kernels_are_compiled_ahead_by_scenes_that_are_there():
+    """Every file of a run is a scene that is shipped; databases are made by an earlier run of the same table"""
+    for table in (compiling.LINES, compiling.BODIES):
+        for _, command, *words in table:
+            files = [word for word in words if isinstance(word, Path)]
+            assert len(files) == (command != "line") and all(
+                file.is_file() and file.suffix == ".toml" for file in files
+            )

@@ -56,3 +56,20 @@ def test_a_process_that_leaves_ctrl_c_to_its_parent_goes_on_to_do_so():
         assert not stop.asked
     finally:
         signal.signal(signal.SIGINT, before)
+
+
+@pytest.mark.parametrize("pressed", [False, True])
+def test_what_ctrl_c_did_before_is_there_again_however_a_run_ends(heard, pressed):
+    def own(number, frame):
+        raise AssertionError("not of this run")
+
+    signal.signal(signal.SIGINT, own)
+    with ctrl_c(lambda line: None) as stop:
+        assert signal.getsignal(signal.SIGINT) is not own
+        if pressed:
+            signal.raise_signal(signal.SIGINT)
+        assert stop.asked is pressed
+    assert signal.getsignal(signal.SIGINT) is own
+    with pytest.raises(KeyError), ctrl_c():
+        raise KeyError
+    assert signal.getsignal(signal.SIGINT) is own

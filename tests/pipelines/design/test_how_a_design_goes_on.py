@@ -470,6 +470,9 @@ def test_numbers_of_a_single_point_are_of_its_hawsers_and_then_of_its_lines(monk
     ] == pytest.approx(7.0)
     one = single_point._numbers(study, best, 2, None, None, [], ["l1", "l2"], ())
     assert one.names == ("l1", "l2") and single_point.SLEWING not in one.parts and one.largest.tolist() == [150, 200]
+    best.point.lengths = np.array([40.0])
+    alone = single_point._numbers(study, best, 2, None, None, ["h1"], ["l1", "l2"], ())
+    assert alone.length.tolist() == [40, 300, 310] and alone.largest.tolist() == [70, 150, 200]
 
 
 def test_a_single_point_is_solved_without_maps_and_its_files_lie_beside_the_case(monkeypatch, tmp_path):
