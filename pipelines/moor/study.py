@@ -94,7 +94,7 @@ class Study(Table):
         if not db.bodies:
             if self.hulls:
                 raise StudyError(f"hulls.{min(self.hulls)} is given, but the database contains one body; give [hull]")
-            return self.hull_of(db.sizes)
+            return self.hull_of(db.sizes, is_round=db.is_round)
         moving = [body for body in db.bodies if not body.fixed]
         unknown = set(self.hulls) - {body.name for body in moving}
         if unknown or self.hull is not None:
@@ -109,7 +109,7 @@ class Study(Table):
                 raise StudyError(f"hulls.{body.name}: {error}") from None
         return found
 
-    def hull_of(self, dimensions, table=None):
+    def hull_of(self, dimensions, table=None, is_round=False):
         """ExposedBox with sizes of the study, or of a database (`dimensions`, m); a contradiction is an error.
 
         table : HullTable, by default that of one body
@@ -128,7 +128,7 @@ class Study(Table):
         if given.freeboard is None and self.wind is not None:
             raise StudyError("hull.freeboard is missing, and the wind acts on it; give the freeboard in m, above 0")
         freeboard = sizes["draft"] if given.freeboard is None else positive("hull.freeboard", given.freeboard)
-        return ExposedBox(**sizes, freeboard=freeboard, **superstructures(given))
+        return ExposedBox(**sizes, freeboard=freeboard, **superstructures(given), is_round=is_round)
 
     def remarks(self, hull, db):
         """Initial findings on an `ExposedBox` and the database of its hull, one line each
