@@ -94,7 +94,7 @@ class Study(Table):
         if not db.bodies:
             if self.hulls:
                 raise StudyError(f"hulls.{min(self.hulls)} is given, but the database contains one body; give [hull]")
-            return self.hull_of(db.sizes, is_round=db.is_round)
+            return self.hull_of(db.sizes)
         moving = [body for body in db.bodies if not body.fixed]
         unknown = set(self.hulls) - {body.name for body in moving}
         if unknown or self.hull is not None:
@@ -109,12 +109,16 @@ class Study(Table):
                 raise StudyError(f"hulls.{body.name}: {error}") from None
         return found
 
-    def hull_of(self, dimensions, table=None, is_round=False):
+    def hull_of(self, dimensions, table=None):
         """ExposedBox with sizes of the study, or of a database (`dimensions`, m); a contradiction is an error.
+
+        A hull with a radius is round.
 
         table : HullTable, by default that of one body
         """
         sizes, given = {}, table or (HullTable() if self.hull is None else self.hull)
+        if is_round := "radius" in dimensions:
+            dimensions = dict.fromkeys(("length", "beam"), 2 * dimensions["radius"]) | dimensions
         for key in ("length", "beam", "draft"):
             own, stored = getattr(given, key), dimensions.get(key)
             if own is None and stored is None:

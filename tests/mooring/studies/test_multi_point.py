@@ -407,6 +407,11 @@ def test_faulty_study_is_refused_by_key_in_one_line(old, new, message):
     assert "\n" not in str(caught.value)
 
 
+def test_a_hull_with_a_radius_is_round_and_as_long_and_wide_as_it_is_thick():
+    hull = make_study({"water": {"depth": 20.0}}).hull_of({"radius": 3.0, "draft": 2.0})
+    assert (hull.length, hull.beam, hull.draft, hull.is_round) == (6.0, 6.0, 2.0, True)
+
+
 def test_contradicting_hull_is_refused():
     study = make_study(tomllib.loads(STUDY.replace("freeboard", "beam = 40.0\nfreeboard")))
     with pytest.raises(
