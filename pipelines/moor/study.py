@@ -146,7 +146,8 @@ class Study(Table):
             if box is not None:
                 self.check_streams(box, db.density)
                 volume = one.displaced_volume
-                said += [] if volume is None else no_box(volume / (box.length * box.beam * box.draft), box, self)
+                known = volume is None or box.is_round
+                said += [] if known else no_box(volume / (box.length * box.beam * box.draft), box, self)
         return said
 
     def check_depth(self, solved, name):
