@@ -324,21 +324,25 @@ def _missing(error):
 
 
 def _one_line(error, command=""):
-    """Its message, with a file of one long word shortened; a flag by its name in other programs is told with ours"""
+    """Its message, with a file of one long word shortened; an unknown flag is told with ours that is meant"""
     text = " ".join(str(error).split())
-    flag = re.match(r"Unknown option: --([\w-]+)", text)
-    if flag and (ours := _known_as(flag[1].lower(), command)):
-        return f"Unknown option: --{flag[1]}. It is {' or '.join(ours)} here."
+    if (flag := re.match(r"Unknown option: --([\w-]+)", text)) and command in app:
+        return f"Unknown option: --{flag[1]}.{_instead(flag[1].lower(), command)}"
     return re.sub(r"\S{500,}", lambda word: f"{word[0][:100]}…", text)[:5000]
 
 
-def _known_as(word, command):
-    """Flags of a command that a word of other programs stands for"""
+def _instead(word, command):
+    """The flags of a command that a word of other programs stands for, or the one that is spelled like it"""
+    from difflib import get_close_matches
+
     from .keys.words import OTHER_NAMES
 
-    known = {name for one in app[command].assemble_argument_collection() for name in one.names}
+    known = {name for one in app[command].assemble_argument_collection() for name in one.names if name[:2] == "--"}
     flags = ["--" + key.replace("_", "-") for key, others in OTHER_NAMES.items() if word in others.split()]
-    return [flag for flag in flags if flag in known]
+    if ours := [flag for flag in flags if flag in known]:
+        return f" It is {' or '.join(ours)} here."
+    near = get_close_matches(word, [name[2:] for name in sorted(known)], n=1)  # without dashes, that all have
+    return f" Did you mean --{near[0]}?" if near else ""
 
 
 def _solve(file, body, flags, run):

@@ -212,8 +212,8 @@ class Reader:
         C, M = self.stiffness[mode, mode], self.inertia[mode, mode]
         if not C > 0:
             raise ValueError(
-                f"{self.words[mode]} has no restoring force, so its critical damping is not defined; give damping as "
-                f"a matrix"
+                f"{self.words[mode]} has no restoring force, so its critical damping is not defined; give its damping "
+                f"in N s/m, as linear_damping of a study"
             )
 
         def own(omega):

@@ -351,7 +351,12 @@ class Database:
     @property
     def sizes(self) -> dict[str, float]:
         """`dimensions`, m; for a hull that is neither box nor ship the dimensions of the box about the origin that
-        encloses the hull"""
+        encloses the hull, and the radius of a round one"""
+        if self.is_round:
+            points = np.zeros((1, 3)) if self.mesh is None else self.mesh.whole().points
+            found = {"radius": float(np.hypot(*points[:, :2].T).max()), "draft": float(-points[:, 2].min())}
+            found |= self.dimensions
+            return {"length": 2 * found["radius"], "beam": 2 * found["radius"]} | found
         if self.mesh is None or not len(self.mesh) or "length" in self.dimensions:
             return self.dimensions
         points = self.mesh.whole().points

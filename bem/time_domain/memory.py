@@ -42,6 +42,7 @@ SHORTER = (0.9, 0.8, 0.7, 0.6, 0.5)  # fractions of the band tried if its upper 
 SPREAD = (30.0, 8.0)  # range of the fit below and above the band, as a factor
 FELT = 0.05  # error scale over ω (M + A), for motions that radiate little, such as heave of a semi-submersible
 CLOSE = (0.03, 0.1)  # deviation of the fitted transform from the database: above these it is reported, refused
+SAME = 1e-7  # relative difference of the transforms of two groups that are one
 
 
 @dataclass(frozen=True, eq=False)
@@ -159,10 +160,7 @@ def _memory(body, tolerance, motions):
     groups = _groups(_relative(np.abs(wanted).max(axis=0), scale) > 0.1 * tolerance)
     answered = sensitivity(body, at, wanted, axis.added_mass_infinity, size, body.rigid)
     answered[(at < band[0]) | (at > band[1])] = 0.0  # damping outside the band is an assumed power law
-    parts = [
-        fewest_states(at, wanted[np.ix_(range(len(at)), g, g)], size[list(g)], g, tolerance, answered[:, g], body.words)
-        for g in groups
-    ]
+    parts = _parts(at, wanted, size, groups, tolerance, answered, body.words)
     arrays, storage, loss = _joined(parts, groups, size)
     made = _transfer(arrays, at).conj()
     error = _relative(np.abs(made - wanted).max(axis=0), scale)
@@ -319,6 +317,35 @@ def _groups(coupled):
         found.append(tuple(sorted(group)))
         left = [i for i in left if i not in group]
     return tuple(found)
+
+
+def _parts(omega, wanted, size, groups, tolerance, answered, words):
+    """`Passive` of each group of coupled motions
+
+    Surge with pitch and sway with roll of a round or square body are one system but for signs: two fits of it would
+    differ by the tolerance, and such a body would not move along the waves.
+    """
+    parts = []
+    for n, group in enumerate(groups):
+        own = wanted[np.ix_(range(len(omega)), group, group)]
+        for before, part in zip(groups[:n], parts, strict=True):
+            signs = _signs(wanted[np.ix_(range(len(omega)), before, before)], own)
+            if signs is not None and np.allclose(answered[:, before], answered[:, group], rtol=SAME):
+                parts.append(part._replace(input=part.input * signs, output=part.output * signs))
+                break
+        else:
+            parts.append(fewest_states(omega, own, size[list(group)], group, tolerance, answered[:, group], words))
+    return parts
+
+
+def _signs(one, other):
+    """(m, 1) signs of motions with which a transform (q, m, m) is another one, None if it is not"""
+    if one.shape != other.shape:
+        return None
+    signs = np.where(np.sum((one[:, 0].conj() * other[:, 0]).real, axis=0) < 0, -1.0, 1.0)
+    size = np.sqrt(np.abs(np.einsum("qii->qi", one)).max(axis=0))
+    same = np.abs(other - np.outer(signs, signs) * one).max(axis=0) <= SAME * np.outer(size, size)
+    return signs[:, None] if same.all() else None
 
 
 def _joined(parts, groups, size):

@@ -10,6 +10,8 @@ where C_x(0°), C_y(90°) over B/d and H/d are interpolated along their crest (s
 three depths at which all angles were tested.  A sea deeper than the tank is treated as one of the tank's depth. The
 moment is not tabulated; the report's text gives the lever 0.09 (sin 2χ)^1.2 of the length for L/B = 2.
 
+A square has the mean of both sides of L/B = 1.2, so that it has no side of its own; boxes up to 1.2 are in between.
+
 Beyond the tests coefficients are extrapolated, and a note says so: longer boxes, and smaller or larger B/d, have those
 of the nearest proportion; L/B < 2 with an untested B/d has the trend of L/B = 2 over B/d; and in water shallower than
 the tests C_y increases as for ships (UFC 4-159-03, Design: Moorings, 2005, eq. 11), to 3.2 abeam when aground:
@@ -60,6 +62,9 @@ def box_table(length, beam, draft, depth):
     series = {1.2: 1 - share, 2.0: share}
     parts = [(part, _tested(ratio, wide, given["H/d"])) for ratio, part in series.items() if part > 0]
     x, y = (sum(part * found[i] for part, found in parts) for i in range(2))
+    if given["L/B"] < 1.2:  # a square has one coefficient for both sides, and boxes up to the tests are in between
+        square, part = 0.5 * (x + y[::-1]), (1.2 - given["L/B"]) / 0.2
+        x, y = x + part * (square - x), y + part * (square[::-1] - y)
     lever = 0.09 * (min(given["L/B"], 2.0) - 1) * np.maximum(np.sin(2 * ANGLES), 0.0) ** 1.2
     notes = [note for ratio, part in series.items() if part > 0 for note in _suspects(ratio, wide, given["H/d"])]
     led_on = dict.fromkeys(note for _, found in parts for note in found[2])

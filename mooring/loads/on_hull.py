@@ -5,6 +5,9 @@
 Z : height of the centre of pressure above the point that moments are about.  Wind on a box acts at half the exposed
 height, on superstructures at their middle.  The report gives a current no heeling moment (eq. 3.7.1.10), as if it acted
 at the centre of gravity; a uniform current has equal pressure over the draft and acts at half of it.
+
+A round hull, for which the report has no tests, is a vertical cylinder: F = ½ρ C_D D d U² along the stream, without a
+moment.  C_D is ROUGH in water; in air it is that of the report's table of members.
 """
 
 from collections.abc import Callable
@@ -14,8 +17,11 @@ import numpy as np
 
 from .box_current import box_table, current_force
 from .box_drag import about
-from .box_wind import wind_force
+from .box_wind import BOX, wind_force
 from .coefficients import HullCoefficients, hull_force
+from .members import C_D
+
+ROUGH = 1.05  # C_D of a rough circular cylinder, post-critical (DNV-RP-C205, 2019, section 6.7), no relief at its ends
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,7 +55,11 @@ def wind_on(wind, hull):
         unit = lambda angle: hull_force(table, 1.0, angle, wind.density)  # noqa: E731
         return StreamOnHull(unit, (_first(wind.height, table.height, middle),) * 2)
     areas = {"front_area": hull.front_area, "side_area": hull.side_area}
-    (_, along), (_, across) = silhouettes(hull)
+    (front, along), (side, across) = silhouettes(hull)
+    if hull.is_round and table is BOX:
+        less = (1.0 - C_D["cylinder"]) * hull.beam * hull.freeboard  # m², of the areas with C_D 1
+        unit = _along_stream(0.5 * wind.density * (front - less), 0.5 * wind.density * (side - less))
+        return StreamOnHull(unit, (_first(wind.height, along), _first(wind.height, across)))
     sizes = hull.length, hull.beam, hull.freeboard, wind.density, table
     return StreamOnHull(
         lambda angle: wind_force(1.0, angle, *sizes, **areas), (_first(wind.height, along), _first(wind.height, across))
@@ -62,10 +72,21 @@ def current_on(current, hull, density, depth):
     if isinstance(table, HullCoefficients):
         unit = lambda angle: hull_force(table, 1.0, angle, density)  # noqa: E731
         return StreamOnHull(unit, (_first(height, table.height, -0.5 * hull.draft),) * 2)
+    if hull.is_round and table is None:
+        pull = 0.5 * density * ROUGH * hull.beam * hull.draft
+        note = (
+            f"current force: C_D {ROUGH:g} of a rough cylinder on the round hull; give current coefficients for another"
+        )
+        return StreamOnHull(_along_stream(pull, pull), (_first(height, -0.5 * hull.draft),) * 2, (note,))
     sizes = hull.length, hull.beam, hull.draft
     table = box_table(*sizes, depth) if table is None else table
     unit = lambda angle: current_force(1.0, angle, *sizes, density, table)  # noqa: E731
     return StreamOnHull(unit, (_first(height, -0.5 * hull.draft),) * 2, table.notes)
+
+
+def _along_stream(x, y):
+    """Callable: (…) rad → (…, 3) N s²/m², N s² of forces x from ahead and y from abeam, without a moment"""
+    return lambda angle: np.stack([x * np.cos(angle), y * np.sin(angle), 0.0 * np.asarray(angle)], axis=-1)
 
 
 def _of(table, hull):

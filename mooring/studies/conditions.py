@@ -21,6 +21,7 @@ class ExposedBox:
     length, beam, draft, freeboard (depth of the hull less draft) : m
     front_area, side_area : m², of superstructures from ahead and from abeam
     superstructure_z : m, their middle above still water, None for half their height on the deck, all along the hull
+    is_round : whether it is a vertical cylinder of this beam and length, with superstructures on it
     """
 
     length: float
@@ -30,6 +31,7 @@ class ExposedBox:
     front_area: float = 0.0
     side_area: float = 0.0
     superstructure_z: float | None = None
+    is_round: bool = False
 
 
 @dataclass(frozen=True)

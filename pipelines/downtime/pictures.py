@@ -116,8 +116,8 @@ def limiting(result, number, axes):
 
     height = result["limiting.height"][..., number]
     period, angle = result.labels["period"].values, np.radians(result.labels["comes_from"].values)
-    angle, height = np.append(angle, angle[0] + 2 * np.pi), np.concatenate([height, height[:, :1]], axis=1)
     levels = MaxNLocator(9).tick_values(0.0, 2 * np.nanquantile(height, 0.25) + 1e-9)
+    angle, height = np.append(angle, angle[0] + 2 * np.pi), np.concatenate([height, height[:, :1]], axis=1)
     _compass(axes)
     filled = axes.contourf(angle, period, np.ma.masked_invalid(height), levels, cmap="RdYlGn", extend="max")
     axes.set_ylim(0, period[-1])

@@ -45,7 +45,7 @@ KINDS = {
         "a moored body: water, hull, lines, weather",
         "hakobune.pipelines.moor.study:Study",
         "moor, simulate",
-        "moor_chain_12.toml",
+        "moor_platform.toml",
         (SOLVED, "hakobune moor FILE --database box.h5 --output moor.h5"),
         ("series_box_20m.toml",),
     ),

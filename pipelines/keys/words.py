@@ -59,6 +59,7 @@ OTHER_NAMES = {  # names of keys in other programs and books
     "swell": "systems system",
     "waves": "sea seas wave",
     "sea": "waves wave",
+    "start": "from begin",
     "center_of_gravity": "kg cog vcg center_of_mass centre_of_gravity",
     "GM": "gm gmt metacentric_height",
     "breaking_load_kN": "mbl mbs minimum_breaking_load",

@@ -112,9 +112,13 @@ class Study(Table):
     def hull_of(self, dimensions, table=None):
         """ExposedBox with sizes of the study, or of a database (`dimensions`, m); a contradiction is an error.
 
+        A hull with a radius is round.
+
         table : HullTable, by default that of one body
         """
         sizes, given = {}, table or (HullTable() if self.hull is None else self.hull)
+        if is_round := "radius" in dimensions:
+            dimensions = dict.fromkeys(("length", "beam"), 2 * dimensions["radius"]) | dimensions
         for key in ("length", "beam", "draft"):
             own, stored = getattr(given, key), dimensions.get(key)
             if own is None and stored is None:
@@ -128,7 +132,7 @@ class Study(Table):
         if given.freeboard is None and self.wind is not None:
             raise StudyError("hull.freeboard is missing, and the wind acts on it; give the freeboard in m, above 0")
         freeboard = sizes["draft"] if given.freeboard is None else positive("hull.freeboard", given.freeboard)
-        return ExposedBox(**sizes, freeboard=freeboard, **superstructures(given))
+        return ExposedBox(**sizes, freeboard=freeboard, **superstructures(given), is_round=is_round)
 
     def remarks(self, hull, db):
         """Initial findings on an `ExposedBox` and the database of its hull, one line each
@@ -142,7 +146,8 @@ class Study(Table):
             if box is not None:
                 self.check_streams(box, db.density)
                 volume = one.displaced_volume
-                said += [] if volume is None else no_box(volume / (box.length * box.beam * box.draft), box, self)
+                known = volume is None or box.is_round
+                said += [] if known else no_box(volume / (box.length * box.beam * box.draft), box, self)
         return said
 
     def check_depth(self, solved, name):

@@ -75,7 +75,7 @@ def _figure(rows, columns, size, between=0.12, title=0.6, **more):
 
 class Worst(NamedTuple):
     """The line with the largest tension of all runs, without lines the fender with the largest deflection, without
-    lines and fenders the largest motion
+    lines and fenders the motion that takes the hull farthest from rest
 
     kind : "tension", "deflection" or "motion", its dataset; at : its place there; factor : to its unit
     """
@@ -99,20 +99,29 @@ def _worst(file):
     if not chosen:
         bodies = bodies_of(file) or ("",)
         motions = [one for i, name in enumerate(bodies) for one in Motions(i, f"{name} ".lstrip()).named]
-        ends = file["statistics"][()][whole_rows(file)][:, : len(motions), STATISTICS.index("largest")]
-        at = int(np.argmax(np.abs([factor for _, factor, _ in motions] * ends).max(axis=0)))
+        at = int(np.argmax(_travel(file, len(motions))))
         return Worst("motion", at, *motions[at])
     largest = file["statistics"][()][whole_rows(file)][:, chosen, STATISTICS.index("largest")]
     at = int(np.argmax(largest.max(axis=0)))
     return Worst(kind, at, names[chosen[at]].removeprefix(f"{kind} "), factor, unit)
 
 
+def _travel(file, count):
+    """(count,) m that each motion takes the hull from rest, either way; rotations at its sides and ends"""
+    length, beam = file.attrs["hull"][:2]
+    arms = np.resize([1.0, 1.0, 1.0, beam / 2, length / 2, length / 2], count)
+    places = [STATISTICS.index(end) for end in ("smallest", "largest")]
+    ends = file["statistics"][()][whole_rows(file)][:, :count, places]
+    return arms * np.abs(ends).max(axis=(0, 2))
+
+
 def _records(file, kept, path, motions):
     """The minutes around the largest tension, in its run"""
     worst, time = _worst(file), file["time"][()]
-    row = max(kept, key=lambda i: file[worst.kind][i, :, worst.at].max())
+    either = np.abs if worst.kind == "motion" else np.asarray  # the way of a motion does not matter
+    row = max(kept, key=lambda i: either(file[worst.kind][i, :, worst.at]).max())
     record = file[worst.kind][row, :, worst.at]
-    at = time[int(np.argmax(record))]
+    at = time[int(np.argmax(either(record)))]
     begin = min(max(at - SHOWN / 2, time[0]), max(time[-1] - SHOWN, time[0]))
     part = (time >= begin) & (time <= begin + SHOWN)
     moving = [j for j, (name, _, _) in enumerate(motions.named) if not _still(file, name)]

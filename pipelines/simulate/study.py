@@ -204,10 +204,11 @@ def _record(study, table, settings, omega, folder):
 
 
 def damping(study, body):
-    """(n, n) SI of the damping ratios and the linear damping of a study, for a Body"""
+    """(n, n) SI of the damping ratios and the linear damping of a study, for a Body; its springs count as restoring"""
     if study.simulation is None:
         return np.zeros_like(body.damping)
-    ratios = damping_of("simulation", study.simulation.damping_ratio, body)
+    sprung = body.restrained(stiffness=spring(study, body.words)) if study.simulation.spring else body
+    ratios = damping_of("simulation", study.simulation.damping_ratio, sprung)
     return ratios + np.diag(_by_motion("linear_damping", study.simulation.linear_damping, body.words))
 
 

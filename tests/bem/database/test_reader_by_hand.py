@@ -67,7 +67,7 @@ def test_critical_damping_is_that_of_the_motion_at_its_own_frequency():
     assert made().critical_damping(2) == pytest.approx(2 * 6e5 / w, rel=2e-4)  # of a fit to five frequencies
     with pytest.raises(
         ValueError,
-        match="surge has no restoring force, so its critical damping is not defined; give damping as a matrix",
+        match="surge has no restoring force, so its critical damping is not defined; give its damping in N s/m",
     ):
         made().critical_damping(0)
 

@@ -10,7 +10,7 @@ from hakobune.bem.database.between_frequencies import BetweenError
 from hakobune.bem.database.natural_periods import NaturalPeriods
 from hakobune.bem.database.reader import Reader
 from hakobune.bem.database.rows import Database
-from hakobune.meshing.shapes import box
+from hakobune.meshing.shapes import box, buoy
 
 
 def test_sizes_are_those_of_the_scene_or_of_the_box_that_holds_the_hull():
@@ -20,9 +20,21 @@ def test_sizes_are_those_of_the_scene_or_of_the_box_that_holds_the_hull():
         ({}, {"length": 12.0, "beam": 6.0, "draft": 2.0}), ({"length": 9.0}, {"length": 9.0}),
         ({"radius": 3.0, "draft": 1.5}, {"length": 12.0, "beam": 6.0, "draft": 1.5, "radius": 3.0}),
     ):  # fmt: skip
-        db = SimpleNamespace(mesh=hull, dimensions=dimensions)
+        db = SimpleNamespace(mesh=hull, dimensions=dimensions, is_round=False)
         assert Database.sizes.fget(db) == pytest.approx(sizes)
-    assert Database.sizes.fget(SimpleNamespace(mesh=None, dimensions={"draft": 1.0})) == {"draft": 1.0}
+    bare = SimpleNamespace(mesh=None, dimensions={"draft": 1.0}, is_round=False)
+    assert Database.sizes.fget(bare) == {"draft": 1.0}
+
+
+def test_a_round_hull_has_twice_its_radius_not_the_corners_of_its_panels():
+    """Of a mesh without dimensions, the farthest point from the axis"""
+    of_mesh = SimpleNamespace(mesh=buoy(3.0, 1.5, panels=100), dimensions={}, is_round=True)
+    corners = np.hypot(*of_mesh.mesh.points[:, :2].T).max()
+    wanted = {"length": 2 * corners, "beam": 2 * corners, "radius": corners, "draft": 1.5}
+    assert Database.sizes.fget(of_mesh) == pytest.approx(wanted)
+    for mesh in (None, of_mesh.mesh):
+        by_flags = SimpleNamespace(mesh=mesh, dimensions={"radius": 3.0, "draft": 1.5}, is_round=True)
+        assert Database.sizes.fget(by_flags) == {"length": 6.0, "beam": 6.0, "radius": 3.0, "draft": 1.5}
 
 
 def test_a_database_holds_names_that_are_words_alone():

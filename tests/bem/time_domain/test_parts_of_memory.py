@@ -8,6 +8,7 @@ import pytest
 from hakobune.bem.time_domain import fewest_states
 from hakobune.bem.time_domain import memory as module
 from hakobune.bem.time_domain.memory import Memory, memory_of_database, no_memory
+from hakobune.bem.time_domain.passive_fit import Passive
 
 RNG = np.random.default_rng(7)
 
@@ -42,6 +43,32 @@ def test_motions_that_are_coupled_through_others_are_one_group():
     coupled[5, 5] = False
     assert module._groups(coupled) == ((0, 2, 4), (1, 3))
     assert module._groups(np.zeros((6, 6), bool)) == ()
+
+
+def test_two_planes_of_a_round_body_have_one_system_but_for_signs(monkeypatch):
+    """Surge and pitch, sway and roll: their coupling has opposite signs; another body is fitted in both planes"""
+    wanted = RNG.normal(size=(5, 6, 6)) + 1j * RNG.normal(size=(5, 6, 6))
+    for i, j, sign in ((1, 1, 1), (1, 3, -1), (3, 1, -1), (3, 3, 1)):
+        wanted[:, i, j] = sign * wanted[:, {1: 0, 3: 4}[i], {1: 0, 3: 4}[j]]
+    asked = []
+
+    def fitted(omega, own, size, group, *_):
+        asked.append(group)
+        into, out = np.arange(6.0).reshape(2, 3) + len(asked), np.ones((2, 3))
+        return Passive(np.zeros(3), np.zeros(0), into, out, np.eye(3), np.eye(3, 2))
+
+    monkeypatch.setattr(module, "_kept", fitted)
+    groups, omega, equal = ((0, 4), (1, 3), (2,)), np.arange(5.0), np.ones((5, 6))
+    one, other, _ = module._parts(omega, wanted, np.ones(6), groups, 1e-3, equal, ())
+    assert asked == [(0, 4), (2,)]
+    assert other.input.tolist() == [one.input[0].tolist(), (-one.input[1]).tolist()]
+    assert other.output.tolist() == [[1.0] * 3, [-1.0] * 3] and other.storage is one.storage
+    for change in ("transform", "sensitivity"):
+        asked.clear()
+        unlike, felt = wanted.copy(), equal.copy()
+        (unlike[:, 3, 3] if change == "transform" else felt[:, 3])[:] *= 1.001
+        module._parts(omega, unlike, np.ones(6), groups, 1e-3, felt, ())
+        assert asked == [(0, 4), (1, 3), (2,)]
 
 
 def test_memory_is_fitted_from_a_thirtieth_of_the_band_to_eight_times_it():

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from hakobune.mooring.loads.box_drag import drag_table
 from hakobune.mooring.loads.on_hull import current_on, silhouettes, turning_drag, wind_on
 from hakobune.mooring.loads.ship_wind import blendermann, ships
 from hakobune.mooring.studies.conditions import Current, ExposedBox, Wind
@@ -52,6 +53,40 @@ def test_turning_drag_is_the_cross_flow_of_slices_of_the_hull():
     x = np.linspace(-50, 50, 20001)
     slices = np.trapezoid(float(water.unit(np.pi / 2)[1]) / 100.0 * np.abs(x) ** 3, x)
     assert turning_drag(water, 100.0) == pytest.approx(slices, rel=1e-6)
+
+
+@pytest.mark.parametrize("degrees", [0, 17, 45, 120, 300])
+def test_streams_pull_a_round_hull_along_themselves_alike_from_all_sides(degrees):
+    """½ρ C_D D d U², C_D 1.05 in water and 0.5 in air; a house of 3 and 7 m² has C_D 1 from ahead and from abeam"""
+    angle = np.radians(degrees)
+    along, at = np.array([np.cos(angle), np.sin(angle), 0.0]), np.array([np.cos(angle), np.sin(angle)])
+    hull = ExposedBox(16.0, 16.0, 6.0, 4.0, is_round=True)
+    water = current_on(Current(1.0, 0.0), hull, 1000.0, 24.0)
+    assert water.unit(angle) == pytest.approx(500.0 * 1.05 * 16 * 6 * along, rel=1e-12)
+    assert len(water.notes) == 1 and "1.05" in water.notes[0] and water.height == (-3.0, -3.0)
+    air = wind_on(Wind(1.0, 0.0, density=1.2), hull)
+    assert air.unit(angle) == pytest.approx(0.6 * 0.5 * 16 * 4 * along, rel=1e-12) and air.height == (2.0, 2.0)
+    house = wind_on(Wind(1.0, 0.0, density=1.2), ExposedBox(16.0, 16.0, 6.0, 4.0, 3.0, 7.0, is_round=True))
+    assert house.unit(angle)[:2] == pytest.approx(0.6 * (np.array([3.0, 7.0]) + 32.0) * at, rel=1e-12)
+
+
+def test_coefficients_that_are_given_count_on_a_round_hull_too():
+    hull = ExposedBox(16.0, 16.0, 6.0, 4.0, is_round=True)
+    given = drag_table([0.0, 0.25 * np.pi, 0.5 * np.pi], [2.0, 1.0, 0.0], [0.0, 1.0, 3.0])
+    assert current_on(Current(1.0, 0.0, given), hull, 1000.0, 24.0).unit(0.0)[0] == pytest.approx(500 * 2 * 96)
+    assert wind_on(Wind(1.0, 0.0, 1.2, given), hull).unit(0.5 * np.pi)[1] == pytest.approx(0.6 * 3 * 64)
+
+
+@pytest.mark.parametrize("degrees", [0, 20, 45, 70])
+def test_a_square_box_has_no_side_of_its_own_and_boxes_near_it_nearly_none(degrees):
+    angle = np.radians(degrees)
+    x, y = (
+        current_on(None, ExposedBox(40.0, 40.0, 6.0, 4.0), 1000.0, 24.0).unit(a)[:2] for a in (angle, np.pi / 2 - angle)
+    )
+    assert x == pytest.approx(y[::-1], rel=1e-9, abs=1e-9)
+    long = current_on(None, ExposedBox(40.0, 39.996, 6.0, 4.0), 1000.0, 24.0).unit(angle)
+    wide = current_on(None, ExposedBox(39.996, 40.0, 6.0, 4.0), 1000.0, 24.0).unit(angle)
+    assert long[:2] == pytest.approx(x, rel=2e-3, abs=1e-9) and wide[:2] == pytest.approx(x, rel=2e-3, abs=1e-9)
 
 
 @pytest.mark.parametrize(

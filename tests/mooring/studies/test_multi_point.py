@@ -3,6 +3,7 @@
 import tomllib
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -405,6 +406,20 @@ def test_faulty_study_is_refused_by_key_in_one_line(old, new, message):
         study.system(study.hull_of({"length": 100.0, "beam": 50.0, "draft": 10.0}), np.zeros(3))
         study.conditions()
     assert "\n" not in str(caught.value)
+
+
+def test_a_hull_with_a_radius_is_round_and_as_long_and_wide_as_it_is_thick():
+    hull = make_study({"water": {"depth": 20.0}}).hull_of({"radius": 3.0, "draft": 2.0})
+    assert (hull.length, hull.beam, hull.draft, hull.is_round) == (6.0, 6.0, 2.0, True)
+
+
+@pytest.mark.parametrize(("size", "lines"), [({"radius": 25.0}, 0), ({"length": 50.0, "beam": 50.0}, 1)])
+def test_a_round_hull_is_not_said_to_be_taken_for_a_box(size, lines):
+    """Its volume is 79 % of the box around it"""
+    study = make_study(tomllib.loads(STUDY))
+    db = SimpleNamespace(water_depth=20.0, path="b.h5", bodies=(), modes=(), density=1025.0, displaced_volume=19635.0)
+    said = study.remarks(study.hull_of(size | {"draft": 10.0}), db)
+    assert sum("as on a box" in line for line in said) == lines
 
 
 def test_contradicting_hull_is_refused():

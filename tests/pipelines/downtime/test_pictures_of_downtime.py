@@ -130,6 +130,15 @@ def test_a_limiting_sea_is_closed_round_the_compass_and_coloured_to_twice_its_lo
     assert axes.figure.axes[1].get_ylabel() == "significant height, m"
 
 
+def test_colours_of_a_limiting_sea_count_each_direction_once(monkeypatch):
+    """A quarter of the heights are 1 m, the others 4: the lower quartile is 3.25 m"""
+    axes = Figure().add_subplot(polar=True)
+    levels, contourf = [], axes.contourf
+    monkeypatch.setattr(axes, "contourf", lambda *given, **more: levels.extend(given[3]) or contourf(*given, **more))
+    pictures.limiting(limited([[1.0, 4.0, 4.0, 4.0]] * 2), 1, axes)
+    assert 6.5 <= levels[-1] < 7.6
+
+
 @pytest.mark.parametrize(("found", "last"), [(result(), "weather"), (limited(2.0), "limiting")])
 def test_a_sheet_has_five_panels_and_the_limiting_sea_where_there_is_one(monkeypatch, found, last):
     kept = []

@@ -271,9 +271,18 @@ def test_the_reference_on_a_terminal_says_where_keys_stand_before_any_table():
 @pytest.mark.parametrize(("words", "said"), [
     ("sea --Hs 3", "--Hs. It is --height here."), ("sea --height 2 --tp 9", "--tp. It is --peak-period here."),
     ("box --KG 3", "--KG. It is --center-of-gravity here."), ("box --Lpp 3", "Unknown option: --Lpp."),
+    ("animate r.h5 --from 3 --output f.gif", "--from. It is --start here."),
     ("moor s.toml --database b.h5 --Hs 3", "Unknown option: --Hs."),  # the sea of moor is in its study, and no flag
 ])  # fmt: skip
 def test_a_flag_by_its_name_in_other_programs_is_told_with_ours(words, said, capsys):
     assert cli.main(words.split()) == 2
     told = capsys.readouterr().err
     assert said in told and told.count("\n") == 1 and ("It is" in told) == ("It is" in said)
+
+
+@pytest.mark.parametrize(("flag", "near"), [("lenght", "length"), ("heigth", "height"), ("time", ""), ("from_", "")])
+def test_a_flag_is_compared_without_its_dashes_with_those_that_there_are(flag, near, capsys):
+    """The two dashes of all flags made --time one like --step"""
+    assert cli.main(["animate", "run.h5", f"--{flag}", "3", "--output", "f.gif"]) == 2
+    said = f" Did you mean --{near}?" if near else ""
+    assert capsys.readouterr().err == f"hakobune animate: Unknown option: --{flag}.{said}\n"

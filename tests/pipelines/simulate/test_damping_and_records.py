@@ -31,6 +31,18 @@ def test_ratios_and_kilonewtons_of_damping_add_up():
     assert np.all(damping(bare, body) == 0) and damping(bare, body).shape == (6, 6) and np.all(quadratic(bare) == 0)
 
 
+def test_a_share_of_critical_damping_counts_the_spring_of_the_motion():
+    """Surge has no other restoring: 2 ζ √(K M) of K = 80 kN/m"""
+    rest = {"damping": np.zeros((6, 6)), "words": ONE_BODY}
+
+    def restrained(stiffness):
+        return SimpleNamespace(critical_damping=lambda mode: 2 * np.sqrt(stiffness[mode, mode] * 5e5), **rest)
+
+    body = SimpleNamespace(restrained=restrained, **rest)
+    table = {"duration": 9.0, "damping_ratio": {"surge": 0.1}, "spring": {"surge": 80.0}}
+    assert damping(make_study(SHIP | {"simulation": table}), body)[0, 0] == pytest.approx(0.2 * np.sqrt(8e4 * 5e5))
+
+
 def test_motions_of_a_study_are_named_and_one_that_is_held_does_not_start_elsewhere():
     study = lambda **table: make_study(SHIP | {"simulation": {"duration": 9.0, "memory": "constant"} | table})  # noqa: E731
     assert motions_of(study()) == (0, 1, 2, 3, 4, 5) and motions_of(study(motions=["yaw", "Surge"])) == (0, 5)

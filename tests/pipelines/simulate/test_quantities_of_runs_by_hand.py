@@ -194,7 +194,7 @@ def test_strains_of_fenders_are_of_the_rubber_alone(monkeypatch):
 
 
 def test_the_worst_line_fender_or_motion_is_that_of_all_whole_runs(monkeypatch):
-    """Without lines the fender, without both the motion that is largest in its unit"""
+    """Without lines the fender, without both the motion that takes the hull of 100 by 40 m farthest, either way"""
     from hakobune.pipelines.simulate import pictures
 
     monkeypatch.setattr(pictures, "whole_rows", lambda file: np.array([True, False, True]))
@@ -205,9 +205,9 @@ def test_the_worst_line_fender_or_motion_is_that_of_all_whole_runs(monkeypatch):
         names = [*motions, "wave", *(f"tension {one}" for one in lines), *(f"deflection {one}" for one in fenders)]
         statistics = np.zeros((3, len(names), len(STATISTICS)))
         for (run, name), value in values.items():
-            statistics[run, names.index(name), STATISTICS.index("largest")] = value
+            statistics[run, names.index(name), STATISTICS.index("largest" if value > 0 else "smallest")] = value
         return File({"line": Texts(*lines), "quantity": SimpleNamespace(asstr=lambda: np.array(names)),
-                     "statistics": statistics})  # fmt: skip
+                     "statistics": statistics}, hull=[100.0, 40.0, 10.0, 5.0])  # fmt: skip
 
     own = {(0, "tension a"): 5e5, (2, "tension b"): 6e5, (1, "tension a"): 9e9, (0, "deflection f"): 9e9}
     worst = pictures._worst(file(["a", "b"], ["f"], own))
@@ -215,6 +215,9 @@ def test_the_worst_line_fender_or_motion_is_that_of_all_whole_runs(monkeypatch):
     own = {(0, "deflection f"): 0.2, (2, "deflection g"): 0.3, (1, "deflection f"): 9.0, (0, "surge"): 50.0}
     worst = pictures._worst(file([], ["f", "g"], own))
     assert worst == ("deflection", 1, "g", 1.0, "m") and worst.quantity == "deflection g"
-    worst = pictures._worst(file([], [], {(0, "surge"): 3.0, (2, "roll"): np.radians(4.0), (1, "sway"): 9.0}))
-    assert worst[:3] == ("motion", 3, "roll") and worst.unit == "°" and worst.quantity == "roll"
+    moved = {(0, "surge"): 3.0, (2, "roll"): np.radians(4.0), (1, "sway"): 9.0}  # 4° is 1.4 m at 20 m
+    assert pictures._worst(file([], [], moved))[1:] == (0, "surge", 1.0, "m")
+    worst = pictures._worst(file([], [], {**moved, (2, "pitch"): np.radians(-4.0)}))  # 3.5 m at 50 m
+    assert worst[:3] == ("motion", 4, "pitch") and worst.unit == "°" and worst.quantity == "pitch"
     assert worst.factor == pytest.approx(180 / np.pi)
+    assert pictures._worst(file([], [], {**moved, (2, "sway"): -3.1})).name == "sway"
