@@ -63,7 +63,7 @@ def _joined(places):
 
 
 def _kept(filled, size):
-    """(first byte, end) between places, ascending, of `size` bytes"""
+    """Ranges (first byte, end) between ascending places in a file of `size` bytes"""
     begin = 0
     for place, count in filled:
         yield begin, place

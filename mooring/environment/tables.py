@@ -64,7 +64,7 @@ def unit_of(path, name, kind):
 
 
 def _all_numbers(lines, width):
-    """(n, m) values of rows with one kind of separator, ten times as fast as row by row; None for others"""
+    """Values of rows with one kind of separator, ten times as fast as row by row; shape (n, m); None for others"""
     mark = next((mark for mark in (";", ",") if mark in lines[0]), None)
     try:
         values = np.loadtxt(lines, delimiter=mark, comments=None, ndmin=2)
@@ -74,7 +74,8 @@ def _all_numbers(lines, width):
 
 
 def _row_by_row(path, text, named, width, blank):
-    """(n, m) values of a text, without the first line of data if `named`; TableError for the first wrong value"""
+    """Values of a text, without the first line of data if `named`; shape (n, m).  Raises TableError for the first wrong
+    value."""
     values, rows = [], ((number, line) for number, line in enumerate(text.splitlines(), 1) if _has_data(line))
     if named:
         next(rows)
