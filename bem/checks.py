@@ -131,7 +131,7 @@ def _wanted(run):
 
 
 def radiation_scale(run):
-    """(dofs, dofs) √|Zᵢᵢ Zⱼⱼ|, infinite for modes that move no water"""
+    """√|Zᵢᵢ Zⱼⱼ|, infinite for modes that move no water; shape (dofs, dofs)"""
     size = np.sqrt(np.abs(np.diag(run.radiation)))
     size = np.where(run.prepared.displacing, size, np.inf)[run.dofs]
     return np.outer(size, size)
@@ -146,7 +146,8 @@ def damping_scale(radiation, displacing, periods=PERIODS):
 
 
 def excitation_scale(run, of=None):
-    """(of,) size of the forces `of`, numbers, by default of the motions, infinite for modes that move no water
+    """Scale of the forces with numbers `of`, by default of all motions; infinite for modes that move no water; shape
+    (of,)
 
     Sway in a head sea and heave in short waves are nothing but error. Therefore no force counts as less than a fifth of
     the largest, and no moment as less than that of such a force at half the hull's radius.

@@ -15,7 +15,7 @@ OF_EACH = {"body_drift_force_fixed": False, "body_drift_force": True}  # names f
 
 
 def mean_drift(H, slope, forward, forward_slope, theta, beta, k, n, density, gravity):
-    """(headings, 3) mean surge and sway force (N/m²) and yaw moment (N m/m²) about the origin.
+    """Mean surge and sway force (N/m²) and yaw moment (N m/m²) about the origin.; shape (headings, 3)
 
     k, n : numbers, or arrays that broadcast over the headings; other arguments may then have more leading axes
     H, slope : (headings, t) total Kochin function and derivative at equally spaced `theta`
@@ -28,8 +28,8 @@ def mean_drift(H, slope, forward, forward_slope, theta, beta, k, n, density, gra
 
 
 def drift_of_two(H, slope, ahead, ahead_slope, theta, beta, k, n, density, gravity):
-    """(headings, headings, 3) complex D for pairs of waves of one frequency: waves of amplitudes a_i together have the
-    mean drift Re Σ Σ a_i conj(a_j) D_ij.
+    """Complex matrix D for pairs of waves of one frequency; shape (headings, headings, 3): waves of amplitudes a_i
+    together have the mean drift Re Σ Σ a_i conj(a_j) D_ij.
 
     ahead, ahead_slope : (headings, headings) H and H′ of each wave in the direction of each; the rest as in
     `mean_drift`, which gives D_ii.  The far field contains the interference of both waves with the waves that the body
@@ -59,7 +59,7 @@ def mean_drift_of_series(order, series, forward, forward_slope, beta, k, n, dens
 
 
 def _of_momentum(scattered, forward, forward_slope, beta, k, n, weight):
-    """(headings, 3) from ∫|H|² cosθ dθ, ∫|H|² sinθ dθ, ∫Im(H̄H′) dθ; weight : ρg"""
+    """Mean drift by momentum, shape (headings, 3), from ∫|H|² cosθ dθ, ∫|H|² sinθ dθ and ∫Im(H̄H′) dθ; weight : ρg"""
     cos, sin, turning = scattered
     x = -2 * np.pi * np.cos(beta) * forward.real - cos
     y = -2 * np.pi * np.sin(beta) * forward.real - sin
@@ -97,7 +97,7 @@ def ahead(order, series, beta):
 
 
 def energy_defect(H, forward):
-    """(headings,) violation of (1/2π)∫|H|²dθ = −Re H(β), relative to the largest |H| or the left-hand side
+    """Violation of (1/2π)∫|H|²dθ = −Re H(β), relative to the largest |H| or the left-hand side; shape (headings,)
 
     The error of H is relative to its largest value over θ: in long waves surge and heave cancel, and H(β) vanishes.
     """
@@ -114,8 +114,8 @@ def about(force, center):
 
 
 def sum_about_origin(drift, bodies):
-    """(…, 3) surge, sway and yaw about the origin of all bodies together, from the forces on each body (…, bodies,
-    3)"""
+    """Surge, sway and yaw about the origin of all bodies together, from the forces on each body (…, bodies, 3); shape
+    (…, 3)"""
     out = np.zeros((*drift.shape[:-2], 3))
     for i, body in enumerate(bodies):
         c, s = np.cos(body.heading), np.sin(body.heading)

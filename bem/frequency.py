@@ -99,7 +99,7 @@ class FrequencyRun:
 
     @property
     def radiated(self):
-        """(6, 6) B/ω from the far field, B = 2ρgC_g/(πkω²) ∫ Hᵢ H̄ⱼ dθ; None if it is not computed"""
+        """B/ω from the far field, B = 2ρgC_g/(πkω²) ∫ Hᵢ H̄ⱼ dθ; None if it is not computed; shape (6, 6)"""
         if not self.far_field:
             return None
         H = self.kochin[0][0][:, : len(self.theta)]
@@ -161,12 +161,13 @@ class FrequencyRun:
 
     @cached_property
     def rao(self):
-        """(m, moving) about the rotation centre, of the motions of all bodies that are not fixed"""
+        """Motions about the rotation centre of all bodies that are not fixed; shape (m, moving)"""
         return self._motions(self.radiation, self.excitation)
 
     @property
     def of_motion(self):
-        """(moving, 6) from the motions of `rao` to those about the origin; for several bodies (moving, 6N)"""
+        """Matrix from the motions of `rao` to those about the origin; shape (moving, 6); for several bodies (moving,
+        6N)"""
         return self.problem.transform[self.problem.moving]
 
     def _motions(self, radiation, excitation):
@@ -175,11 +176,11 @@ class FrequencyRun:
         return motions(self.problem, self.omega, Z.real, self.omega * Z.imag, excitation @ T.T)
 
     def drift(self, moving):
-        """(m, 3) about the rotation centre"""
+        """Mean drift about the rotation centre; shape (m, 3)"""
         return self._mean_drift(*self.kochin, self.rao if moving else None)
 
     def drift_of_two(self, moving):
-        """(m, m, 3) complex of pairs of headings about the rotation centre, `bem.drift.drift_of_two`"""
+        """Complex drift of pairs of headings about the rotation centre, by `bem.drift.drift_of_two`; shape (m, m, 3)"""
         H, slope = self._sent(*self.kochin, self.rao if moving else None)
         t = len(self.theta)
         force = drift_of_two(
@@ -212,7 +213,8 @@ class FrequencyRun:
         return out
 
     def asked_radiation(self, radiation):
-        """(6, 6), for several bodies (6N, moving), about the rotation centre, NaN where not requested"""
+        """Matrix of the requested pairs about the rotation centre, NaN where not requested; shape (6, 6), for several
+        bodies (6N, moving)"""
         T = self.problem.transform
         return self.asked_only(self.asked_only(T @ radiation @ T.T).T).T[:, self.problem.moving]
 

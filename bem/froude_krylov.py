@@ -28,7 +28,8 @@ def side_integrals(draft, depth, k):
 
 
 def incident_force(half, draft, depth, k, kappa):
-    """(m, 3) m and m², per unit of ρg and amplitude; half : b, m; kappa : (m,) rad/m"""
+    """Force of the incident wave per unit of ρg and amplitude, m and m²; shape (m, 3); half : half the beam b, m; kappa
+    : (m,) rad/m"""
     plain, moment = side_integrals(draft, depth, k)
     edge, x = float(depth_factor(-draft, k, depth)), kappa * half
     sway = -2j * np.sin(x) * plain

@@ -43,17 +43,17 @@ class Link(NamedTuple):
 
     @property
     def along(self):
-        """(k, 3) unit vectors of constrained translation, along the axes of the first body"""
+        """Unit vectors of constrained translation, along the axes of the first body; shape (k, 3)"""
         return _across(self.axis) if self.kind == "slider" else np.eye(3)
 
     @property
     def held(self):
-        """(k, 3) unit vectors of constrained rotation, along the axes of the first body"""
+        """Unit vectors of constrained rotation, along the axes of the first body; shape (k, 3)"""
         return _across(self.axis) if self.kind == "hinge" else np.eye(3)[: 3 * (self.kind != "ball")]
 
 
 def _across(axis):
-    """(2, 3) unit vectors at right angles to an axis (3,) and each other"""
+    """Two unit vectors at right angles to an axis (3,) and to each other; shape (2, 3)"""
     return np.linalg.svd(np.asarray(axis, float)[None])[2][1:]
 
 
@@ -68,8 +68,8 @@ def end_of(reader, name):
 
 
 def rows_of(reader, link):
-    """(k, n) rows of the constraint matrix G for the motions of a `bem.database.reader.Reader`.  Raises BetweenError
-    for unknown bodies."""
+    """Rows of the constraint matrix G for the motions of a `bem.database.reader.Reader`; shape (k, n).  Raises
+    BetweenError for unknown bodies."""
     rows = _all_rows(reader, link)
     return np.vstack([link.along @ rows[:3], link.held @ rows[3:]])
 
@@ -86,14 +86,14 @@ def driven(reader):
 
 
 def travel_of(reader, link):
-    """(n,) row that gives, from the motions of a Reader, the travel of a slider along its axis, m, or the rotation of a
-    hinge about its axis, rad"""
+    """Row that gives the travel of a slider along its axis, m, or the rotation of a hinge about its axis, rad, from the
+    motions of a Reader; shape (n,)"""
     part = _all_rows(reader, link)[:3] if link.kind == "slider" else _all_rows(reader, link)[3:]
     return np.asarray(link.axis, float) @ part / np.linalg.norm(link.axis)
 
 
 def told_of(links):
-    """(name, unit, column) of the results of links: each force and moment, and the travel of links in DRIVEN
+    """Return (name, unit, column) of the results of links: each force and moment, and the travel of links in DRIVEN
 
     column : of SHOWN numbers for each link
     """
@@ -108,7 +108,8 @@ def told_of(links):
 
 
 def pulls_of(reader, omega, motions):
-    """(q, p, links, 6) N and N m per m of the springs and dampers of links alone, signs as in `forces_of`
+    """Forces, N and N m per m, of the springs and dampers of links alone, signs as in `forces_of`; shape (q, p, links,
+    6)
 
     omega : (q,) rad/s, of motions (q, p, n)
     """
@@ -122,7 +123,8 @@ def pulls_of(reader, omega, motions):
 
 
 def _all_rows(reader, link):
-    """(6, n) displacement and rotation of the second body's point relative to the first, along the axes of the first"""
+    """Displacement and rotation of the second body's point relative to the first, along the axes of the first; shape
+    (6, n)"""
     (first, own_of_first), (second, own_of_second) = (end_of(reader, name) for name in link.bodies)
     place = first.in_scene(link.position)
     turn = first.axes.T @ second.axes
@@ -166,7 +168,8 @@ def free_of(rows):
 
 
 def forces_of(links, rows, left):
-    """(…, links, 6) forces of links, N and N m per m along the axes of the first body of each, from D X − F (…, n)"""
+    """Forces of links along the axes of the first body of each, from D X − F (…, n), N and N m per m; shape (…, links,
+    6)"""
     mu = np.linalg.solve(rows @ rows.T, rows @ left[..., None])[..., 0]
     out, at = np.zeros((*mu.shape[:-1], len(links), 6), mu.dtype), 0
     for i, link in enumerate(links):

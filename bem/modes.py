@@ -31,16 +31,16 @@ class Body(NamedTuple):
 
     @property
     def axes(self):
-        """(3, 3) matrix whose columns are the axes of the body in coordinates of the scene"""
+        """Matrix whose columns are the axes of the body in coordinates of the scene; shape (3, 3)"""
         return turned(self.heading)[:3, :3].T
 
     @property
     def own_center(self):
-        """(3,) m, rotation centre of the body in coordinates of the body"""
+        """Rotation centre of the body in coordinates of the body, m; shape (3,)"""
         return self.axes.T @ (np.asarray(self.rotation_center, float) - (*self.place, 0.0))
 
     def in_scene(self, point):
-        """(…, 3) m in coordinates of the scene, from points (…, 3) in coordinates of the body"""
+        """Points in coordinates of the scene, m, from points (…, 3) in coordinates of the body; shape (…, 3)"""
         return np.asarray(point, float) @ self.axes.T + (*self.place, 0.0)
 
 
@@ -67,20 +67,22 @@ class Mode(NamedTuple):
         return self.on or (self.body,)
 
     def in_body(self, body, points):
-        """(…, 3) m per m or rad at points (…, 3) m, both in coordinates of a `Body`, or of the single body (None)"""
+        """Displacement per m or rad at points (…, 3), m, both in coordinates of a `Body`, or of the single body (None);
+        shape (…, 3)"""
         if not self.on:
             return self.shape.displacement(points)
         return self.shape.displacement(body.in_scene(points)) @ body.axes
 
     def displacement(self, points):
-        """(…, 3) m per m or rad at points (…, 3) m, in coordinates of the scene"""
+        """Displacement per m or rad at points (…, 3), m, in coordinates of the scene; shape (…, 3)"""
         if not (self.heading or any(self.place)):
             return self.shape.displacement(points)
         own = turned(self.heading)[:3, :3]
         return self.shape.displacement((np.asarray(points, float) - (*self.place, 0.0)) @ own.T) @ own
 
     def parity(self, points):
-        """(2,) signs under x → −x and under y → −y, 0 where the shape has none; points : (n, 3) m of the body"""
+        """Signs of the shape under x → −x and under y → −y, 0 where it has none; shape (2,); points : (n, 3), m, of the
+        body"""
         here = self.displacement(points)
         out = []
         for mirror in ((-1, 1, 1), (1, -1, 1)):
@@ -116,14 +118,13 @@ def moving(bodies, modes=()):
 
 
 def turning(bodies, modes=()):
-    """(n,) whether a mode is a rotation"""
+    """Whether a mode is a rotation; shape (n,)"""
     return np.array([False, False, False, True, True, True] * max(1, len(bodies)) + [mode.turns for mode in modes])
 
 
 def transform_of(bodies, rotation_center, modes=()):
-    """(n, n) matrix from generalized normals about the origin to generalized normals about `rotation_center`, for
-    several
-    bodies about the rotation centre of each body"""
+    """Matrix from generalized normals about the origin to generalized normals about `rotation_center`, for several
+    bodies about the rotation centre of each body; shape (n, n)"""
     rigid = axes_of(bodies) if bodies else reference_change(rotation_center)
     out = np.eye(len(rigid) + len(modes))
     out[: len(rigid), : len(rigid)] = rigid
@@ -131,8 +132,8 @@ def transform_of(bodies, rotation_center, modes=()):
 
 
 def axes_of(bodies):
-    """(6N, 6N) matrix from generalized normals about the origin to generalized normals of each body about its own point
-    in its own axes"""
+    """Matrix from generalized normals about the origin to generalized normals of each body about its own point in its
+    own axes; shape (6N, 6N)"""
     out = np.zeros((6 * len(bodies), 6 * len(bodies)))
     for i, body in enumerate(bodies):
         own = slice(6 * i, 6 * i + 6)
@@ -141,13 +142,13 @@ def axes_of(bodies):
 
 
 def turned(heading):
-    """(6, 6) from generalized normals to generalized normals in axes turned by `heading` rad about z"""
+    """Matrix from generalized normals to generalized normals in axes turned by `heading`, rad, about z; shape (6, 6)"""
     c, s = np.cos(heading), np.sin(heading)
     return np.kron(np.eye(2), [[c, s, 0], [-s, c, 0], [0, 0, 1]])
 
 
 def modes_of(bodies, body_of_point, points, normals, modes=()):
-    """(n, 6N + m) normal velocities about the origin; each body moves only its own points
+    """Normal velocities about the origin; shape (n, 6N + m); each body moves only its own points
 
     body_of_point : (n,) numbers; modes : m `Mode`s
     """
@@ -161,12 +162,12 @@ def modes_of(bodies, body_of_point, points, normals, modes=()):
 
 
 def normal_velocities(centroids, normals):
-    """(n, 6) normal velocity of unit surge … yaw about the origin: n and r × n"""
+    """Normal velocity of unit surge … yaw about the origin; shape (n, 6): n and r × n"""
     return np.concatenate([normals, np.cross(centroids, normals)], axis=1)
 
 
 def displacing(mesh, modes=()):
-    """(6,) whether a mode of a hull, a `meshing.panels.PanelMesh`, displaces water.
+    """Whether each mode displaces water, of a hull that is a `meshing.panels.PanelMesh`; shape (6,)
 
     Yaw of a round buoy does not, apart from the corners of its polygon, nor does heave of a pile on the bed: relative
     errors of such modes have no meaning.  A rotation counts if the mean square of its normal velocity is two per cent

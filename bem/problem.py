@@ -37,8 +37,8 @@ class Problem:
 
     @property
     def transform(self):
-        """(6, 6) from generalized normals about the origin to generalized normals about the rotation centre; for
-        several bodies (6N, 6N)"""
+        """Matrix from generalized normals about the origin to generalized normals about the rotation centre; shape (6,
+        6); for several bodies (6N, 6N)"""
         return transform_of(self.bodies, self.rotation_center, self.modes)
 
     @property

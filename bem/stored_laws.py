@@ -51,8 +51,8 @@ def broken_laws(db, tolerance):
 
 
 def damping_errors(db):
-    """(n,) largest estimated error of stored damping over the size of damping, `bem.checks.damping_scale`; NaN without
-    any"""
+    """Largest estimated error of stored damping over the size of damping, `bem.checks.damping_scale`; NaN without any;
+    shape (n,)"""
     relative = _relative_to_damping(db)
     if relative is None:
         return np.full(len(db.omega), np.nan)
@@ -69,7 +69,7 @@ def worst_damping(db):
 
 
 def _relative_to_damping(db):
-    """(n, forces, motions), or None without estimated errors of damping"""
+    """Estimated error of stored damping over its size; shape (n, forces, motions); None without estimates"""
     error = db.estimated_errors().get("radiation_damping")
     if error is None:
         return None
@@ -81,7 +81,8 @@ def _relative_to_damping(db):
 
 
 def _laws(db, rounding):
-    """(law, (n,) relative violations, limit or None for that of the stored checks) of the available quantities"""
+    """Return (law, relative violations (n,), limit or None for that of the stored checks) of the available
+    quantities"""
     there = set(db.names)
     if {"added_mass", "radiation_damping"} <= there:
         yield from _radiation_laws(db, there)
@@ -181,21 +182,22 @@ def _drift_defect(db, H, k, stored):
 
 
 def _sum_defect(db, each, whole):
-    """(n,) difference of all bodies' horizontal drift by pressure from that of the far field, over the largest force"""
+    """Difference of all bodies' horizontal drift by pressure from that of the far field, over the largest force; shape
+    (n,)"""
     gap = np.abs(sum_about_origin(each, db.bodies) - whole)[..., :2]
     size = np.maximum(np.abs(each[..., :2]).max(axis=2), np.abs(whole[..., :2])).max(axis=(1, 2))
     return gap.max(axis=(1, 2)) / np.maximum(size, 1e-300)
 
 
 def _trigonometric(theta, beta):
-    """(m, t) weights with which values at equally spaced theta give those at beta"""
+    """Weights with which values at equally spaced theta give those at beta; shape (m, t)"""
     count = len(theta)
     turns = np.arange(-((count - 1) // 2), (count - 1) // 2 + 1)
     return np.exp(1j * turns * (beta[:, None, None] - theta[:, None])).sum(axis=-1).real / count
 
 
 def _largest(db, *values):
-    """(n, 1, 1 or 6) largest force and moment; for several bodies (n, 1, 6N)"""
+    """Largest force and moment; shape (n, 1, 1 or 6); for several bodies (n, 1, 6N)"""
     size = np.max([np.nan_to_num(np.abs(value)) for value in values], axis=0).max(axis=1, keepdims=True)
     for part in _kinds(db, range(size.shape[-1])):
         size[..., part] = size[..., part].max(axis=-1, keepdims=True)

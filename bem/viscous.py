@@ -76,7 +76,7 @@ class Viscous:
     names: tuple = DOFS
 
     def damping(self, omega, amplitudes):
-        """(n, n) for motion amplitudes (n,) m, rad"""
+        """Damping for motion amplitudes (n,), m, rad; shape (n, n)"""
         out = np.zeros((len(self.names), len(self.names)))
         for dof, law in self.laws.items():
             i = self.names.index(dof)

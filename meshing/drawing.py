@@ -143,7 +143,7 @@ def meshed(drawing, name=""):
 
 
 def _center(mesh):
-    """(3,) m, centre of buoyancy of the panels"""
+    """Centre of buoyancy of the panels, m; shape (3,)"""
     return hydrostatics(mesh, center_of_mass=np.zeros(3)).center_of_buoyancy
 
 

@@ -194,7 +194,7 @@ class _Builder:
 
 
 def _surface_panels(gmsh, surface, row, points, along):
-    """(n, 4) corners on one surface, oriented so that normals point along the vector `along`"""
+    """Corners on one surface, oriented so that normals point along the vector `along`; shape (n, 4)"""
     quads = row[gmsh.model.mesh.getElementsByType(QUADRANGLE, surface)[1].astype(np.int64)].reshape(-1, 4)
     triangles = row[gmsh.model.mesh.getElementsByType(TRIANGLE, surface)[1].astype(np.int64)].reshape(-1, 3)
     corners = np.concatenate([quads, triangles[:, [0, 1, 2, 2]]])
@@ -206,11 +206,11 @@ def _surface_panels(gmsh, surface, row, points, along):
 
 
 def _ring_vector(ring):
-    """(3,) vector area of a closed polygon (k, 3)"""
+    """Vector area of a closed polygon (k, 3); shape (3,)"""
     ring = np.asarray(ring, float) - np.asarray(ring, float)[0]
     return 0.5 * np.cross(ring, np.roll(ring, -1, axis=0)).sum(axis=0)
 
 
 def _around(sides):
-    """(k, 3) m, the polygon of the sides of a patch"""
+    """The polygon of the sides of a patch, m; shape (k, 3)"""
     return np.concatenate([np.asarray(side)[:-1] for side in sides])

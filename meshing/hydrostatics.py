@@ -121,7 +121,7 @@ def hydrostatics(
 
 
 def inertia_matrix(mass, center_of_mass, gyration, rotation_center=(0, 0, 0)):
-    """(6, 6) kg, kg m, kg m² of a rigid body about `rotation_center`.
+    """Inertia matrix of a rigid body about `rotation_center`, in kg, kg m and kg m²; shape (6, 6).
 
     mass : kg
     gyration : (kxx, kyy, kzz) m, radii of gyration about axes through the centre of mass, assumed to be principal axes
@@ -193,7 +193,7 @@ def _waterplane(surface, about):
 
 
 def _stiffness(plane, origin, buoyancy, weight):
-    """(6, 6) restoring about `origin`
+    """Restoring about `origin`; shape (6, 6)
 
     plane : ρg (A, ∬ x, ∬ y, ∬ y², ∬ x², ∬ xy) about x = y = 0
     buoyancy, weight : force N, then force times position relative to `origin`, N m

@@ -204,7 +204,8 @@ def _true(ring, others, size):
 
 
 def _width(ring, others):
-    """(k,) m from each corner of a ring across the lid: to other rings, or a quarter of the distance to the ring itself
+    """Distance across the lid from each corner of a ring, m; shape (k,): to other rings, or a quarter of the distance
+    to the ring itself
 
     Chords of equal deviation reduce the area of a disc by a share four times as large as that of a narrow ring.
     """
@@ -218,7 +219,7 @@ def _width(ring, others):
 
 
 def _distance(points, ring):
-    """(k,) m of points (k, 3) from the sides of a polygon"""
+    """Distance of points (k, 3) from the sides of a polygon, m; shape (k,)"""
     start, side = ring, np.roll(ring, -1, axis=0) - ring
     ahead = points[:, None] - start
     share = np.clip(np.einsum("ijk,jk->ij", ahead, side) / np.einsum("jk,jk->j", side, side), 0, 1)

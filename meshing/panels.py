@@ -80,28 +80,28 @@ class PanelMesh:
 
     @cached_property
     def vertices(self):
-        """(n, 4, 3) m"""
+        """Corners of the panels, m; shape (n, 4, 3)"""
         return self.points[self.corners]
 
     @cached_property
     def area_vectors(self):
-        """(n, 3) m², area times outward normal"""
+        """Area times outward normal, m²; shape (n, 3)"""
         v = self.vertices
         return 0.5 * np.cross(v[:, 2] - v[:, 0], v[:, 3] - v[:, 1])
 
     @cached_property
     def areas(self):
-        """(n,) m²"""
+        """Areas of the panels, m²; shape (n,)"""
         return np.linalg.norm(self.area_vectors, axis=1)
 
     @cached_property
     def normals(self):
-        """(n, 3), out of the body; zero where a panel has no area"""
+        """Unit normals, out of the body; shape (n, 3); zero where a panel has no area"""
         return self.area_vectors / np.where(self.areas > 0, self.areas, 1.0)[:, None]
 
     @cached_property
     def centroids(self):
-        """(n, 3) m, centre of area"""
+        """Centres of area of the panels, m; shape (n, 3)"""
         v = self.vertices
         first = np.linalg.norm(np.cross(v[:, 1] - v[:, 0], v[:, 2] - v[:, 0]), axis=1)
         second = np.linalg.norm(np.cross(v[:, 2] - v[:, 0], v[:, 3] - v[:, 0]), axis=1)
@@ -110,20 +110,20 @@ class PanelMesh:
 
     @cached_property
     def flat_vertices(self):
-        """(n, 4, 3) m, corners moved along the normal into the panel's mean plane"""
+        """Corners of the panels, moved along the normal into the panel's mean plane, m; shape (n, 4, 3)"""
         v = self.vertices
         offset = np.einsum("nij,nj->ni", v - v.mean(axis=1, keepdims=True), self.normals)
         return v - offset[..., None] * self.normals[:, None, :]
 
     @cached_property
     def edge_lengths(self):
-        """(n, 4) m"""
+        """Lengths of the four sides of each panel, m; shape (n, 4)"""
         v = self.vertices
         return np.linalg.norm(np.roll(v, -1, axis=1) - v, axis=2)
 
     @cached_property
     def sizes(self):
-        """(n,) m, longest edge"""
+        """Longest side of each panel, m; shape (n,)"""
         return self.edge_lengths.max(axis=1)
 
     @cached_property
@@ -192,7 +192,7 @@ class PanelMesh:
         return -float(self.points[np.unique(self.corners), 2].min())
 
     def reflections(self):
-        """((sign of x, sign of y), …) of the images that make the whole hull, the part itself first"""
+        """Signs of x and of y for each mirror image that makes the whole hull; the meshed part itself comes first"""
         x = (1, -1) if "x" in self.symmetry else (1,)
         y = (1, -1) if "y" in self.symmetry else (1,)
         return [(a, b) for b in y for a in x]

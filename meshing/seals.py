@@ -63,7 +63,7 @@ def _joined(places):
 
 
 def _kept(filled, size):
-    """[(first byte, end)] between places, ascending, of `size` bytes"""
+    """Ranges (first byte, end) between ascending places in a file of `size` bytes"""
     begins = [0, *map(sum, filled)]
     return list(zip(begins, [place for place, _ in filled] + [max(begins[-1], size)], strict=True))
 

@@ -84,7 +84,7 @@ class TooFewPanels(ValueError):
 
 
 def box_counts(length, beam, draft, panels=500, bottom=True, longest=math.inf):
-    """(n_length, n_beam, n_draft) for at most `panels` on the whole hull.
+    """Return (n_length, n_beam, n_draft) for at most `panels` on the whole hull.
 
     The counts are proportional to the square roots of half the length, half the beam and twice the draft (which has an
     edge at both ends): cosine grading then makes panels at every edge equally thin, and the edges determine the
@@ -97,7 +97,7 @@ def box_counts(length, beam, draft, panels=500, bottom=True, longest=math.inf):
 
 
 def buoy_counts(radius, draft, panels=500, bottom=True, longest=math.inf):
-    """(n_quarter, n_radius, n_draft) for at most `panels` on the whole hull, by the rule of `box_counts`."""
+    """Return (n_quarter, n_radius, n_draft) for at most `panels` on the whole hull, by the rule of `box_counts`."""
     return fitted_counts((radius, radius, 2 * draft), lambda n: 4 * n[0] * (n[1] * bottom + n[2]), panels,
                    (_most(radius, longest), _most(radius, longest), _most(draft, longest)))  # fmt: skip
 
@@ -149,7 +149,7 @@ def _counts(counts):
 
 
 def _towards_end(n, grading):
-    """(n+1,) from 0 to 1, finest at 1"""
+    """Numbers from 0 to 1, closest together at 1; shape (n+1,)"""
     i = np.arange(n + 1) / n
     fractions = np.sin(np.pi / 2 * i) if grading else i
     fractions[-1] = 1.0
@@ -157,13 +157,14 @@ def _towards_end(n, grading):
 
 
 def _towards_both(n, grading):
-    """(n+1,) from 0 to 1, finest at both ends"""
+    """Numbers from 0 to 1, closest together at both ends; shape (n+1,)"""
     i = np.arange(n + 1) / n
     return np.sin(np.pi / 2 * i) ** 2 if grading else i
 
 
 def _levels(draft, n, grading, bottom):
-    """(n+1,) m, from 0 to −draft, finest at the waterline and at an edge of the keel; at the bed there is no edge"""
+    """Heights from 0 to −draft, m; shape (n+1,); finest at the waterline and at an edge of the keel; at the bed there
+    is no edge"""
     if bottom:
         return -draft * _towards_both(n, grading)
     return -draft * (1 - _towards_end(n, grading)[::-1])
@@ -176,7 +177,7 @@ def _rectangle(place, s, t):
 
 
 def _quarter_rim(radius, n):
-    """(n+1, 2) corners in the first quadrant of the polygon of 4n sides with the area of the circle"""
+    """Corners in the first quadrant of the polygon of 4n sides with the area of the circle; shape (n+1, 2)"""
     angle = np.pi / 2 * np.arange(n + 1) / n
     step = np.pi / 2 / n
     rim = radius * math.sqrt(step / math.sin(step)) * np.stack([np.cos(angle), np.sin(angle)], axis=1)

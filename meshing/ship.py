@@ -116,7 +116,7 @@ def _fullness(block, waterplane, wide, high):
 
 
 def ship_counts(length, beam, draft, panels=500, longest=math.inf):
-    """(n_length, n_bottom, n_side) for at most `panels` on the whole hull, by the rule of `shapes.box_counts`"""
+    """Return (n_length, n_bottom, n_side) for at most `panels` on the whole hull, by the rule of `shapes.box_counts`"""
     from .shapes import fitted_counts
 
     most = [1 if math.isinf(longest) else math.ceil(math.pi / 2 * edge / longest) for edge in (length, beam / 2, draft)]
@@ -135,7 +135,7 @@ def counts_of_ship(mesh):
 
 
 def _girth(n_bottom, n_side, half, draft, radius):
-    """(n_bottom + n_side + 1, 2) y, z from the keel to the waterline: bottom, bilge and side"""
+    """Points (y, z) from the keel to the waterline along bottom, bilge and side; shape (n_bottom + n_side + 1, 2)"""
     flat = (half - radius) * np.sin(0.5 * np.pi * np.arange(n_bottom + 1) / n_bottom)
     n_bilge = max(1, round(n_side / 3))
     turn = 0.5 * np.pi * np.arange(1, n_bilge + 1) / n_bilge

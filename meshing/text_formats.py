@@ -167,7 +167,7 @@ def _row(point):
 
 
 def _panel(path, k, row, numbers):
-    """(4,) point numbers from those of the file; a triangle repeats its last one"""
+    """Point numbers of a panel, from those of the file; shape (4,); a triangle repeats its last one"""
     if len(row) < 3:
         raise ValueError(f"{path}, line {k}: {len(row)} nodes; a panel has 3 or 4")
     try:

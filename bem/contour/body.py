@@ -82,13 +82,13 @@ class ContourBody:
         return degree, top, len(self.plan.contour(k, degree, self.tolerance).weights)
 
     def froude_krylov(self, omega, headings, dofs=range(6), density=1025.0, gravity=9.80665):
-        """(m, 6) force of the undisturbed waves alone, N/m and N m/m; arguments as of `first_order`"""
+        """Force of the undisturbed waves alone, N/m and N m/m; shape (m, 6); arguments as of `first_order`"""
         k = float(wavenumber(omega, self.depth, gravity))
         force = self.plan.incident_force(self.draft, self.depth, k, np.atleast_1d(np.asarray(headings, float)))
         return density * gravity * np.where(np.isin(np.arange(6), dofs), force, 0)
 
     def added_mass_limit(self, which, density=1025.0):
-        """(6, 6) added mass for `which` "zero" or "infinity" of the frequency, about the origin; kg, kg m, kg m²
+        """Added mass for `which` "zero" or "infinity" of the frequency, about the origin; shape (6, 6); kg, kg m, kg m²
 
         Heave is infinite at zero frequency, as A ~ −(ρ area² / 2πh) ln k in finite depth.
         """
@@ -151,13 +151,13 @@ class ContourBody:
         return self.plan.laplace(degree)
 
     def contracted(self, degree, rows, wavenumbers, norms, decays):
-        """(r, r, c + 1) weight of each node of the table in the sum over modes of ⟨·, Zₙ⟩⟨·, Zₙ⟩ N(kₙ) / norm"""
+        """Weight of each node of the table in the sum over modes of ⟨·, Zₙ⟩⟨·, Zₙ⟩ N(kₙ) / norm; shape (r, r, c + 1)"""
         sums = contracted(rows, decays, 1 / (norms * wavenumbers), self.nodes(degree).weights(wavenumbers))
         return self.profiles.products(sums)
 
     @memoised
     def outer_maps(self, cls, degree, top):
-        """(c + 1, n, n) κN at the nodes and its limit, of functions up to `degree` among those up to `top`"""
+        """κN at the nodes and its limit, of functions up to `degree` among those up to `top`; shape (c + 1, n, n)"""
         own = self.plan.subset(cls, degree, top)
         return np.ascontiguousarray(self.maps(top)[cls][0][:, own[:, None], own])
 
@@ -173,7 +173,7 @@ class ContourBody:
 
     @memoised
     def beneath(self, cls, degree):
-        """(r, n, r, n) potentials under the body, tested with the profiles and with 1 and ζ²"""
+        """Potentials under the body, tested with the profiles and with 1 and ζ²; shape (r, n, r, n)"""
         rows = self.profiles.mean_rows
         mean = np.multiply.outer(rows, rows) / self.profiles.height
         return combined(self.inner_weights(degree), self.maps(degree)[cls][1], mean, self.laplace(degree)[cls][1])
@@ -202,7 +202,7 @@ class ContourBody:
 
     @memoised
     def unit(self, cls, degree):
-        """(n,) coefficients of 1, None if the class has no net flux"""
+        """Coefficients of the function 1; shape (n,); None if the class has no net flux"""
         if cls != (1, 1):
             return None
         contour = self.plan.polynomial_contour(degree)

@@ -13,7 +13,7 @@ from .plan.maps import CLASSES
 
 
 def infinite_frequency(body):
-    """(6, 6) m³, m⁴, m⁵"""
+    """Added mass at infinite frequency over density, m³, m⁴, m⁵; shape (6, 6)"""
     out = np.zeros((6, 6))
     for cls in CLASSES:
         r = len(body.profiles.combinations)
@@ -22,7 +22,8 @@ def infinite_frequency(body):
 
 
 def zero_frequency(body):
-    """(6, 6) m³, m⁴, m⁵; heave, whose net flux acts like a source in plan, is infinite"""
+    """Added mass at zero frequency over density, m³, m⁴, m⁵; shape (6, 6); heave, whose net flux acts like a source in
+    plan, is infinite"""
     out, draft = np.zeros((6, 6)), body.draft
     rows = body.profiles.combinations @ np.concatenate([body.profiles.gap.mean, [draft, -(draft**2) / 2]])
     degree, top = _degrees(body)

@@ -26,7 +26,7 @@ class ChebyshevNodes:
 
     @property
     def kappa(self):
-        """(count,) rad/m"""
+        """Decay rates κ of the evanescent modes, rad/m; shape (count,)"""
         return np.exp(np.log(self.first * self.last) / 2 + np.log(self.last / self.first) / 2 * self._points)
 
     @property
@@ -55,7 +55,7 @@ class ChebyshevNodes:
 
     @property
     def _last_slope(self):
-        """(count,) weights of dM/d log κ at the last node"""
+        """Weights of dM/d log κ at the last node; shape (count,)"""
         x, w = self._points, self._signs
         slope = np.append(w[:-1] / w[-1] / (x[-1] - x[:-1]), 0.0)
         slope[-1] = -slope.sum()

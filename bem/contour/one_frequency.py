@@ -66,7 +66,7 @@ class ContourFrequency:
         return self.body.contracted(self.top, m.rows, m.wavenumbers, m.norms, self.body.profiles.gap.outer_decays)
 
     def outside(self, cls, wave):
-        """(r n, r n) `outside` of `bem.contour.matching.solved`"""
+        """Matrix `outside` of `bem.contour.matching.solved`; shape (r n, r n)"""
         rows = np.multiply.outer(self.wave_rows, self.wave_rows) / self.modes.wave_norm
         maps = self.body.outer_maps(cls, self.degree, self.top)
         return combined(self.outer_weights, maps, rows, wave.weak).reshape(len(rows) * maps.shape[1], -1)

@@ -34,7 +34,7 @@ DISTINCT = 1e-9  # `accuracy.CLEAR` of pressures
 
 
 def pressure_drift(run, motions):
-    """(m, 3) mean surge, sway and yaw of the pressure on the sides, about the rotation centre; N/m², N m/m².
+    """Mean surge, sway and yaw of the pressure on the sides, about the rotation centre; shape (m, 3); N/m², N m/m².
 
     run : `bem.methods.shape_run.ShapeRun` of the contour method; motions : (m, 6) about the origin, m/m and rad/m
     """
@@ -90,7 +90,7 @@ class _Sides:
         self.values = plan_values(freq)
 
     def load(self, heading, motion):
-        """(3,) mean surge, sway and yaw per amplitude squared, motion (6,) about the origin"""
+        """Mean surge, sway and yaw per amplitude squared, motion (6,) about the origin; shape (3,)"""
         c = self.freq.contour
         flows = {cls: self.flow(cls, heading, motion) for cls in CLASSES}
         total = np.zeros(3)
@@ -120,7 +120,8 @@ class _Sides:
         return g, g @ slope.T
 
     def density(self, g, slope, displacement):
-        """(m,) N/m per amplitude squared along the normal, mean over a period and integrated over the draft"""
+        """Mean load per amplitude squared along the normal, averaged over a period and integrated over the draft, N/m;
+        shape (m,)"""
         freq, sums = self.freq, self.sums
         rho, gravity, omega = freq.density, freq.gravity, freq.omega
         normal, along, up = displacement
@@ -140,7 +141,7 @@ def _square(a, b, draft):
 
 
 def _form(matrix, g):
-    """(m,) gᴴ M g of a real symmetric M (a, a) and g (a, m)"""
+    """Quadratic form gᴴ M g of a real symmetric M (a, a) and g (a, m); shape (m,)"""
     parts = np.concatenate([g.real, g.imag], axis=1)
     return np.einsum("am,am->m", parts, matrix @ parts).reshape(2, -1).sum(axis=0)
 

@@ -32,11 +32,11 @@ class NoGap(Gap):
     """Rows of the wall alone, 1 and z over the whole depth: the f functions of a `Gap` are none"""
 
     def cosine_moments(self, l):
-        """(0, l)"""
+        """Integrals of cosines over the gap: none, since a body on the bed has no gap; shape (0, l)"""
         return np.zeros((0, len(l)))
 
     def wave_moments(self, k):
-        """(0,)"""
+        """Integrals of the wave over the gap: none, since a body on the bed has no gap"""
         return np.zeros(0)
 
     @property
@@ -57,16 +57,16 @@ class WallProfiles:
 
     @property
     def combinations(self):
-        """(2, 2)"""
+        """Combinations of the two profiles of a side that reaches the bed; shape (2, 2)"""
         return np.eye(2)
 
     @property
     def mean(self):
-        """(0,)"""
+        """Means of the profiles over the gap: none, since a body on the bed has no gap"""
         return np.zeros(0)
 
     def products(self, values):
-        """(2, 2, c)"""
+        """Products of the profiles of the side with the depth modes; shape (2, 2, c)"""
         return values
 
 

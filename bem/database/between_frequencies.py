@@ -83,7 +83,8 @@ class Between:
                 vars(self).pop(name, None)
 
     def error(self, omega, name):
-        """(q, …) estimated error of `value`, about one standard deviation; for complex quantities that of the modulus.
+        """Estimated error of `value`, about one standard deviation; shape (q, …); for complex quantities that of the
+        modulus.
 
         The error covers interpolation and is zero at stored frequencies; the solver's error is stored beside each
         quantity.
@@ -92,8 +93,8 @@ class Between:
         return self._everywhere(omega, name, self._deviation)
 
     def largest_error(self, omega, names):
-        """(q,) largest estimated error over `names` at omega (q,), relative to the largest stored value of the same
-        kind.
+        """Largest estimated error over `names` at omega (q,), relative to the largest stored value of the same kind;
+        shape (q,)
 
         Each diagonal coefficient is one kind, and so is a force over all headings; couplings refer to √(ii · jj).
         """
@@ -101,7 +102,7 @@ class Between:
 
     @cached_property
     def met_by_waves(self):
-        """(p, 2) m, points of the hull in plan, and of its image in the wall"""
+        """Points of the hull in plan, and of its image in the wall, m; shape (p, 2)"""
         if self.wall is None:
             return self.outline
         return np.concatenate([self.outline, [0.0, 2 * self.wall] + self.outline * [1, -1]])
@@ -113,11 +114,11 @@ class Between:
 
     @property
     def span(self):
-        """(lowest, highest) rad/s between which every stored quantity is known"""
+        """Lowest and highest frequency between which every stored quantity is known, rad/s"""
         return float(self.omega[0]), float(self.omega[-1])
 
     def stored(self, omega):
-        """(q,) index of the stored frequency equal to each omega (q,), −1 for none"""
+        """Index of the stored frequency equal to each omega (q,), −1 for none; shape (q,)"""
         near = np.abs(self.omega[:, None] - omega).argmin(axis=0)
         return np.where(np.abs(self.omega[near] - omega) <= SAME * np.abs(omega), near, -1)
 
@@ -174,7 +175,7 @@ class Between:
             )
 
     def _fitted(self, omega, name):
-        """(q, …) at omega (q,) within the band"""
+        """Fitted values at omega (q,) within the band; shape (q, …)"""
         known, values = self.stored(omega), self.quantities[name]
         if np.all(known >= 0):
             return values[known]
@@ -222,7 +223,8 @@ class Between:
         return np.max(error / np.where(scale > 0, scale, np.inf), axis=tuple(range(1, error.ndim)))
 
     def _seen(self, scale):
-        """(n,) infinite for motions that move no water, as yaw of a buoy: their coefficients are rounding errors"""
+        """Scale of each motion; shape (n,); infinite for motions that move no water, as yaw of a buoy, whose
+        coefficients are rounding errors"""
         rigid = len(scale) - len(self.shapes)
         kinds = scale[:rigid].reshape(-1, 2, 3)
         largest = np.broadcast_to(kinds.max(axis=(0, 2))[:, None], kinds.shape).ravel()
@@ -251,7 +253,8 @@ class Between:
 
     @cached_property
     def ringing(self):
-        """(p,) poles of water resonances, in the variable s of `interpolant`, to which the body motions respond"""
+        """Poles of water resonances, in the variable s of `interpolant`, to which the body motions respond; shape
+        (p,)"""
         if len(self.omega) < FEWEST_RINGING or not set(RADIATION) <= set(self.quantities):
             return np.zeros(0, complex)
         own = np.einsum("nii->ni", self._impedance)
@@ -288,7 +291,7 @@ class Between:
         return self._values["impedance"][1]
 
     def _growth(self, name, omega, dimensions):
-        """(q, 1, …) factor removed before a fit: Kochin functions grow like k, and a fit assumes one variance"""
+        """Factor removed before a fit; shape (q, 1, …); Kochin functions grow like k, and a fit assumes one variance"""
         k = self._abscissa(omega).phase if name in KOCHIN else np.ones(len(omega))
         return k.reshape(-1, *[1] * (dimensions - 1))
 
@@ -319,12 +322,13 @@ class Between:
 
     @property
     def _owners(self):
-        """(n,) number of the body of each motion, among the moving bodies"""
+        """Number of the body of each motion, among the moving bodies; shape (n,)"""
         return [*np.repeat(range(len(self.outlines)), 6), *self.shapes]
 
 
 def _towards(limit, end, share, error):
-    """(q, n, n) from the `end` of the band towards the limit, or the error of this; share (q,) from 0 there to 1"""
+    """Continuation from the `end` of the band towards the limit, or the error of it; shape (q, n, n); share (q,) runs
+    from 0 at the end to 1 at the limit"""
     share, known = share[:, None, None], np.isfinite(limit)
     limit = np.where(known, limit, end)
     if error:

@@ -69,33 +69,35 @@ class Ring:
     wall: float | None = None
 
     def of_forces(self, values):
-        """(…, M, 6) from (…, m, 6) at the stored headings"""
+        """Forces at all headings of the ring, shape (…, M, 6), from those at the stored headings, (…, m, 6)"""
         return values[..., self.source, :] * self.force
 
     def of_drift(self, values):
-        """(…, M, 3) from (…, m, 3)"""
+        """Drift at all headings of the ring, shape (…, M, 3), from that at the stored headings, (…, m, 3)"""
         return values[..., self.source, :] * self.drift
 
     def of_kochin(self, values):
-        """(…, M, t) from (…, m, t): H(θ′; β′) = H(θ; β)"""
+        """Kochin functions at all headings of the ring, shape (…, M, t), from those at the stored headings, (…, m, t):
+        H(θ′; β′) = H(θ; β)"""
         return values[..., self.source[:, None], self.theta]
 
     def stored(self, wanted):
-        """(p,) index of the ring heading equal to each of `wanted`, −1 for none"""
+        """Index of the ring heading equal to each of `wanted`, −1 for none; shape (p,)"""
         apart = np.abs(_wrapped(self.headings[:, None] - wanted))
         near = apart.argmin(axis=0)
         return np.where(apart[near, np.arange(len(wanted))] <= SAME, near, -1)
 
     def reflected(self, wanted):
-        """(p,) whether headings beside a wall are computed from −β: headings that are not stored, on the side with
-        fewer stored headings"""
+        """Whether headings beside a wall are computed from −β: headings that are not stored, on the side with fewer
+        stored headings; shape (p,)"""
         if self.wall is None:
             return np.zeros(len(wanted), bool)
         side = 1 if np.sum(np.sin(self.headings)) >= -SAME else -1
         return (side * np.sin(wanted) < -SAME) & (self.stored(wanted) < 0)
 
     def gap(self, wanted):
-        """(p,) rad between the neighbours of headings, or of their reflections in a wall; 0 for a round body"""
+        """Angle between the neighbours of headings, or of their reflections in a wall, rad; shape (p,); 0 for a round
+        body"""
         wanted = np.atleast_1d(wanted)
         if self.is_round or self.from_others:
             return np.zeros(len(wanted))
@@ -133,12 +135,13 @@ class AtHeadings:
     quadratic: bool = False
 
     def value(self, values, kind):
-        """(q, p, …) from values (q, M, …); kind : "force", "drift" or "kochin" """
+        """Values at the wanted headings, shape (q, p, …), from ring values (q, M, …); kind : "force", "drift" or
+        "kochin" """
         one = len(self.folded) == 1 and self.place[0] >= 0
         return self.unfolded(values[:, self.place] if one else _joined(self.weights, values), kind)
 
     def unfolded(self, values, kind):
-        """(q, p, …) at the wanted headings, from values (q, u, …) at the `folded` headings"""
+        """Values at the wanted headings, shape (q, p, …), from values (q, u, …) at the `folded` headings"""
         if self._as_folded:
             return values
         values = values[:, self.source]
@@ -156,14 +159,15 @@ class AtHeadings:
         return values
 
     def deviation(self, values, independent):
-        """(q, u, …) standard deviation of `value`; `independent` (…) ring values do not follow from other ring
-        values"""
+        """Standard deviation of `value`; shape (q, u, …); `independent` (…): the ring values that do not follow from
+        other ring values"""
         scale = np.sum(np.abs(_joined(self._root, values)) ** 2, axis=1) / np.maximum(independent, 1)
         left = self._left.reshape(*self._left.shape, *[1] * (values.ndim - 2))
         return np.sqrt(left * scale[:, None])
 
     def unfolded_deviation(self, deviation, kind):
-        """(q, p, …) of deviations (q, u, …) at `folded` headings; a turned vector combines its two components"""
+        """Deviations at the wanted headings, shape (q, p, …), from deviations (q, u, …) at `folded` headings; a turned
+        vector combines its two components"""
         if self._as_folded or not self.ring.is_round:
             return deviation[:, self.source]
         if kind == "kochin":
@@ -172,7 +176,7 @@ class AtHeadings:
 
     @cached_property
     def _turns(self):
-        """(p,) rad, angle from the stored heading that is used to each of `wanted`, for a round body"""
+        """Angle from the stored heading that is used to each of `wanted`, for a round body, rad; shape (p,)"""
         return _wrapped(self.wanted - self.folded[self.source])
 
     @cached_property
@@ -184,13 +188,13 @@ class AtHeadings:
 
     @property
     def folded(self):
-        """(u,) rad, the wanted headings, replaced by their mirror images on one side of every plane of symmetry, each
-        once"""
+        """The wanted headings, replaced by their mirror images on one side of every plane of symmetry, each once, rad;
+        shape (u,)"""
         return self._once[0]
 
     @property
     def source(self):
-        """(p,) number in `folded` used for each heading wanted"""
+        """Number in `folded` used for each heading wanted; shape (p,)"""
         return self._once[1]
 
     @cached_property
@@ -219,12 +223,12 @@ class AtHeadings:
 
     @cached_property
     def place(self):
-        """(u,) index of the ring heading equal to each folded heading, −1 for none"""
+        """Index of the ring heading equal to each folded heading, −1 for none; shape (u,)"""
         return self.ring.stored(self.folded)
 
     @cached_property
     def weights(self):
-        """(q, u, M) weights of ring values; a stored heading has weight only on its own value"""
+        """Weights of ring values; shape (q, u, M); a stored heading has weight only on its own value"""
         weights = self._whitened @ self._root
         found = self.place >= 0
         weights[:, found] = np.eye(len(self.ring.headings))[self.place[found]]
@@ -242,7 +246,7 @@ class AtHeadings:
 
     @cached_property
     def _left(self):
-        """(q, p) share of the variance that remains at the wanted headings"""
+        """Share of the variance that remains at the wanted headings; shape (q, p)"""
         left = np.maximum(1 - np.sum(np.abs(self._whitened) ** 2, axis=-1) - 2 * NUGGET, 0)
         return np.where(self.place >= 0, 0.0, left)
 
@@ -321,7 +325,7 @@ def is_turned(matrices, center):
 
 
 def _turn(angles, kind):
-    """(p, 6, 6), of drift (p, 3, 3), of turns by angles (p,) rad about the vertical"""
+    """Matrices of turns by angles (p,), rad, about the vertical; shape (p, 6, 6), or (p, 3, 3) for drift"""
     c, s, one = np.cos(angles), np.sin(angles), np.ones_like(angles)
     matrix = np.zeros((len(angles), 3, 3))
     matrix[:, 0, 0], matrix[:, 0, 1], matrix[:, 1, 0], matrix[:, 1, 1], matrix[:, 2, 2] = c, -s, s, c, one

@@ -16,7 +16,7 @@ DRAWS = 8  # random draws; they estimate a standard deviation to within a quarte
 
 
 def carried(reader, omega, headings, name, names):
-    """(q, p, …) deviation of "rao" or drift, propagated from the deviations of the quantities `names`."""
+    """Deviation of "rao" or of drift, propagated from the deviations of the quantities `names`; shape (q, p, …)"""
     found = reader.where_stored(omega, headings, name)
     if found is not None and found.complete:
         return np.zeros(found.values.shape)
@@ -49,7 +49,8 @@ def carried(reader, omega, headings, name, names):
 
 
 def interpolated(reader, omega, headings, name):
-    """(q, p, …) deviation of a quantity at omega (q,) rad/s and headings (p,) rad, None for the stored headings."""
+    """Deviation of a quantity at omega (q,), rad/s, and headings (p,), rad, None for the stored headings; shape (q, p,
+    …)"""
     error = reader.between.error(omega, name)
     if headings is None or name in (*RADIATION, "kochin_radiation"):
         return error

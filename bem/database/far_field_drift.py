@@ -19,7 +19,8 @@ from .between_frequencies import DRIFT, KOCHIN, BetweenError
 
 
 def drift(reader, omega, headings, fixed):
-    """(q, p, 3) N/m² and N m/m² for waves without a stored value.  Raises BetweenError for unknown drift."""
+    """Drift, N/m² and N m/m², in waves without a stored value; shape (q, p, 3).  Raises BetweenError for unknown
+    drift."""
     name = DRIFT[0] if fixed else DRIFT[1]
     if reader.rebuilds_drift:
         over = None if headings is None else reader.to_headings(omega, headings, name)
@@ -45,7 +46,7 @@ def drift(reader, omega, headings, fixed):
 
 
 def of_far_field(reader, omega, headings, radiated, H, X):
-    """(q, p, 3) about rotation_center; motions X (q, p, 6) or None for the fixed body
+    """Drift from the far field about rotation_center; shape (q, p, 3); motions X (q, p, 6), or None for the fixed body
 
     radiated : (q, 6, t) and H (q, p, t) Kochin functions of the radiation and the diffraction
     """
@@ -64,7 +65,7 @@ def of_far_field(reader, omega, headings, radiated, H, X):
 
 
 def _absorbed(reader, omega, X):
-    """(q, p) W/m², ½ω² X* B′ X, with the damping B′ in addition to radiation"""
+    """Power ½ω² X* B′ X absorbed by the damping B′ beside radiation, W/m²; shape (q, p)"""
     loss = np.einsum("qpi,ij,qpj->qp", X.conj(), reader.damping, X).real
     if reader.viscous:
         laws = reader.viscous
@@ -76,7 +77,7 @@ def _absorbed(reader, omega, X):
 
 
 def _amiss(reader, omega, headings):
-    """(q, p, 3) deviation of the far field from stored drift of the fixed body, linear between frequencies"""
+    """Deviation of the far field from stored drift of the fixed body, linear between frequencies; shape (q, p, 3)"""
     if DRIFT[0] not in reader.between.quantities:
         return 0.0
     known, at_stored = reader.omega, reader.missed_drift
@@ -92,6 +93,6 @@ def _amiss(reader, omega, headings):
 
 
 def missed(reader):
-    """(n, m, 3) deviation of the far field from stored drift of the fixed body at stored waves"""
+    """Deviation of the far field from stored drift of the fixed body at stored waves; shape (n, m, 3)"""
     radiated, H = reader.far_field(reader.omega)
     return of_far_field(reader, reader.omega, None, radiated, H, None) - reader.between.quantities[DRIFT[0]]

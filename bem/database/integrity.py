@@ -155,7 +155,7 @@ def damaged_cells(file, name, values=None):
 
 
 def damaged_rows(file):
-    """(n,) bool: solved frequencies whose checks or wall time differ from the stored values"""
+    """Whether each solved frequency has checks or a wall time that differ from the stored values; shape (n,)"""
     solved = file["solved"][()]
     if ROWS not in file or not solved.any():
         return np.zeros(len(solved), bool)

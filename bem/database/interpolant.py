@@ -132,7 +132,7 @@ class Nodes:
 
     @cached_property
     def roots(self):
-        """(kernels, n, n) `_root` of each kernel"""
+        """The `_root` of each kernel; shape (kernels, n, n)"""
         return _root(self._kernels(self.x, self.x))
 
     def rows(self, y):
@@ -186,11 +186,11 @@ class Interpolant:
     lead: np.ndarray
 
     def value(self, y):
-        """(q, g, c) at y; at the nodes the known value except for the nugget"""
+        """Values at y; shape (q, g, c); at the nodes the known value except for the nugget"""
         return np.concatenate([self._value(part) for part in _blocks(y)])
 
     def deviation(self, y):
-        """(q, g) standard deviations of the modulus, averaged over the functions of a group"""
+        """Standard deviations of the modulus, averaged over the functions of a group; shape (q, g)"""
         return np.concatenate([self._deviation(part) for part in _blocks(y)])
 
     def _value(self, y):
@@ -232,7 +232,8 @@ class Interpolant:
         return self.values[:, :, some], self.lead[:, some]
 
     def _phase(self, lead, x, leads):
-        """(n, g, c); on a symmetric hull most leads occur four times, and exponentials dominate the computing time"""
+        """Phase of each function at the nodes; shape (n, g, c); on a symmetric hull most leads occur four times, and
+        exponentials dominate the computing time"""
         distinct, place = np.unique(leads, return_inverse=True)
         phase = np.exp(1j * lead * np.multiply.outer(x.phase, distinct))
         return phase[:, place.reshape(leads.shape)]
@@ -303,7 +304,7 @@ class Joined:
     lead: np.ndarray
 
     def value(self, y):
-        """(q, g, c) at y"""
+        """Values at y; shape (q, g, c)"""
         gap, share = self._place(y)
         out = np.zeros((len(gap), *self.values.shape[1:]), self.values.dtype)
         for part in self._parts:
@@ -315,7 +316,7 @@ class Joined:
         return out
 
     def deviation(self, y):
-        """(q, g) standard deviations of the modulus, averaged over the functions of a group"""
+        """Standard deviations of the modulus, averaged over the functions of a group; shape (q, g)"""
         gap, share = self._place(y)
         out = np.zeros((len(gap), self.values.shape[1]))
         for part in self._parts:
@@ -355,12 +356,12 @@ class Part:
 
     @cached_property
     def lack(self):
-        """(n, g, c) residual of the fit at its nodes"""
+        """Residual of the fit at its nodes; shape (n, g, c)"""
         return self.fit.values - self.fit.value(self.window.nodes.x)
 
     @cached_property
     def at_nodes(self):
-        """(n, g) deviation at the nodes"""
+        """Deviation at the nodes; shape (n, g)"""
         return self.fit.deviation(self.window.nodes.x)
 
 
@@ -383,7 +384,7 @@ def _kernels():
 
 @cache
 def _by_lead():
-    """(lead, its members) of the family"""
+    """Return (lead, members of its family)"""
     leads = np.array([member.lead for member in FAMILY])
     return [(lead, np.flatnonzero(leads == lead)) for lead in LEADS]
 
@@ -394,7 +395,7 @@ def _root(kernel):
 
 
 def ringing_of(x, values):
-    """(p,) sharp poles, in the variable s of x (n,), of functions (n, m) that resonate between their nodes
+    """Sharp poles, in the variable s of x (n,), of functions (n, m) that resonate between their nodes; shape (p,)
 
     A pole is accepted if it shows at a node and, unlike poles of noise, predicts nodes that are left out; a pole as
     broad as SHARP is fitted well without a pole term.
@@ -416,14 +417,15 @@ def ringing_of(x, values):
 
 
 def _left_out(x, values, ringing):
-    """(m,) least squared error, over some kernels, at nodes x (n,) that are left out, of functions (n, m)"""
+    """Least squared error, over some kernels, at nodes x (n,) that are left out, of functions (n, m); shape (m,)"""
     roots = _root(Nodes(x, False, ringing)._kernels(x, x)[::FEW_KERNELS])
     inverse = np.sum(np.abs(roots) ** 2, axis=1)[..., None]
     return np.sum(np.abs(roots.conj().swapaxes(1, 2) @ (roots @ values) / inverse) ** 2, axis=1).min(axis=0)
 
 
 def _left_open(row, root):
-    """(m,) share of the variance that remains at m places, from the kernel between these places and the nodes (m, n)
+    """Share of the variance that remains at m places, from the kernel between these places and the nodes (m, n); shape
+    (m,)
 
     The inverse itself has entries of 1e9 and would give noise of 1e-7: this appeared as an error of 0.5 % of added mass
     in long waves, where the true error was 0.01 %.
@@ -432,7 +434,7 @@ def _left_open(row, root):
 
 
 def unknown(x, y):
-    """(m,) share of the variance of `SPREAD` that remains at y with values at x"""
+    """Share of the variance of `SPREAD` that remains at y with values at x; shape (m,)"""
     return _left_open(SPREAD.kernel(y, x), _root(SPREAD.kernel(x, x)))
 
 

@@ -80,7 +80,7 @@ def natural_periods(body, coupled=True) -> NaturalPeriods:
 
 
 def _own_frequencies(eigenvalues, places=()):
-    """(n,) ω with ω² = λⱼ(ω); −√−λ for an unstable mode
+    """Frequencies ω with ω² = λⱼ(ω); shape (n,); −√−λ for an unstable mode
 
     places : (q,) rad/s, rising, among which the first root is sought, where gap water causes several roots
     """

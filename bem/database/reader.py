@@ -78,12 +78,12 @@ class Reader:
 
     @property
     def words(self):
-        """(n,) names of the motions: "surge" …, for several bodies "barge surge" """
+        """Names of the motions, "surge" …, for several bodies "barge surge"; shape (n,)"""
         return words_of(self.bodies, self.modes)
 
     @property
     def names(self):
-        """(n,) names of the motions in the database: "Surge" …, for several bodies "barge__Surge" """
+        """Names of the motions in the database, "Surge" …, for several bodies "barge__Surge"; shape (n,)"""
         names = names_of(self.bodies, self.modes)
         return tuple(names[d] for d in moving(self.bodies, self.modes))
 
@@ -94,23 +94,23 @@ class Reader:
 
     @property
     def turning(self):
-        """(n,) whether a motion is a rotation"""
+        """Whether a motion is a rotation; shape (n,)"""
         return turning(self.bodies, self.modes)[moving(self.bodies, self.modes)]
 
     @property
     def axes_at_rest(self):
-        """(N, 6) m, rad of each moving body: the origin of its axes, at its rotation centre, and their rotation"""
+        """Place of the rotation centre, m, and rotation of the axes, rad, of each moving body; shape (N, 6)"""
         centers = [(body.rotation_center, body.heading) for body in self.bodies if not body.fixed]
         return np.array([[*center, 0, 0, turn] for center, turn in centers or [(self.rotation_center, 0)]], float)
 
     @property
     def omega(self):
-        """(n,) rad/s stored, rising"""
+        """Stored frequencies, rising, rad/s; shape (n,)"""
         return self.between.omega
 
     @property
     def headings(self):
-        """(m,) rad stored"""
+        """Stored headings, rad; shape (m,)"""
         return self.between.headings
 
     @property
@@ -163,17 +163,17 @@ class Reader:
 
     @cached_property
     def free(self):
-        """(n, m) motions, in columns, that links leave free; None without links"""
+        """Motions, in columns, that links leave free; shape (n, m); None without links"""
         return free_of(self._held) if self.links else None
 
     @cached_property
     def _held(self):
-        """(r, n) combinations of motions that links constrain to zero"""
+        """Combinations of motions that links constrain to zero; shape (r, n)"""
         return np.vstack([rows_of(self, link) for link in self.links])
 
     def link_forces(self, omega, headings, motions):
-        """(q, p, links, 6) force and moment per m that the first body of a link exerts on the second, along axes of the
-        first
+        """Force and moment per metre of wave amplitude that the first body of a link exerts on the second, along axes
+        of the first; shape (q, p, links, 6)
 
         motions : (q, p, n) of these bodies in these waves, with the springs and dampers of links (`hinges.driven`)
         """
@@ -230,12 +230,13 @@ class Reader:
         return 2 * C / omega
 
     def knows_added_mass(self, omega):
-        """(q,) whether added mass is known at omega (q,) rad/s: in the stored band, or beyond the band if the limit of
-        added mass is stored"""
+        """Whether added mass is known at omega (q,), rad/s; shape (q,): in the stored band, or beyond the band if the
+        limit of added mass is stored"""
         return np.abs(np.atleast_1d(omega) - self._nearest(omega)) <= 0
 
     def held_added_mass(self, omega):
-        """(q, n, n) added mass at omega (q,) rad/s from 0, with the value at the end of the band where it is unknown"""
+        """Added mass at omega (q,) rad/s from 0, with the value at the end of the band where it is unknown; shape (q,
+        n, n)"""
         return self.between.value(self._nearest(omega), "added_mass")
 
     def coefficients(self, omega, motions=None):
@@ -249,7 +250,8 @@ class Reader:
         return self.between.inside(omega)
 
     def forces(self, omega, headings=None, name="excitation_force"):
-        """(q, p, n) complex, N/m and N m/m, at omega (q,) rad/s and headings (p,) rad, None for the stored headings."""
+        """Wave forces per unit amplitude at omega (q,), rad/s, and headings (p,), rad, None for the stored headings,
+        N/m and N m/m; shape (q, p, n), complex."""
         stored = self.between.value(self.inside(omega), name)
         if headings is None:
             return stored
@@ -274,7 +276,7 @@ class Reader:
         return radiated, self.to_headings(omega, headings).value(self.ring.of_kochin(diffracted), "kochin")
 
     def motions(self, omega, headings=None):
-        """(q, p, n) complex motions about rotation_center per unit wave amplitude, m/m and rad/m.
+        """Motions about rotation_center per unit wave amplitude, m/m and rad/m; shape (q, p, n), complex.
 
         omega : (q,) rad/s; headings : (p,) rad, travelled to, None for those stored
         raises : BetweenError outside the database, and without inertia
@@ -289,7 +291,7 @@ class Reader:
         return value if found is None else found.over(value)
 
     def drift(self, omega, headings=None, fixed=False):
-        """(q, p, 3) mean drift per squared wave amplitude, N/m² and N m/m², of the floating or the fixed body.
+        """Mean drift per squared wave amplitude, N/m² and N m/m², of the floating or the fixed body; shape (q, p, 3).
 
         Raises BetweenError for unknown drift.
         """
@@ -309,7 +311,8 @@ class Reader:
         return found[0]
 
     def motions_of(self, motions, body):
-        """(…, 6) motions of one of several bodies from the motions of all bodies (…, n); zero for a fixed body"""
+        """Motions of one of several bodies from the motions of all bodies (…, n); shape (…, 6); zero for a fixed
+        body"""
         if body.fixed:
             return np.zeros((*np.shape(motions)[:-1], 6), complex)
         return motions[..., self.columns_of(body)]
@@ -322,8 +325,8 @@ class Reader:
         return slice(first, first + 6)
 
     def drift_of_each(self, omega, headings=None, fixed=False):
-        """(q, p, bodies, 3) mean drift per squared wave amplitude on each of several bodies, fixed bodies included,
-        about the point of the body in the axes of the body. The drift is interpolated from stored drift: with all
+        """Mean drift per squared wave amplitude on each of several bodies, fixed bodies included, about the point of
+        the body in the axes of the body; shape (q, p, bodies, 3). The drift is interpolated from stored drift: with all
         bodies fixed, or with the stored motions, even if the motions are restrained here.
 
         Raises BetweenError if it is not stored.
@@ -369,7 +372,7 @@ class Reader:
         return at_headings(self.ring_of(name), headings, omega, self.between, name in (*DRIFT, *OF_EACH))
 
     def of_haskind(self, omega, headings):
-        """(q, p, n) excitation from the Kochin functions of the radiation"""
+        """Excitation from the Kochin functions of the radiation; shape (q, p, n)"""
         order, series = harmonics(self.between.value(omega, "kochin_radiation"), self.between.theta)
         there = series @ np.exp(1j * np.multiply.outer(order, headings + np.pi))
         k = wavenumber(omega, self.depth, self.gravity)
@@ -377,7 +380,7 @@ class Reader:
         return factor[:, None, None] * there.swapaxes(1, 2)
 
     def solved(self, omega, A, B, F):
-        """(q, p, n) motions of added mass and radiation damping (q, n, n) and forces (q, p, n)"""
+        """Motions of added mass and radiation damping (q, n, n) and forces (q, p, n); shape (q, p, n)"""
         if self.viscous:
             rows = zip(omega, A, B + self.damping, F, strict=True)
             return np.array([linearised_response(*row, self.inertia, self.stiffness, self.viscous)[0] for row in rows])
@@ -388,7 +391,7 @@ class Reader:
         return np.linalg.solve(D, F.swapaxes(1, 2)).swapaxes(1, 2)
 
     def dynamic_stiffness(self, omega, A, B):
-        """(q, n, n) complex force per motion, N/m … N m/rad, of the linear body; arguments as in `solved`"""
+        """Force per motion, N/m … N m/rad, of the linear body, complex; shape (q, n, n); arguments as in `solved`"""
         w = omega[:, None, None]
         return -(w**2) * (self.inertia + A) - 1j * w * (B + self.damping) + self.stiffness
 
@@ -407,7 +410,7 @@ class Reader:
 
     @cached_property
     def missed_drift(self):
-        """(n, m, 3) deviation of the far field from stored drift of the fixed body at stored waves"""
+        """Deviation of the far field from stored drift of the fixed body at stored waves; shape (n, m, 3)"""
         return far_field_drift.missed(self)
 
     @cached_property
@@ -498,7 +501,7 @@ def _viscous(db):
 
 
 def _of_moving(matrix, moved):
-    """(n, n) of a matrix (6N, n) of forces on all bodies"""
+    """The part of the moving bodies, shape (n, n), of a matrix (6N, n) of forces on all bodies"""
     return None if matrix is None else np.asarray(matrix, float)[moved]
 
 

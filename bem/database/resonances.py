@@ -77,7 +77,8 @@ def _resonances(body):
 
 
 def about(body, found, beside=()):
-    """(q,) rad/s within the stored frequencies that show the shape of each peak of `found`, resonances of the body
+    """Frequencies that show the shape of each peak of `found`, resonances of the body, within the stored ones, rad/s;
+    shape (q,)
 
     beside : (p,) rad/s, frequencies that are known already.  Roll and pitch of a round body resonate at one frequency
     except for
@@ -117,7 +118,8 @@ def positive(inertia):
 
 
 def by_motion(energies):
-    """(n,) index of the mode of each motion: the assignment with the largest sum of energy shares; −1 for none.
+    """Index of the mode of each motion, by the assignment with the largest sum of energy shares; shape (n,); −1 for
+    none.
 
     energies : (m, n) kinetic energy, rows are modes, fewer than motions where links constrain some
     """
@@ -133,7 +135,8 @@ def by_motion(energies):
 
 
 def zeros(functions, low, f, high, g):
-    """(m,) ω at which m functions, nearly straight, are zero between low (m,), value f, and high (m,), value g.
+    """Frequencies ω at which m functions, nearly straight, are zero between low (m,), value f, and high (m,), value g;
+    shape (m,)
 
     functions : (m,) → (m,).  A secant within a bracket, whose end is taken at half its value when it stays for the
     second time (Illinois; Dowell and Jarratt, BIT 11, 1971): three steps square the error.
@@ -156,7 +159,7 @@ def zeros(functions, low, f, high, g):
 
 
 def _roots(body):
-    """(mode, ω) of every natural frequency within the stored ones"""
+    """Return (mode, ω) of every natural frequency within the stored ones"""
     knots = np.arange(len(body.omega))
     omega = np.interp(np.arange((len(knots) - 1) * STEPS + 1) / STEPS, knots, body.omega)
     excess = _excess(body, omega)
@@ -171,7 +174,7 @@ def _roots(body):
 
 
 def _excess(body, omega):
-    """(q, n) √λ − ω"""
+    """Difference √λ − ω of each mode; shape (q, n)"""
     return np.sqrt(np.maximum(_modes(body, omega)[0], 0)) - omega[:, None]
 
 

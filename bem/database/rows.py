@@ -212,7 +212,7 @@ class Database:
 
     @cached_property
     def asked(self) -> np.ndarray:
-        """(all,) rad/s, requested frequencies of the file"""
+        """Requested frequencies of the file, rad/s; shape (all,)"""
         with self.opened() as file:
             return file["omega"][()]
 
@@ -251,7 +251,7 @@ class Database:
 
     @property
     def stiffness(self) -> np.ndarray | None:
-        """(n, moving) of water, weight and structure"""
+        """Stiffness of water, weight and structure; shape (n, moving)"""
         return _sum(self.hydrostatic_stiffness, self.structural_stiffness)
 
     @cached_property
@@ -309,13 +309,13 @@ class Database:
             }
 
     def wall_times(self) -> list[dict[str, float]]:
-        """(n,) dictionaries {step: s} of the solved frequencies."""
+        """A dictionary {step: s} of the wall times of each solved frequency."""
         with self.opened() as file:
             check_rows(file, self.rows)
             return [json.loads(text) for text in file["wall_time"][()][self.rows]]
 
     def interpolated_estimates(self) -> np.ndarray:
-        """(n,) whether the estimated errors of a solved frequency come from neighbouring frequencies"""
+        """Whether the estimated errors of a solved frequency come from neighbouring frequencies; shape (n,)"""
         return np.array([INTERPOLATED in steps for steps in self.wall_times()], bool)
 
     @property
@@ -340,7 +340,7 @@ class Database:
 
     @property
     def rotation_center(self) -> np.ndarray:
-        """(3,) m"""
+        """Rotation centre, m; shape (3,)"""
         return self.header.rotation_center
 
     @property

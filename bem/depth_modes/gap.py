@@ -75,7 +75,7 @@ class Gap:
 
     @cached_property
     def decays(self):
-        """(f,) a function's moments fall like l^(−decay)"""
+        """Exponent of each function, whose moments fall like l^(−decay); shape (f,)"""
         return self.families[0] + 0.5
 
     @cached_property
@@ -188,7 +188,7 @@ def rounded(count):
 
 @lru_cache(maxsize=512)
 def tail_weights(count, power):
-    """(count,) weights that extend Σ f(n), n = 1 … count, to infinity.
+    """Weights that extend Σ f(n), n = 1 … count, to infinity.; shape (count,)
 
     power : f(n) ~ n^(−power) (c₀ + c₁/n + …) plus oscillating terms
 
@@ -204,7 +204,7 @@ def tail_weights(count, power):
 
 @lru_cache(maxsize=64)
 def _cut_off(count):
-    """(cut-offs, count) smooth cut-offs of n = 1 … count"""
+    """Smooth cut-offs of n = 1 … count; shape (cut-offs, count)"""
     return smooth_cutoff(np.arange(1, count + 1) / (CUTOFFS[:, None] * count))
 
 

@@ -33,7 +33,7 @@ class Profiles:
 
     @cached_property
     def combinations(self):
-        """(r, f + 2) from rows of functions to rows of profiles; the last two are unchanged"""
+        """Matrix from rows of functions to rows of profiles; shape (r, f + 2); the last two are unchanged"""
         modes, f = self.gap.inner_modes(self.gap.inner_count(800, np.inf)), len(self.gap.mean)
         norm = mode_sum(modes.rows, self.gap.inner_decays, 2 / self.height / modes.wavenumbers)[:f, :f]
         norm += np.outer(self.gap.mean, self.gap.mean)
@@ -61,6 +61,6 @@ class Profiles:
         return self.combinations @ self.gap.mean_rows()
 
     def products(self, values):
-        """(r, r, c) from values (f + 2, f + 2, c) of pairs of rows"""
+        """Products of the profiles, shape (r, r, c), from values (f + 2, f + 2, c) of pairs of rows"""
         both = np.tensordot(self.combinations, np.tensordot(self.combinations, values, (1, 0)), (1, 1))
         return both.transpose(1, 0, 2)

@@ -68,7 +68,7 @@ class Beam(NamedTuple):
         return self._wavenumber**slope * bent(self.number, s, slope)
 
     def displacement(self, points):
-        """(…, 3) m per m or rad at points (…, 3) m"""
+        """Displacement per m or rad of each mode at points (…, 3), m; shape (…, 3)"""
         x, y, z = np.moveaxis(np.asarray(points, float), -1, 0)
         w, arm, none = self.along(x), z - self.height, np.zeros_like(x)
         if self.turns:
@@ -80,7 +80,7 @@ class Beam(NamedTuple):
         return np.stack(parts, axis=-1)
 
     def turn(self, x):
-        """(…, 3) ω of the sections at x (…,) m"""
+        """Turn Ω of the sections at x (…,), m; shape (…, 3)"""
         slope, none = self.along(x, 0 if self.turns else 1), np.zeros_like(x)
         return np.stack({"torsion": (slope, none, none), BENDING[0]: (none, -slope, none)}.get(
             self.kind, (none, none, slope)), axis=-1)  # fmt: skip
@@ -98,7 +98,7 @@ class Beam(NamedTuple):
 
 
 def second(beams, points):
-    """(n, n, q, 3) u_ij m of beams of one axis at points (q, 3) m"""
+    """Second-order displacements U_ij, m, of beams of one axis at points (q, 3), m; shape (n, n, q, 3)"""
     points = np.asarray(points, float)
     first = beams[0]
     arm = points * [0, 1, 1] - [0, 0, first.height]

@@ -17,19 +17,20 @@ STEP = 1e-5
 
 
 def gradients(displacement, points, size):
-    """(q, 3, 3) ∂u_a/∂x_b of a function of points (q, 3) m; size : m, of the body"""
+    """Gradients ∂u_a/∂x_b of a function of points (q, 3), m; shape (q, 3, 3); size : m, of the body"""
     step = STEP * size
     sides = [(displacement(points + d) - displacement(points - d)) / (2 * step) for d in step * np.eye(3)]
     return np.stack(sides, axis=-1)
 
 
 def inertia(displacements, masses):
-    """(m, m) kg, of displacements (m, p, 3) at points of mass (p,) kg"""
+    """Modal mass, kg, of displacements (m, p, 3) at points of mass (p,), kg; shape (m, m)"""
     return np.einsum("ipa,jpa,p->ij", displacements, displacements, masses)
 
 
 def of_weight(displacements, slopes, masses, gravity, rigid, second=None):
-    """(m, m) N/m; displacements (m, p, 3) and gradients (m, p, 3, 3) at points of mass (p,) kg
+    """Stiffness of the weight, N/m, for displacements (m, p, 3) and gradients (m, p, 3, 3) at points of mass (p,), kg;
+    shape (m, m)
 
     rigid : number of rigid motions, which come first; second : (f, f, p, 3) u_ij of the others, or None
     """
@@ -40,7 +41,8 @@ def of_weight(displacements, slopes, masses, gravity, rigid, second=None):
 
 
 def of_water(displacements, slopes, depths, area_vectors, density, gravity, rigid, second=None):
-    """(m, m) N/m; displacements (m, q, 3) and gradients (m, q, 3, 3) at points of the hull z (q,) m
+    """Stiffness of the water, N/m, for displacements (m, q, 3) and gradients (m, q, 3, 3) at points of the hull at z
+    (q,), m; shape (m, m)
 
     area_vectors : (q, 3) m², out of the body; rigid, second : as in `of_weight`
     """

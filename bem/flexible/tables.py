@@ -27,7 +27,7 @@ class Table:
     turns = False
 
     def displacement(self, points):
-        """(…, 3) at points (…, 3) m"""
+        """Displacement at points (…, 3), m; shape (…, 3)"""
         points = np.asarray(points, float)
         return self._spline(self._own(points.reshape(-1, 3))).reshape(points.shape)
 
@@ -47,7 +47,7 @@ class Table:
 
     @cached_property
     def _axes(self):
-        """(3, d) directions in which the points extend"""
+        """Directions in which the points extend; shape (3, d)"""
         _, sizes, axes = np.linalg.svd(self.points - self.points.mean(axis=0), full_matrices=False)
         return axes[sizes > FLAT * sizes[0]].T
 

@@ -67,7 +67,7 @@ def _numbers(place, known):
     omega = np.array(head[3 + headings : 3 + headings + frequencies])
 
     def own(name, size):
-        """(size,) of the structure, or None"""
+        """Matrix of the structure, shape (size,), or None"""
         rows = sections.get(name)
         return None if rows is None else np.array(rows).reshape(count, -1)[which, -size:]
 

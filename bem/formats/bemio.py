@@ -156,7 +156,7 @@ def trapezoid(w):
 
 
 def linear(w, omega, values):
-    """(k, q) of values (n, q) at omega, interpolated linearly"""
+    """Values (n, q), interpolated linearly at omega; shape (k, q)"""
     parts = [np.interp(w, omega, column) for column in (values.real.T if np.iscomplexobj(values) else values.T)]
     if not np.iscomplexobj(values):
         return np.array(parts).T

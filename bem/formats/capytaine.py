@@ -185,7 +185,7 @@ def _is_upper(file, name):
 
 
 def _from_upper(numbers):
-    """(6, 6) of the upper half of its part of heave, roll and pitch"""
+    """Stiffness (6, 6) from the upper half of its part of heave, roll and pitch"""
     C, (i, j) = np.zeros((6, 6)), np.triu_indices(3)
     C[2 + i, 2 + j] = C[2 + j, 2 + i] = numbers
     return C

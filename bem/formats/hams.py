@@ -143,7 +143,7 @@ def hull_of(place, known=None):
 
 
 def drawn_at(place, known):
-    """(3,) m, origin of the hull in Input, in the water"""
+    """Origin of the hull in Input, in the water, m; shape (3,)"""
     return _given(Path(place), known).drawn_at
 
 

@@ -58,7 +58,8 @@ def read(place, known=None):
 
 
 def _matrix(place, tables, at, name):
-    """(n, 6, 6) of the files of a quantity; the stored one of two pairs in opposite order is used for both"""
+    """Matrices (n, 6, 6) of a quantity from its files; the stored one of two pairs in opposite order is used for
+    both"""
     whole = np.zeros((len(at), 6, 6))
     for (kind, mode), rows in tables.items():
         if kind == name:
@@ -70,7 +71,7 @@ def _matrix(place, tables, at, name):
 
 
 def _forces(place, tables, at, m):
-    """(n, m, 6) with phases of the crest at the point of the incident wave"""
+    """Forces (n, m, 6) whose phases refer to the crest at the point of the incident wave"""
     X = np.zeros((len(at), m, 6), complex)
     for (kind, mode), rows in tables.items():
         if kind == "excitation_force":
@@ -87,7 +88,7 @@ def _same(place, rows, at, columns):
 
 
 def _file(path):
-    """(quantity, mode, {of the head}, rows, headings (m,) rad) of a file of one of KINDS, else None"""
+    """Return (quantity, mode, {of the head}, rows, headings (m,), rad) of a file of one of KINDS, else None"""
     if path.suffix.lower() not in (".rao", ".dat") or not path.is_file():
         return None
     lines = lines_of(path)

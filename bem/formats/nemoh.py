@@ -70,7 +70,7 @@ def write(values, place):
 
 
 def _pairs(first, second):
-    """(n, 12) of two (n, 6), in turn; of N bodies (n, 12N)"""
+    """Join two arrays (n, 6) column by column in turn, to (n, 12); of N bodies (n, 12N)"""
     return np.stack([first, second], axis=-1).reshape(len(first), -1)
 
 
@@ -259,7 +259,8 @@ def _cal_of(path):
 
 
 def _six(place, rows):
-    """(6,) which of some motions or forces each of ours is, None without one.  Raises FormatError for others."""
+    """Number of our motion or force for each of those given, None without one; shape (6,).  Raises FormatError for
+    others."""
     out = [None] * 6
     for number, (kind, *direction) in enumerate(rows):
         axis = np.flatnonzero(np.abs(np.array(direction[:3])) > 1e-9)
@@ -279,7 +280,7 @@ def _taken(rows, places, axis):
 
 
 def _about(place, body):
-    """(3,) m, the point of rotations and moments.  Raises FormatError for several points."""
+    """Point of rotations and moments, m; shape (3,).  Raises FormatError for several points."""
     points = [row[4:7] for row in (*body.motions, *body.forces) if row[0] == 2]
     if not points:
         return np.zeros(3)

@@ -130,14 +130,14 @@ def _about_center(values):
 
 
 def _steiner(mass, arm):
-    """(6, 6) moments of a mass at `arm` m; only the rotations are filled"""
+    """Moments of inertia of a mass at `arm`, m; shape (6, 6); only the rotations are filled"""
     moved = np.zeros((6, 6))
     moved[3:, 3:] = mass * (arm @ arm * np.eye(3) - np.outer(arm, arm))
     return moved
 
 
 def _weight(values):
-    """(6, 6) N m/rad, reduction of roll and pitch stiffness by the weight: m g (z_G − z_R)"""
+    """Reduction of roll and pitch stiffness by the weight, m g (z_G − z_R), N m/rad; shape (6, 6)"""
     moment = np.zeros((6, 6))
     if values.get("center_of_mass") is not None and values.get("mass") is not None:
         arm = values.get("center_of_mass")[2] - values.rotation_center[2]
@@ -250,7 +250,7 @@ def _read(model, place, known):
 
 
 def _response_unit(group, vessel, units):
-    """(6,) of loads, N and N m, or motions, m and rad, for each metre of wave amplitude"""
+    """Unit of each of six loads, N and N m, or motions, m and rad, for each metre of wave amplitude"""
     if group == "LoadRAOs":
         return units.force / units.length * units.length**ROTATIONS
     turn = 1.0 if vessel["RAOResponseUnits"] == "radians" else np.pi / 180
@@ -298,7 +298,8 @@ def _read_responses(group, vessel, place, to_omega):
 
 
 def _crest(group, k, headings):
-    """(n, m, 1) exp(ik·P): a crest at PhaseOrigin P, by default RAOOrigin, as one at the origin of the axes"""
+    """Factor exp(ik·P), shape (n, m, 1): it moves a crest at PhaseOrigin P, by default RAOOrigin, to the origin of the
+    axes"""
     pairs = zip(group["PhaseOrigin"], group["RAOOrigin"], strict=True)
     x, y, _ = (float(own if own is not None else other) for own, other in pairs)
     return np.exp(1j * k[:, None] * (x * np.cos(headings) + y * np.sin(headings)))[..., None]

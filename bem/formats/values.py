@@ -206,7 +206,7 @@ def body_of(place, count, known):
 
 
 def evenly(what, numbers, unit, way_out):
-    """(first, last, count) of equally spaced numbers.  Raises FormatError: some files support no others."""
+    """Return (first, last, count) of equally spaced numbers.  Raises FormatError: some files support no others."""
     steps = np.diff(numbers)
     if len(steps) and not np.all(np.abs(steps - steps.mean()) <= EVEN * steps.mean()):
         raise FormatError(
@@ -222,8 +222,8 @@ def lines_of(path):
 
 
 def table_of(path, columns, separator=None):
-    """(k, columns) numbers of a text file; lines that do not begin with a number are passed over, and notes after !.
-    Raises FormatError.
+    """Numbers of a text file; shape (k, columns); lines that do not begin with a number are passed over, and notes
+    after !.  Raises FormatError.
 
     columns : allowed numbers in a line; shorter lines are filled up with NaN
     """
@@ -287,7 +287,7 @@ def gridded(path, coordinates, values, modes=()):
 
 
 def omega_of(column, kind, depth, gravity, length=1.0):
-    """(n,) rad/s from numbers that represent a frequency, including 0 and infinity
+    """Frequencies, rad/s, from numbers that represent a frequency, including 0 and infinity; shape (n,)
 
     kind : "period", s, whose 0 is ω = ∞ and −1 ω = 0; "frequency", rad/s, "wavenumber" or "deep wavenumber", rad/m,
         and "wavelength", m: of the first three 0 is ω = 0 and −1 ω = ∞

@@ -77,7 +77,7 @@ def write(values, place, names=None):
 
 
 def stands_for(values, name):
-    """(6, 6) of a limit, or of the frequency next to it if the limit is missing or not finite"""
+    """Matrix of a limit, or of the frequency next to it if the limit is missing or not finite; shape (6, 6)"""
     limit = values.get(name)
     if limit is not None and np.all(np.isfinite(limit)):
         return limit
@@ -206,7 +206,7 @@ class Columns(NamedTuple):
         return bool(np.isin(table.rows[:, -5], self.modes).any())
 
     def omega(self, column):
-        """(k,) rad/s of a first column"""
+        """Frequencies, rad/s, of a first column; shape (k,)"""
         given = self.given
         return omega_of(column, given.period_kind, given.depth, given.gravity, given.wave_length)
 

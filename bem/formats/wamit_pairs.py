@@ -86,7 +86,7 @@ def read_pairs(place, weight, kind=DIFFERENCE, length=1.0):
 
 
 def _even(path, frequencies):
-    """(n,) rad/s at equal steps, and the step"""
+    """Frequencies at equal steps, rad/s, shape (n,), and the step"""
     found = np.sort(frequencies)
     found = found[np.concatenate([[True], np.diff(found) > 1e-5 * found[-1]])]
     step = (found[-1] - found[0]) / max(len(found) - 1, 1)

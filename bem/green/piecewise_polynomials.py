@@ -28,7 +28,7 @@ def aligned(array):
 
 @cache
 def nodes():
-    """(8,) Chebyshev nodes on (−1, 1)"""
+    """Chebyshev nodes on (−1, 1); shape (8,)"""
     return -np.cos(np.pi * (np.arange(ORDER) + 0.5) / ORDER)
 
 
@@ -38,7 +38,7 @@ def _to_powers():
 
 
 def sample_points(edges):
-    """(8 n,) nodes of n consecutive pieces between `edges`"""
+    """Nodes of n consecutive pieces between `edges`; shape (8 n,)"""
     edges = np.asarray(edges, float)
     middle, half = 0.5 * (edges[1:] + edges[:-1]), 0.5 * np.diff(edges)
     return (middle[:, None] + half[:, None] * nodes()).ravel()

@@ -20,7 +20,7 @@ WORDS = types.Array(types.int64, 1, "C")
 
 
 def laid_out(value):
-    """(n,) int64 words of a marked tuple, valid as long as the returned array and the tuple exist"""
+    """Words of a marked tuple as int64, valid as long as the returned array and the tuple exist; shape (n,)"""
     words, inner = [], [value]  # of each of `inner`, one after the other
     begins, places = {}, {}
     for number, one in enumerate(inner):  # grows

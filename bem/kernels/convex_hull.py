@@ -12,7 +12,7 @@ STRAIGHT = 1e-12  # twice the area of three points, over the size squared, below
 
 
 def convex_hull(points):
-    """(m, 2), the corners, anticlockwise, of the convex hull of points (n, 2); none within one of its sides.
+    """Corners, anticlockwise, of the convex hull of points (n, 2); shape (m, 2); none within one of its sides.
 
     The monotone chain of Andrew (Information Processing Letters 9, 1979), in n log n.
     raises : ValueError if all lie on one line

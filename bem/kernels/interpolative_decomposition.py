@@ -80,7 +80,7 @@ def _add_columns(columns, places, signs, sums, row):
 
 
 def interpolative_decomposition(matrix, tolerance):
-    """(rows, X) with A ≈ X A[rows], the error of a row at most about `tolerance` in the 2-norm.
+    """Return (rows, X) with A ≈ X A[rows], the error of a row at most about `tolerance` in the 2-norm.
 
     matrix : (n, m) A itself or `Sketch.matrix`; rows : (r,) increasing, r ≥ 1; X : (n, r)
 

@@ -16,7 +16,7 @@ MOST = 40
 
 
 def poles(x, values, enough=ENOUGH):
-    """(p,) complex poles, and (p, m) residues, of functions (n, m), complex, known at x (n,)"""
+    """Poles (p,) and residues (p, m) of functions (n, m), complex, known at complex x (n,)"""
     x, values = np.asarray(x, float), np.asarray(values, complex)
     values = values / np.abs(values).max(axis=0)
     made, taken = np.broadcast_to(values.mean(axis=0), values.shape), []

@@ -58,7 +58,7 @@ class FewEstimates:
 
     @cached_property
     def ranges(self):
-        """(n, 2) indices of the first and last frequency in the range of each frequency"""
+        """Indices of the first and last frequency in the range of each frequency; shape (n, 2)"""
         solver, gravity = self.prepared.solver, self.prepared.problem.gravity
         kinds = [(solver.resolution(w, gravity), solver.finer.resolution(w, gravity)) for w in self.omegas]
         steps = [i for i in range(1, len(kinds)) if kinds[i] != kinds[i - 1]]

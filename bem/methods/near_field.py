@@ -20,7 +20,8 @@ from ..second_order.rotations import first_order_loads
 
 
 def near_field_drift(run, moving):
-    """(m, 3) as `bem.drift.mean_drift`, about the rotation centre, from the potentials of a solved frequency.
+    """Mean drift about the rotation centre from the potentials of a solved frequency, as `bem.drift.mean_drift`; shape
+    (m, 3).
 
     run : the quantities of one frequency of a mesh with four nodes per panel (`bem.panels.one_frequency.PanelRun`) or
         of the contour method (`bem.methods.shape_run.ShapeRun`), which also needs the drift by the far field
@@ -32,8 +33,8 @@ def near_field_drift(run, moving):
 
 
 def near_field_error(run, moving):
-    """(m, 3) N/m², N m/m²: estimated bound of the difference between drift from the near field and from the far field,
-    in the form of `near_field_drift`.
+    """Estimated bound of the difference between drift from the near field and from the far field, N/m², N m/m²; shape
+    (m, 3), as of `near_field_drift`.
 
     Per metre of breadth and wave amplitude squared the terms are up to ρg(1 + v)² at the waterline, water standing up
     to twice the wave at a wall, and ρω²d a² on the sides, v the vertical motion there and a that of any point of the
@@ -59,7 +60,7 @@ def near_field_error(run, moving):
 
 
 def _motions(run, moving):
-    """(m, 6) about the origin, m/m and rad/m"""
+    """Motions about the origin, m/m and rad/m; shape (m, 6)"""
     return run.rao @ run.problem.transform if moving else np.zeros((len(run.headings), 6), complex)
 
 
@@ -86,7 +87,7 @@ def _method(run, moving):
 
 
 def rotated_loads(run):
-    """(m, 3) mean surge, sway and yaw by first-order loads that turn with the body, about the rotation centre"""
+    """Mean surge, sway and yaw by first-order loads that turn with the body, about the rotation centre; shape (m, 3)"""
     pairs = rotated_pairs(first_order_loads(run, run.problem, run.rao), run.rao)
     each = np.arange(len(run.headings))
     return pairs[each, each][:, [0, 1, 5]].real

@@ -83,12 +83,12 @@ class PreparedPanelProblem:
 
     @cached_property
     def modes(self):
-        """(hull nodes, 6) normal velocities of unit motions about the origin"""
+        """Normal velocities of unit motions about the origin; shape (hull nodes, 6)"""
         return self.geometry.modes
 
     @cached_property
     def displacing(self):
-        """(6,) whether a mode displaces water, `bem.modes.displacing`"""
+        """Whether a mode displaces water, `bem.modes.displacing`; shape (6,)"""
         return displacing(self.geometry.mesh, self.problem.modes)
 
     @cached_property
@@ -114,7 +114,8 @@ class PreparedPanelProblem:
 
     @cached_property
     def band_equations(self):
-        """(`bem.panels.band.equations.BandEquations`, …) of the problem's band, first of its lower part without lid"""
+        """Return the `bem.panels.band.equations.BandEquations` of the problem's band, first of its lower part without
+        lid"""
         from ..checks import sufficient_accuracy
         from ..panels.band.equations import band_equations
 
@@ -139,9 +140,9 @@ class PreparedPanelProblem:
 
     @property
     def _beyond_tolerance(self):
-        """(n,) rad/s of frequencies that need a finer mesh: those between the outermost of some `PROBES` that keep the
-        tolerance, if need be extrapolated, below and above all that do not; independent of the order of solution
-        """
+        """Frequencies, rad/s, that need a finer mesh: those between the outermost of some `PROBES` that keep the
+        tolerance, if need be extrapolated, below and above all that do not; shape (n,), independent of the order of
+        solution"""
         omegas = self.problem.finer.omegas
         probes = np.unique(np.linspace(0, len(omegas) - 1, PROBES).astype(int))
         if len(omegas) < 2 * len(probes):

@@ -86,7 +86,7 @@ class PreparedShapeProblem:
 
     @property
     def displacing(self):
-        """(6,) whether a mode displaces water; for several bodies (6N,)"""
+        """Whether a mode displaces water; shape (6,); for several bodies (6N,)"""
         return np.array([moves for shape, _ in self.shapes for moves in [True] * 5 + [shape == "box"]])
 
     @property

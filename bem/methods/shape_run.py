@@ -53,7 +53,7 @@ class ShapeRun(FrequencyRun):
 
     @property
     def waves(self):
-        """(m,) headings; empty if no diffraction is wanted"""
+        """Headings of the waves; shape (m,); empty if no diffraction is wanted"""
         return self.headings if self.diffracts else np.empty(0)
 
     @cached_property
@@ -104,8 +104,8 @@ class ShapeRun(FrequencyRun):
         return self.first_order.residual
 
     def drift_of_each(self, moving):
-        """(m, bodies, 3) mean surge, sway and yaw drift of each body, about the point of the body in its own axes, by
-        `bem.transfer.drift`"""
+        """Mean surge, sway and yaw drift of each body, about the point of the body in its own axes, by
+        `bem.transfer.drift`; shape (m, bodies, 3)"""
         problem = self.problem
         motions = np.zeros((len(self.headings), self.count), complex)
         if moving:

@@ -51,7 +51,7 @@ class Sectors(NamedTuple):
 
     @property
     def first(self):
-        """(r,) mesh nodes of `rows`, without mirror images"""
+        """Mesh nodes of `rows`, without mirror images; shape (r,)"""
         return self.node[0, self.rows]
 
 
@@ -84,7 +84,7 @@ def _rings(R, z, angle, tolerance):
 
 
 def _groups(values, tolerance):
-    """(n,) group number of each value; gaps between groups are larger than the tolerance"""
+    """Group number of each value; shape (n,); gaps between groups are larger than the tolerance"""
     order = np.argsort(values)
     out = np.empty(len(values), np.int64)
     out[order] = np.cumsum(np.diff(values[order], prepend=values[order[0]]) > tolerance)
@@ -141,7 +141,7 @@ def sector_rows(geometry, mirror, table, depth_values):
 
 
 def solved_by_harmonics(geometry, S, D, K, velocities, all_harmonics=True):
-    """({class: potentials (columns, hull nodes)}, largest residual relative to its right-hand side).
+    """Return ({class: potentials (columns, hull nodes)}, largest residual relative to its right-hand side).
 
     S, D : `sector_rows`; K : ω²/g in 1/m; velocities : {class: (columns, hull nodes)}, m/s
     all_harmonics : False for those that exert a force on the body only, the harmonics of its modes of motion
@@ -171,13 +171,14 @@ def solved_by_harmonics(geometry, S, D, K, velocities, all_harmonics=True):
 
 
 def _present(spectrum):
-    """(columns, m) whether a harmonic exceeds rounding"""
+    """Whether a harmonic exceeds rounding; shape (columns, m)"""
     size = np.abs(spectrum).max(axis=2)
     return size > NEGLIGIBLE * size.max(axis=1, keepdims=True)
 
 
 def _spectrum(geometry, velocities):
-    """(columns, m, hull nodes of a sector) harmonics of values {class: (columns, hull nodes)}, all classes stacked"""
+    """Harmonics, shape (columns, m, hull nodes of a sector), of values {class: (columns, hull nodes)}, all classes
+    stacked"""
     g, (node, image, on_hull, *_) = geometry, geometry.sectors
     rings = [values[:, node[:, on_hull]] * g.signs(cls)[image[:, on_hull]] for cls, values in velocities.items()]
     return np.fft.fft(np.concatenate(rings), axis=1, norm="forward")[:, : _harmonics(g)]

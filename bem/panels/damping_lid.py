@@ -41,7 +41,8 @@ class DampingLid(NamedTuple):
 
 
 def with_damping_lids(problem):
-    """(`Geometry` of the hull, of damping lids and of the inner lid, (nodes of damping lids,) ε) of a `PanelProblem`
+    """Return (`Geometry` of the hull, damping lids and inner lid; the nodes of the damping lids; ε of each) of a
+    `PanelProblem`
 
     Raises ValueError for more lid nodes than can be solved.
     """
@@ -81,7 +82,7 @@ class DampedRun(PanelRun):
 
     @cached_property
     def incident_on_lids(self):
-        """(m, classes, nodes of damping lids) φ_I"""
+        """Incident potential φ_I on the damping lids; shape (m, classes, nodes of damping lids)"""
         g = self.geometry
         waves = [class_waves(g, b, self.omega, self.k, self.problem.gravity, self.on_lids)[0] for b in self.headings]
         return np.array(waves)
@@ -127,7 +128,7 @@ class DampedRun(PanelRun):
 
     @property
     def _share(self):
-        """(nodes of damping lids,) εK of each times its area and that of its images, m"""
+        """εK of each node times its area and the area of its images, m; shape (nodes of damping lids,)"""
         return self.damping * self.K * self.geometry.elements.weights[self.on_lids] * self.geometry.copies
 
     @cached_property
@@ -141,17 +142,18 @@ class DampedRun(PanelRun):
 
     @property
     def radiated(self):
-        """(6, 6) B/ω of the waves far away and of the lids"""
+        """Damping over frequency, B/ω, of the waves far away and of the lids; shape (6, 6)"""
         far = super().radiated
         return None if far is None else far + self.problem.density * self._taken(self._of_motions, self._of_motions)
 
     @property
     def taken_at_rest(self):
-        """(m,) k/(2ρgC_g) times the power that the lids absorb beside fixed bodies"""
+        """Power that the lids absorb beside fixed bodies, times k/(2ρgC_g); shape (m,)"""
         return self._extinction(np.diag(self._taken(self._of_waves, self._of_waves)))
 
     def damping_lid_power(self):
-        """(m,) W per m² of wave amplitude, mean power that the lids absorb: beside free bodies, or fixed ones"""
+        """Mean power that the lids absorb per squared metre of wave amplitude, W/m², beside free or fixed bodies; shape
+        (m,)"""
         psi = self._of_waves
         if self.free:
             motion = -1j * self.omega * self.rao @ self.of_motion

@@ -81,7 +81,7 @@ def _unit(v):
 
 
 def _monomials(axes, origins, points, count):
-    """(n, q, count) of 1, x, y, xy at points (n, q, 3)"""
+    """Functions 1, x, y, xy at points (n, q, 3); shape (n, q, count)"""
     local = np.einsum("nij,nqj->nqi", axes[:, :2], points - origins[:, None])
     x, y = local[..., 0], local[..., 1]
     return np.stack([np.ones_like(x), x, y, x * y], axis=-1)[..., :count]

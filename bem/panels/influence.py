@@ -102,7 +102,8 @@ class Geometry:
 
     @property
     def modes(self):
-        """(hull nodes, 6) normal velocities of unit motions about the body's origin; of N bodies (hull nodes, 6N)"""
+        """Normal velocities of unit motions about the body's origin; shape (hull nodes, 6); of N bodies (hull nodes,
+        6N)"""
         n, body = self.hull, self.mesh.body
         points, normals = self.elements.nodes[:n] - self.origin, self.elements.normals[:n]
         if body is None and not self.shapes:
@@ -128,17 +129,17 @@ class Geometry:
         return {cls: [d for d, own in enumerate(classes) if own == cls] for cls in self.classes}
 
     def _points_of(self, numbers):
-        """(n, 3) m, nodes of some of the bodies"""
+        """Nodes of some of the bodies, m; shape (n, 3)"""
         points, body = self.elements.nodes[: self.hull] - self.origin, self.mesh.body
         return points if body is None else points[np.isin(np.repeat(body, self.hull // len(body)), numbers)]
 
     def signs(self, cls):
-        """(images,) ±1: sign of the potential on each mirror image, in a class"""
+        """Sign ±1 of the potential on each mirror image, in a class; shape (images,)"""
         return self.all_signs[self.classes.index(cls)]
 
     @cached_property
     def all_signs(self):
-        """(classes, images) `signs` of every class"""
+        """`signs` of every class; shape (classes, images)"""
         of = [[(x if a < 0 else 1) * (y if b < 0 else 1) for a, b in self.images] for x, y in self.classes]
         return np.array(of, float)
 

@@ -39,7 +39,7 @@ def lid_needed_from(mesh):
 
 
 def rectangle_around(mesh):
-    """(2,) m, sides of the rectangle around the plan of the whole hull, at any angle, with the largest κ"""
+    """Sides of the rectangle around the plan of the whole hull, at any angle, with the largest κ, m; shape (2,)"""
     copies = [mesh.points[:, :2] * image for image in mesh.reflections()]
     corners = convex_hull(np.concatenate(copies))
     along = np.roll(corners, -1, axis=0) - corners
@@ -50,7 +50,7 @@ def rectangle_around(mesh):
 
 
 def extent(mesh):
-    """(2,) m along x and y of the whole hull"""
+    """Length along x and along y of the whole hull, m; shape (2,)"""
     xy = mesh.points[:, :2]
     low, high = xy.min(axis=0), xy.max(axis=0)
     mirrored = np.array([axis in mesh.symmetry for axis in "xy"])

@@ -129,7 +129,7 @@ class PanelRun(FrequencyRun):
 
     @cached_property
     def weighted_modes(self):
-        """(n, 6) generalized normal times area of the node and its images"""
+        """Generalized normal times area of the node and its images; shape (n, 6)"""
         return self.prepared.modes * self.hull[1][:, None] * self.geometry.copies
 
     @cached_property
@@ -155,7 +155,7 @@ class PanelRun(FrequencyRun):
         return {cls: np.flatnonzero(size > least).tolist() for cls, size in sizes.items()}
 
     def velocities(self, cls):
-        """(columns, n) normal velocities: unit motions, then minus the incident waves"""
+        """Normal velocities; shape (columns, n): unit motions, then minus the incident waves"""
         moving, waves = self.columns[cls]
         parts = [self.prepared.modes[:, moving].T.astype(complex)]
         if waves:
@@ -315,7 +315,7 @@ class PanelRun(FrequencyRun):
         return drift_of_each(self, moving)
 
     def pressure(self):
-        """(m, panels of the whole hull) mean dynamic pressure iωρφ on each panel, Pa per m of wave amplitude
+        """Mean dynamic pressure iωρφ on each panel, Pa per m of wave amplitude; shape (m, panels of the whole hull)
 
         Of the freely floating body if its inertia is known, else of the fixed one; panels as in `mesh.whole()`, where
         the mesh is that of the original run if this one is finer.

@@ -88,7 +88,8 @@ class Pairs(NamedTuple):
 
 
 def close_up_to(sizes, k, depth):
-    """(s,) m, distance of the surface images of panels of these sizes (m) up to which they use the fine points"""
+    """Distance of the surface images of panels of these sizes (m) up to which they use the fine points, m; shape
+    (s,)"""
     length = min(1 / k if k > 0 else np.inf, depth)
     return np.where(sizes > PER_WAVE * length, np.inf, NEAR * sizes)
 

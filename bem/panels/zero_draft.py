@@ -24,7 +24,7 @@ HORIZONTAL = 1e-6  # sine of the largest slope of a panel of a flat bottom
 
 
 def bottom(mesh):
-    """(n,) whether a panel belongs to the flat bottom"""
+    """Whether a panel belongs to the flat bottom; shape (n,)"""
     deepest = mesh.vertices[:, :, 2].max(axis=1) <= -mesh.draft * (1 - HORIZONTAL)
     return deepest & (mesh.normals[:, 2] < 0)
 

@@ -22,7 +22,8 @@ from .rotations import turned_twice
 
 
 def body_forces(surfaces, flow, one, two, radiated, problem, kind=DIFFERENCE):
-    """(q, 6) T about the origin, N/m², N m/m², of the pairs (one, two) of the waves of a `HullFlow`.
+    """Transfer functions T about the origin, N/m², N m/m², of the pairs (one, two) of the waves of a `HullFlow`; shape
+    (q, 6).
 
     one, two : (q,) numbers of waves, all of one difference of their frequencies or, as `kinds.Kind` says, one sum, that
     of `radiated`, the six motions of unit velocity (`hull_flow.radiated_flow`)
@@ -46,7 +47,8 @@ def body_forces(surfaces, flow, one, two, radiated, problem, kind=DIFFERENCE):
 
 
 def _of_flow(surfaces, flow, used, radiated, gravity):
-    """(u, 2, 6, 6) ∮ ψ_k n_m u_z dl − ∬ n_m ∇ψ_k·u dS of the flow of the waves `used`, and with its conjugate"""
+    """Integrals ∮ ψ_k n_m u_z dl − ∬ n_m ∇ψ_k·u dS of the flow of the waves `used`, and with its conjugate; shape (u,
+    2, 6, 6)"""
     line, weighted = surfaces.waterline, surfaces.weighted_modes
     steep = (flow.omega[used] ** 2 / gravity)[:, None] * flow.potential[used]
     edge = (radiated.potential[:, None] * (surfaces.waterline_modes * line.weights[:, None]).T).reshape(36, -1)
@@ -63,7 +65,8 @@ def _of_flow(surfaces, flow, used, radiated, gravity):
 
 
 def _of_motions(surfaces, radiated):
-    """(6, 6, 6) of mode k, displacement m and velocity v:  ∬ n_v ∇ψ·e_m + ψ (α_m × n)·e_v dS − ∮ ψ e_m·k n_v dl"""
+    """Integrals ∬ n_v ∇ψ·e_m + ψ (α_m × n)·e_v dS − ∮ ψ e_m·k n_v dl of mode k, displacement m and velocity v; shape
+    (6, 6, 6)"""
     line = surfaces.waterline
     out = carried_flow(surfaces, radiated)
     out[:, 3:] += (radiated.on_hull @ surfaces.turned).reshape(6, 3, 6)

@@ -104,7 +104,7 @@ class CylinderSurface:
             local[:, :, -m] += back * part
 
     def _tables(self, freq):
-        """(degree + 1, p, r) from velocities by their rows to what decays, on the rings"""
+        """Tables from velocities by their rows to what decays, on the rings; shape (degree + 1, p, r)"""
         body, radii = self.points.body, self.rings.radii.ravel()
         gap, R = body.profiles.gap, self.radius
         most = int(np.ceil(DIES / (np.pi * NEAREST)))

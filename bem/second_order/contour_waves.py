@@ -76,7 +76,7 @@ class ContourWaves(FirstOrderWaves):
         return radiated_flow(freq, self.points, self.surfaces)
 
     def long_waves(self, freq, number):
-        """(w, 6) about the origin, `bem.contour.hull.long_waves`"""
+        """Forces of long waves about the origin, by `bem.contour.hull.long_waves`; shape (w, 6)"""
         return long_wave_forces(freq, number)
 
     def joined(self):

@@ -68,11 +68,11 @@ class FirstOrderWaves:
         return flow, self._squares(flow, self.loads, self.rao)
 
     def of_moving_hull(self, flow, one, two, made):
-        """(q, 6) about the rotation centre, `body_forces` of pairs; made : as `radiated` gives it"""
+        """`body_forces` of pairs about the rotation centre; shape (q, 6); made : as `radiated` gives it"""
         return body_forces(self.surfaces, flow, one, two, made, self.problem, self.kind) @ self.problem.transform.T
 
     def squares_in_swayed(self):
-        """(n, m, n, m, 6) T of squares of first order in the motions `swayed`"""
+        """Transfer function T of squares of first order in the motions `swayed`; shape (n, m, n, m, 6)"""
         parts, loads, rao = zip(*self.in_swayed, strict=True)
         return self._squares(HullFlow.joined(parts), loads, rao)
 
@@ -129,7 +129,7 @@ class PanelWaves(FirstOrderWaves):
         return radiated_flow(run, self.surfaces)
 
     def long_waves(self, run, number):
-        """(w, 6) about the origin, `long_wave_forces` of wavenumbers (w, 2)"""
+        """Forces of long waves about the origin, `long_wave_forces` of wavenumbers (w, 2); shape (w, 6)"""
         return long_wave_forces(run, number)
 
 

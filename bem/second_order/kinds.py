@@ -32,13 +32,13 @@ class Kind(NamedTuple):
         return -self.sign * two
 
     def rows(self, omega, highest):
-        """(d,) rad/s, frequencies of the force up to `highest` of pairs of frequencies (n,) at even steps"""
+        """Frequencies of the force up to `highest` of pairs of frequencies (n,) at even steps, rad/s; shape (d,)"""
         step, lowest = (omega[-1] - omega[0]) / (len(omega) - 1), self.of(omega[0], omega[0])
         most = (len(omega) - 1) * (2 if self.sign > 0 else 1)
         return lowest + step * np.arange(min(int(np.floor((highest - lowest) / step + EVEN)), most) + 1)
 
     def pairs(self, row, count):
-        """(q,), (q,) numbers of the higher and the lower frequency of the pairs of a row, of `count` frequencies"""
+        """Numbers (q,) and (q,) of the higher and the lower frequency of the pairs of a row, of `count` frequencies"""
         if self.sign < 0:
             lower = np.arange(count - row)
             return lower + row, lower

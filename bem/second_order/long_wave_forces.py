@@ -33,7 +33,8 @@ class LongWaveBody:
         return replace(self.problem, lid=None, coarse=None, finer=None, band=None).prepared()
 
     def forces(self, omega, number):
-        """(w, 6) complex N/m, N m/m about the rotation centre: D of waves of one frequency and several wavenumbers.
+        """Diffraction forces D of waves of one frequency and several wavenumbers, about the rotation centre, N/m, N
+        m/m; shape (w, 6), complex.
 
         omega : rad/s, positive or zero; number : (w, 2) rad/m, along x and y
         """
@@ -50,7 +51,8 @@ def lowest(problem):
 
 
 def long_wave_forces(run, number):
-    """(w, 6) D about the origin, of waves of wavenumbers (w, 2) rad/m at the frequency of a `PanelRun`
+    """Diffraction forces D about the origin, of waves of wavenumbers (w, 2), rad/m, at the frequency of a `PanelRun`;
+    shape (w, 6)
 
     Of several bodies (w, 6N), of those whose motions the run has solved for
     """

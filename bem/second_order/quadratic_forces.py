@@ -58,7 +58,7 @@ class QuadraticForces:
 
     @property
     def total(self):
-        """(d, n, m, m, 6)"""
+        """The whole transfer function; shape (d, n, m, m, 6)"""
         return self.to_body + (0.0 if self.surface is None else self.surface)
 
     @classmethod
@@ -74,7 +74,7 @@ class QuadraticForces:
 
     @property
     def to_body(self):
-        """(d, n, m, m, 6) without the surface's part"""
+        """The transfer function without the part of the water's surface; shape (d, n, m, m, 6)"""
         return self.squares + self.bound_wave + self.body
 
 
@@ -145,12 +145,13 @@ class QuadraticRun:
         return QuadraticForces.joined([self.solve(block) for block in self.blocks()])
 
     def _of(self, values, m):
-        """(q, m, m, 6) for the force frequency m, from values (n, m, n, m, 6) of all pairs of waves"""
+        """Values for the force frequency m, shape (q, m, m, 6), from values (n, m, n, m, 6) of all pairs of waves"""
         one, two = self.kind.pairs(m, len(self.omega))
         return values[one, :, two]
 
     def _placed(self, values, m):
-        """(n, m, m, 6) from values (q, m, m, 6) of the pairs of the force frequency m, NaN elsewhere"""
+        """Values (q, m, m, 6) of the pairs of the force frequency m, placed in an array (n, m, m, 6) with NaN
+        elsewhere"""
         out = np.full((len(self.omega), *values.shape[1:]), np.nan, complex)
         out[self.kind.pairs(m, len(self.omega))[1]] = values
         return out
@@ -186,7 +187,7 @@ class QuadraticRun:
         return QuadraticForces(self.omega, frequency, self.headings, **parts, added=self.added, kind=self.kind)
 
     def _body(self, pairs, made):
-        """(q, m, m, 6) of the moving hull, made : `HullFlow` of its radiated waves, None for none"""
+        """Force on the moving hull; shape (q, m, m, 6); made : `HullFlow` of its radiated waves, None for none"""
         if made is None:
             return pairs.shaped(np.zeros((len(pairs.one), self.squares.shape[-1]), complex))
         return pairs.shaped(self.waves.of_moving_hull(self.flow, pairs.one, pairs.two, made))
@@ -200,7 +201,7 @@ class QuadraticRun:
 
 
 def frequencies_of(omega, highest, kind):
-    """(d,) rad/s, force frequencies up to `highest` of pairs of even frequencies (n,)
+    """Force frequencies up to `highest` of pairs of even frequencies (n,), rad/s; shape (d,)
 
     raises : ValueError where the frequencies are not at even steps, or no force frequency is low enough
     """
@@ -235,7 +236,7 @@ def _by_far_field(squares, far, flow):
 
 
 def _likeness(flow, n, m):
-    """(n, n, m) ⟨uᵢ, uⱼ⟩ = ∬ uᵢ·ūⱼ dS over the hull of the waves of each heading, m⁴/s²"""
+    """Likeness ⟨uᵢ, uⱼ⟩ = ∬ uᵢ·ūⱼ dS over the hull of the waves of each heading, m⁴/s²; shape (n, n, m)"""
     u, area = flow.velocity.reshape(n, m, -1), np.repeat(flow.hull.weights, 3)
     return np.stack([(one * area) @ one.conj().T for one in u.swapaxes(0, 1)], axis=-1)
 
@@ -272,7 +273,7 @@ def share_of(forces):
 
 
 def panel_errors(forces, coarser, refinement, by_motions=None):
-    """(d, n, m, m, 6) estimated errors of the whole from its value on a coarser mesh, N/m², N m/m²
+    """Estimated errors of the whole from its value on a coarser mesh, N/m², N m/m²; shape (d, n, m, m, 6)
 
     Two meshes alone estimate errors poorly: where an error passes through zero their difference is accidental.  The
     estimate is a geometric mean: of that difference, divided according to its order, twice, of the squares and of the
@@ -300,7 +301,7 @@ def panel_errors(forces, coarser, refinement, by_motions=None):
 
 
 def _of_both(values, shape):
-    """(*shape, 3) means of values (n, m, m, 3) of both waves of each pair"""
+    """Means of values (n, m, m, 3) of both waves of each pair; shape (*shape, 3)"""
     out = np.full((*shape, values.shape[-1]), np.nan)
     for m in range(len(out)):
         count = len(values) - m
@@ -309,8 +310,8 @@ def _of_both(values, shape):
 
 
 def resolution_errors(forces, coarser):
-    """(d, n, m, m, 6) estimated errors of forces by the contour method, from the whole (d, n, m, m, 6) at ten times the
-    tolerance
+    """Estimated errors of forces by the contour method, from the whole (d, n, m, m, 6) at ten times the tolerance;
+    shape (d, n, m, m, 6)
 
     Difference of both, root mean square over a pair and its neighbours: larger than the error of the finer result
     """
@@ -372,7 +373,7 @@ class _Pairs:
 
 
 def _bound(pairs, run, waves):
-    """(q, 6) of bound waves"""
+    """Transfer function of bound waves; shape (q, 6)"""
     problem = waves.problem
     bound = bound_waves(*pairs.waves, problem.depth, problem.gravity)
     return bound.amplitude[:, None] * (waves.long_waves(run, bound.number) @ problem.transform.T)

@@ -18,7 +18,7 @@ from ..panels.pressure_drift.turned_loads import products
 
 
 def first_order_loads(run, problem, X):
-    """(m, 6) first-order load of water and weight in the waves of a run, about the rotation centre
+    """First-order load of water and weight in the waves of a run, about the rotation centre; shape (m, 6)
 
     problem : its stiffness is that of water and weight alone, while lines may restrain the body of the run too
     X : (m, 6) motions
@@ -28,13 +28,13 @@ def first_order_loads(run, problem, X):
 
 
 def turned_twice(motion, second=np.conj):
-    """(f, f, 3, 3) T of H = ½(αα' − α²I), of motions (f, 6)"""
+    """Transfer function T of H = ½(αα' − α²I), of motions (f, 6); shape (f, f, 3, 3)"""
     turns = products(motion[:, 3:], motion[:, 3:], second)
     return 0.5 * (turns - np.trace(turns, axis1=2, axis2=3)[..., None, None] * np.eye(3))
 
 
 def still_water_pairs(motion, surface, center, roll_stiffness, weight, second=np.conj, axes=None):
-    """(f, f, 6) T of the still water on a body of finite rotations, about the rotation centre.
+    """Transfer function T of the still water on a body of finite rotations, about the rotation centre; shape (f, f, 6).
 
     motion : (f, 6); surface : `hull_flow.Surface` of the hull; center : (3,) m, rotation centre
     roll_stiffness : C_44, N m; weight : N/m³, of water; axes : (3, 3), columns are those of the body

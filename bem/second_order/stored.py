@@ -145,7 +145,8 @@ class BetweenPairs:
     values: np.ndarray
 
     def __call__(self, one, two):
-        """(…, 6) complex T(ω₁, ω₂) of frequencies that broadcast, rad/s; beyond the stored pairs the end values"""
+        """Complex T(ω₁, ω₂) of frequencies that broadcast, rad/s; shape (…, 6); beyond the stored pairs the end
+        values"""
         one, two = np.broadcast_arrays(np.asarray(one, float), np.asarray(two, float))
         size, middle = np.abs(one - two).ravel(), 0.5 * (one + two).ravel()
         rows = np.stack([self._row(m, middle) for m in range(len(self.difference))])
@@ -154,19 +155,19 @@ class BetweenPairs:
         return out.reshape(*one.shape, 6)
 
     def _row(self, m, middle):
-        """(q, 6) at mean frequencies (q,) and the stored difference m; beyond the last pairs the end values"""
+        """T at mean frequencies (q,) and the stored difference m; shape (q, 6); beyond the last pairs the end values"""
         known = self.values[m, : len(self.omega) - m]
         at = self.omega[: len(known)] + 0.5 * self.difference[m]
         return _through(at, known, np.clip(middle, at[0], at[-1]))
 
     def _weights(self, size):
-        """(q, d) weights of the stored differences in T at differences (q,); beyond the last the end value"""
+        """Weights of the stored differences in T at differences (q,); shape (q, d); beyond the last the end value"""
         d = self.difference
         return _through(d, np.eye(len(d)), np.minimum(size, d[-1]))
 
 
 def _through(x, y, at):
-    """(q, …) at (q,) of a cubic spline through y (n, …), of a polynomial through fewer than four"""
+    """Values at (q,) of a cubic spline through y (n, …), or of a polynomial through fewer than four; shape (q, …)"""
     from scipy.interpolate import BarycentricInterpolator, CubicSpline
 
     return (CubicSpline if len(x) > 3 else BarycentricInterpolator)(x, y)(at)

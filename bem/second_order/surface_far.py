@@ -43,23 +43,24 @@ class Rings:
 
     @property
     def radii(self):
-        """(w, r) m"""
+        """Radii of the rings, m; shape (w, r)"""
         x = np.polynomial.legendre.leggauss(RING_POINTS)[0]
         low, high = self.edges[:-1, None], self.edges[1:, None]
         return low + (high - low) * (1 + x) / 2
 
     @property
     def directions(self):
-        """(n,) rad"""
+        """Directions of the points on a ring, rad; shape (n,)"""
         return 2 * np.pi * (np.arange(self.count) + 0.5) / self.count
 
     @property
     def orders(self):
-        """(n,) in the order of `numpy.fft`; the last order of an even count is always omitted"""
+        """Orders of the harmonics, in the order of `numpy.fft`; shape (n,); the last order of an even count is always
+        omitted"""
         return np.fft.fftfreq(self.count, 1 / self.count).astype(int)
 
     def transform(self, values):
-        """(…, n) parts e^{imθ} of values (…, n) at the directions"""
+        """Parts e^{imθ} of values (…, n) at the directions; shape (…, n)"""
         return np.fft.fft(values, axis=-1) / self.count * np.exp(-1j * np.pi * self.orders / self.count)
 
     def interpolation(self, w, x):
@@ -98,7 +99,7 @@ def reach_of_local(circle, depth, k, kind):
 
 
 def sent_orders(run, flows, most, centre):
-    """(c, 2 most + 1) parts −most … most of H about the centre of flows {class: (φ (c, n), V (c, n))}"""
+    """Orders −most … most of H about the centre of flows {class: (φ (c, n), V (c, n))}; shape (c, 2 most + 1)"""
     g, count = run.geometry.without_lid, 2 * most + 6
     theta = 2 * np.pi * (np.arange(count) + 0.5) / count
     nodes, weights, normals = run.hull
@@ -118,7 +119,8 @@ def sent_orders(run, flows, most, centre):
 
 
 def hankel_orders(kind, most, z):
-    """(most + 1, …) H_m of order 0 … most and the next order, of kind 1 or 2, without e^{±iz}; z (…) complex or real
+    """Hankel functions H_m of order 0 … most and the next order, of kind 1 or 2, without e^{±iz}; shape (most + 1, …);
+    z (…) complex or real
 
     By recurrence, which is stable for these functions.
     """
@@ -133,7 +135,7 @@ def hankel_orders(kind, most, z):
 
 
 def bessel_orders(most, z):
-    """(most + 2, …) J_m of order 0 … most + 1 without e^{|Im z|}; z (…) complex, Im z ≥ 0
+    """Bessel functions J_m of order 0 … most + 1 without e^{|Im z|}; shape (most + 2, …); z (…) complex, Im z ≥ 0
 
     Half the sum of both Hankel functions, except where these grow with the order and cancel.
     """
@@ -149,7 +151,8 @@ def bessel_orders(most, z):
 
 
 def _downwards(count, start, z):
-    """(count, …) J_m without e^{|Im z|} by recurrence from an order `start` well above |z|, after Miller
+    """Bessel functions J_m without e^{|Im z|}, by recurrence from an order `start` well above |z|, after Miller; shape
+    (count, …)
 
     Values grow by a factor of 2m/|z| per order: too large values are rescaled, together with the orders above.
     At the origin the higher orders become 0, since a double cannot represent the scale.
@@ -171,12 +174,13 @@ def _downwards(count, start, z):
 
 
 def both_signs(values):
-    """(2M + 1, …) values of orders −M … M from the values of orders 0 … M"""
+    """Values of orders −M … M from the values of orders 0 … M; shape (2M + 1, …)"""
     sign = np.where(np.arange(len(values) - 1, 0, -1) % 2, -1.0, 1.0)
     return np.concatenate([values[:0:-1] * sign.reshape(-1, *[1] * (values.ndim - 1)), values])
 
 
 def slopes(values, k):
-    """(most + 1, …) values and k f_m′ of orders 0 … most + 1 of functions of kr:  f_m′ = (f_{m−1} − f_{m+1})/2"""
+    """Values and slopes k f_m′ of orders 0 … most + 1 of functions of kr:  f_m′ = (f_{m−1} − f_{m+1})/2; shape (most +
+    1, …)"""
     before = np.concatenate([-values[1:2], values[:-2]])
     return values[:-1], 0.5 * k * (before - values[1:])

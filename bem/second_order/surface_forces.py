@@ -49,7 +49,8 @@ class Products(NamedTuple):
 
 
 def integrated(products, terms, psi, weights):
-    """(q, 6) of ∬ ψQ dS over ¼i without the line's: terms [(φᵢ, φ̄ⱼ)] of `Field` (q, p), ψ a `Field` (q or 1, 6, p)"""
+    """Integrals of ψQ over the surface, divided by ¼i, without the line's; shape (q, 6): terms [(φᵢ, φ̄ⱼ)] of `Field`
+    (q, p), ψ a `Field` (q or 1, 6, p)"""
     c = Products(*(part[:, None] for part in products))
     scalar, x, y = 0.0, 0.0, 0.0
     for f, g in terms:
@@ -119,7 +120,8 @@ class SurfaceForces:
 
 
 def line_integral(surfaces, flow, radiated, waves, one, two, kind=DIFFERENCE):
-    """(q, 6) −∮ ψ (ωᵢ φᵢ ∂φ̄ⱼ/∂n − ωⱼ φ̄ⱼ ∂φᵢ/∂n) dl of all waves, less the same integral of incident waves
+    """Line integral −∮ ψ (ωᵢ φᵢ ∂φ̄ⱼ/∂n − ωⱼ φ̄ⱼ ∂φᵢ/∂n) dl of all waves, less the same integral of incident waves;
+    shape (q, 6)
 
     flow : `HullFlow` of all waves; waves : the incident waves; n points out of the body
 
@@ -202,7 +204,7 @@ class _Grid:
         self.interpolation = rings.interpolation(w, x)
 
     def fields(self, waves):
-        """(sent and local, incident) `Field` (f, n count) of [`Wave`]"""
+        """Return (sent and local, incident), each a `Field` (f, n count) of [`Wave`]"""
         out = []
         most = self.count // 2 - 1
         for wave in waves:

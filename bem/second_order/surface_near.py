@@ -73,13 +73,14 @@ class Strips:
         return bool(np.all(area > LEAST**2)) and bool(np.all(self.weights > 0))
 
     def values(self, on_line, beside):
-        """(…, s, a, b) from values along the waterline (…, l) and beside it (…, s a (b − 1)) of these strips"""
+        """Values on these strips, shape (…, s, a, b), from values along the waterline (…, l) and beside it (…, s a (b −
+        1))"""
         s, a, b = self.weights.shape
         hull = np.einsum("sak,...sk->...sa", self.from_known, on_line[..., self.known])
         return np.concatenate([hull[..., None], beside.reshape(*beside.shape[:-1], s, a, b - 1)], axis=-1)
 
     def gradient(self, values):
-        """(…, s, a, b, 2) of values (…, s, a, b)"""
+        """Gradient of values (…, s, a, b); shape (…, s, a, b, 2)"""
         s = np.einsum("ij,...sjb->...sib", self.over_side, values)
         t = np.einsum("ij,...saj->...sai", self.outwards, values)
         return s[..., None] * self.along + t[..., None] * self.across
@@ -117,7 +118,7 @@ def strips_about(mesh, line, circle, k):
 
 
 def _sides(mesh):
-    """(s,) panels along the waterline and (s, 2, 2) ends of their sides there, counter-clockwise about the body"""
+    """Panels (s,) along the waterline and ends (s, 2, 2) of their sides there, counter-clockwise about the body"""
     v, level = mesh.vertices, 1e-6 * mesh.draft
     wet = v[:, :, 2] > -level
     following = np.roll(v, -1, axis=1)
@@ -133,7 +134,8 @@ def _sides(mesh):
 
 
 def _known(panels, sides, line):
-    """(s, 4) numbers of the waterline's points on each side, in order; (s,) the end where they are dense: 0, −1, 1"""
+    """Numbers (s, 4) of the waterline's points on each side, in order, and the end (s,) where they are dense: 0, −1,
+    1"""
     points, count = line.points[..., :2], line.points.shape[1]
     x = np.polynomial.legendre.leggauss(count)[0]
     order, dense = np.empty((len(sides), count), int), np.empty(len(sides), int)
@@ -197,7 +199,7 @@ def _radau(count):
 
 
 def _derivative(x):
-    """(n, n) derivative at points of the polynomial through values there"""
+    """Derivative at points of the polynomial through values there; shape (n, n)"""
     n = len(x)
     powers = np.polynomial.legendre.legvander(x, n - 1)
     slopes = np.polynomial.legendre.legval(x, np.polynomial.legendre.legder(np.eye(n))).T

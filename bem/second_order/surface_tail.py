@@ -48,7 +48,7 @@ class Path:
 
     @cached_property
     def real(self):
-        """(2, c) radii and weights, m"""
+        """Radii and weights, m; shape (2, c)"""
         parts = [np.zeros((2, 0))]
         for low, high in zip(self.edges[:-1], self.edges[1:], strict=True):
             x, w = np.polynomial.legendre.leggauss(int(FEW + PER_RADIAN * 3 * self.highest * (high - low) / 2))
@@ -57,12 +57,13 @@ class Path:
 
     @cached_property
     def down(self):
-        """(2, c) x and weights, m, of products that decay with k + q − κ, 2q or more; none at sums"""
+        """Places x and weights, m, of products that decay with k + q − κ, 2q or more; shape (2, c); none at sums"""
         return self._away(self.least_down)
 
     @cached_property
     def up(self):
-        """(2, c) x and weights, m, of products that decay with k − q + κ, 2κ or more, at sums 2q or more"""
+        """Places x and weights, m, of products that decay with k − q + κ, 2κ or more, at sums 2q or more; shape (2,
+        c)"""
         return self._away(self.least_up)
 
     def _away(self, least):
@@ -85,7 +86,8 @@ class Path:
         return self.first + 3 + self.real.shape[1] + int(np.searchsorted(self.up[0], DECAY / slope))
 
     def hankel(self, kind, k, most, place):
-        """(most + 1, c) H_m(kr) of a kind, its derivative in one of the three places; along r ± ix without e^{±ikr}"""
+        """Hankel functions H_m(kr) of a kind and their derivatives in one of the three places; shape (most + 1, c);
+        along r ± ix without e^{±ikr}"""
         z = self._radii(k)
         values = hankel_orders(kind, most, z)
         real = slice(self.first, self.first + 1 + self.real.shape[1])
@@ -155,7 +157,7 @@ class Tails:
             out[own] += self._pairs(i, j, d.one[own], d.two[own], psi[ends])
 
     def _pairs(self, i, j, one, two, psi):
-        """(q, 6) of pairs (q,) of waves of the frequencies i and j"""
+        """Forces of pairs (q,) of waves of the frequencies i and j; shape (q, 6)"""
         path, kappa = self.paths[self.ends[i]], psi.k
         first, second = self._first(i), self._second(j, self.ends[i])
         M, N, P = first.most, second.most, psi.most
@@ -258,7 +260,7 @@ def _last(sent, z):
 
 
 def _orders(coefficients, most):
-    """(…, 2 most + 1) those of (…, 2M + 1), zero beyond"""
+    """Orders −most … most of an array (…, 2M + 1) of orders, zero beyond; shape (…, 2 most + 1)"""
     M = coefficients.shape[-1] // 2
     if most <= M:
         return coefficients[..., M - most : M + most + 1]
@@ -272,13 +274,13 @@ def _shifted(values, most, count, sign):
 
 
 def _products(shifted, own, H, most, sign):
-    """(P + 1, 2 most + 1) of p and n: sums over columns of functions of orders n − sign p, n and p"""
+    """Sums over columns of functions of orders n − sign p, n and p; shape (P + 1, 2 most + 1) over p and n"""
     product = _shifted(shifted, most, len(H), sign) * _orders(own.T, most).T
     return np.matmul(product, H[:, :, None])[..., 0]
 
 
 def _met(products, shifted, own, sign):
-    """(q, 2P + 1) of p = −P … P: sums over n of products with coefficients (q, …) of orders n − sign p and n"""
+    """Sums over n of products with coefficients (q, …) of orders n − sign p and n; shape (q, 2P + 1) over p = −P … P"""
     count, most = len(products), products.shape[1] // 2
     out = []
     for a, b in ((shifted, own), (shifted[:, ::-1], own[:, ::-1])):  # p, and −p of negative orders

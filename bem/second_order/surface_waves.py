@@ -45,7 +45,7 @@ class Wave(NamedTuple):
         return len(self.sent) // 2
 
     def incident_orders(self, most):
-        """(2 most + 1,) coefficients of J_m(kr) e^{imθ}"""
+        """Coefficients of J_m(kr) e^{imθ}; shape (2 most + 1,)"""
         m = np.arange(-most, most + 1)
         return self.incident * 1j ** (m % 4) * np.exp(-1j * m * self.direction)
 
@@ -116,8 +116,8 @@ class SurfaceWaves:
         return [incident_wave(at, beta, run.omega, run.k, problem.depth, problem.gravity) for beta in run.headings]
 
     def joined(self):
-        """(T, I) `Field` (f, p) near the body, of all waves together: the total field, and the field of the incident
-        waves"""
+        """Return (T, I), `Field`s (f, p) near the body of all waves together: the total field, and the field of the
+        incident waves"""
         parts = zip(*self.near, strict=True)
         return [
             Field(np.concatenate([f.value for f in part]), np.concatenate([f.slope for f in part], axis=1))

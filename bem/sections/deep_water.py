@@ -38,7 +38,7 @@ class Contour(NamedTuple):
     side: np.ndarray
 
     def normal_velocities(self):
-        """(3, n) of sway, heave, roll"""
+        """Normal velocities by unit sway, heave and roll; shape (3, n)"""
         side = self.side
         return np.array([side, ~side * -1.0, np.where(side, -self.z, -self.y)])
 

@@ -18,7 +18,7 @@ WHICH = ("zero", "infinity")
 
 
 def added_mass_limit(beam, draft, depth, which, *, density=1025.0, tolerance=1e-6):
-    """(3, 3) kg/m, kg, kg m for sway, heave, roll; which : "zero" or "infinity" of the frequency.
+    """Added mass of sway, heave and roll, kg/m, kg, kg m; shape (3, 3); which : "zero" or "infinity" of the frequency.
 
     Raises ValueError for what cannot be solved, deep water included.
     """

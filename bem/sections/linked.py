@@ -120,7 +120,7 @@ def _at_rest(one, density, gravity):
 
 
 def _rows(hinge, points):
-    """(2 or 3, 3n) displacement of the second section relative to the first at a hinge"""
+    """Displacement of the second section relative to the first at a hinge; shape (2 or 3, 3n)"""
     a, b = hinge.sections
     if a == b or not (0 <= a < len(points) and 0 <= b < len(points)):
         raise ValueError(
@@ -134,7 +134,7 @@ def _rows(hinge, points):
 
 
 def _null_space(rows):
-    """(n, m) motions that rows leave free"""
+    """Motions that rows leave free; shape (n, m)"""
     _, sizes, axes = np.linalg.svd(rows)
     return axes[int(np.sum(sizes > 1e-9 * max(sizes, default=1.0))) :].T
 
@@ -145,7 +145,7 @@ def _scale(matrix):
 
 
 def _each(hinges, forces):
-    """(hinges, 3) of the multipliers of all"""
+    """Forces of all hinges, from their multipliers; shape (hinges, 3)"""
     out, first = np.zeros((len(hinges), 3), complex), 0
     for i, hinge in enumerate(hinges):
         count = 3 if hinge.kind == "rigid" else 2

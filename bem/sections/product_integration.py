@@ -42,7 +42,7 @@ class Panels(NamedTuple):
 
     @property
     def weights(self):
-        """(m, NODES) of Gauss' rule in length, m"""
+        """Weights of Gauss' rule in length, m; shape (m, NODES)"""
         return self.speed[:, None] * W
 
 

@@ -58,15 +58,14 @@ def returned_wave(transmission, reflection, k, distance, repeated=True):
 
 
 def force_before_wall(section, distance, repeated=True):
-    """(3,) complex sway, heave, roll on a fixed `bem.sections.coefficients.Section`, waves running at the wall;
-    N/m², N/m.
-    """
+    """Complex forces of sway, heave and roll on a fixed `bem.sections.coefficients.Section`, waves running at the wall,
+    N/m², N/m; shape (3,)."""
     c = returned_wave(section.transmission, section.reflection, section.k, distance, repeated)
     return section.excitation * (1 + c * np.array([-1, 1, -1]))
 
 
 def motions_before_wall(body, distance, repeated=True):
-    """(3,) complex motions of a `Floating` body, waves running at the wall, per unit amplitude"""
+    """Complex motions of a `Floating` body per unit amplitude, waves running at the wall; shape (3,)"""
     c = returned_wave(body.transmission, body.reflection, body.k, distance, repeated)
     return body.motions * (1 + c * np.array([-1, 1, -1]))
 

@@ -67,7 +67,8 @@ class Strips:
         return FirstOrder(impedance, incident, scattered, None, None, None, np.nan)
 
     def froude_krylov(self, omega, headings, dofs=range(6), density=1025.0, gravity=9.80665):
-        """(m, 6) force of the undisturbed waves on the whole box, N/m and N m/m; arguments as of `first_order`"""
+        """Force of the undisturbed waves on the whole box, N/m and N m/m; shape (m, 6); arguments as of
+        `first_order`"""
         k = float(wavenumber(omega, self.depth, gravity))
         force = box_incident_force(self.length, self.beam, self.draft, self.depth, k, np.asarray(headings, float))
         return density * gravity * np.where(np.isin(np.arange(6), dofs), force, 0)
@@ -101,21 +102,21 @@ class Row(NamedTuple):
 
     @property
     def turn(self):
-        """(6, 6) from the frame of the row of strips to the frame of the box, zero for motions that do not belong to
-        the row"""
+        """Matrix from the frame of the row of strips to the frame of the box, zero for motions that do not belong to
+        the row; shape (6, 6)"""
         turn = TURN.copy() if self.across else np.eye(6)
         turn[[i for i in range(6) if i not in self.mine]] = 0
         return turn
 
     def impedance(self, section):
-        """(6, 6) of the box from (3, 3) per metre of the row"""
+        """Impedance of the box, shape (6, 6), from that per metre of the row, (3, 3)"""
         out = np.zeros((6, 6), section.dtype)
         out[1:4, 1:4] = self.length * section
         out[4, 4], out[5, 5] = self.length**3 / 12 * section[1, 1], self.length**3 / 12 * section[0, 0]
         return self.turn @ out @ self.turn.T
 
     def diffraction(self, flow, density, headings):
-        """(m, 6) of the box"""
+        """Diffraction force on the box; shape (m, 6)"""
         cosine, sine = np.cos(headings), np.sin(headings)
         if self.across:
             cosine, sine = -sine, cosine

@@ -245,7 +245,7 @@ def _by_causality(body, goal, motions):
 
 
 def _frequencies(axis, band):
-    """(q,) rad/s at which memory is fitted: from far below the band to far above"""
+    """Frequencies, rad/s, at which the memory is fitted, from far below the band to far above; shape (q,)"""
     low, high = band
     return axis.between(
         np.concatenate(
@@ -259,7 +259,8 @@ def _frequencies(axis, band):
 
 
 def _still(body, omega, added_mass, damping):
-    """(6N,) whether added mass and damping (n, 6, 6) of motions are negligible relative to the body's own inertia"""
+    """Whether added mass and damping (n, 6, 6) of motions are negligible relative to the body's own inertia; shape
+    (6N,)"""
     if body.inertia is None:
         return np.zeros(added_mass.shape[-1], bool)
     A, B = (np.einsum("nii->in", x) for x in (added_mass, damping))
@@ -272,7 +273,8 @@ def _relative(values, scale):
 
 
 def _deviation(axis, omega, added_mass, damping, scale, inertia):
-    """(6, 6) of the transform from the database, relative to scale (6, 6), or FELT of ω (M + A) if that is more"""
+    """Deviation of the transform from the database, relative to scale (6, 6), or to FELT of ω (M + A) if that is more;
+    shape (6, 6)"""
     at = slice(2, -2, 8)  # interior points: at the ends damping has a corner and added mass a logarithm
     middle = 0.5 * (omega[1:] + omega[:-1])[at]
     A, B = (0.5 * (x[1:] + x[:-1])[at] for x in (added_mass, damping))

@@ -30,8 +30,8 @@ class Moving(NamedTuple):
 
 
 def real_basis(alone, pairs):
-    """(n, n) unitary, from real states to modes: the single modes, the first mode of each pair, the second mode of each
-    pair"""
+    """Unitary matrix from real states to modes; shape (n, n): the single modes, then the first and the second mode of
+    each pair"""
     basis = np.eye(alone + 2 * pairs, dtype=complex)
     one = np.sqrt(0.5) * np.eye(pairs)
     basis[alone:, alone:] = np.block([[one, -1j * one], [one, 1j * one]])
@@ -95,7 +95,7 @@ def _step(system, s, off, weight, power):
 
 
 def _slopes(system, s, across):
-    """(u, q m m) derivatives of H by decays, turns, losses and inputs across"""
+    """Derivatives of H by decays, turns, losses and inputs across; shape (u, q m m)"""
     rate, B, L, pairs = system
     n, m = B.shape
     basis = real_basis(n - 2 * pairs, pairs)
@@ -127,7 +127,7 @@ def _slopes(system, s, across):
 
 
 def _steady_slopes(system, across):
-    """(u, m m) derivatives of Σ l̄_k b_kᵀ / λ_k, likewise"""
+    """Derivatives of Σ l̄_k b_kᵀ / λ_k, likewise; shape (u, m m)"""
     rate, B, L, pairs = system
     n, m = B.shape
     back = real_basis(n - 2 * pairs, pairs)

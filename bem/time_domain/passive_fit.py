@@ -136,7 +136,7 @@ class _Problem:
         return np.hypot(*np.split(self.misses(Z), 2)).max()
 
     def slopes(self, Z):
-        """(unknowns, misses) derivatives"""
+        """Derivatives of the misses by the unknowns; shape (unknowns, misses)"""
         a, m = Z.shape
         loss, B = self.columns @ Z, self.modes.input.conj()
         out = []

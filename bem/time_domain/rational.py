@@ -86,7 +86,7 @@ def balanced(system):
 
 
 def fractions(s, poles):
-    """(q, n) real-coefficient partial fractions at s (q,) of poles with imaginary part ≥ 0, two for each pair"""
+    """Real-coefficient partial fractions at s (q,) of poles with imaginary part ≥ 0, two for each pair; shape (q, n)"""
     columns = []
     for p in poles:
         first = 1 / (s - p)

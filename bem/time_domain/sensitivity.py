@@ -20,7 +20,7 @@ NEAR = 0.05  # relative shift of the natural frequencies of heave, roll and pitc
 
 
 def sensitivity(body, omega, transform, added_mass_infinity, size, rigid=None):
-    """(q, n) diagonal of Y times size² at omega (q,) rad/s, 0 of bodies without mass or restoring forces
+    """Diagonal of Y times size² at omega (q,) rad/s, 0 of bodies without mass or restoring forces; shape (q, n)
 
     transform : (q, n, n) kg/s … H; size : (n,) square root of the largest of each motion
     rigid : how many of the motions are of rigid bodies, the first ones; None for all

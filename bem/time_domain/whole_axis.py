@@ -69,7 +69,8 @@ class WholeAxis:
         return np.tensordot(weights, self.damping, axes=1)
 
     def between(self, omega):
-        """(q,) rad/s in the middle of the gaps of `self.omega` that contain omega (q,), each once"""
+        """Frequencies, rad/s, in the middle of the gaps of `self.omega` that contain omega (q,), each once; shape
+        (q,)"""
         at = np.unique(self._gap(np.asarray(omega))[0])
         return 0.5 * (self.omega[at] + self.omega[at + 1])
 

@@ -11,8 +11,8 @@ SHARE_OF_DEPTH = 0.02  # least water between two circles; of a tolerance of 1e-2
 
 
 def nearest_circles(axes, radii):
-    """(i, j, m) the two circles with the least water between them, and the width of this water, below 0 where the
-    circles overlap
+    """Return (i, j, m) of the two circles with the least water between them, and the width of this water, m, below 0
+    where they overlap
 
     axes : (N,) complex m; radii : (N,) m
     """
@@ -24,7 +24,7 @@ def nearest_circles(axes, radii):
 
 
 def too_near(axes, radii, depth):
-    """(i, j, what they are) of circles that are nearer than `SHARE_OF_DEPTH` of the depth (m), else None"""
+    """Return (i, j, what they are) of circles that are nearer than `SHARE_OF_DEPTH` of the depth, m, else None"""
     i, j, clear = nearest_circles(axes, radii)
     if clear >= SHARE_OF_DEPTH * depth:
         return None

@@ -138,7 +138,7 @@ class _OneShape:
         return out
 
     def _outside(self, cls):
-        """(r n, r n) `outside` of `bem.contour.matching.solved`"""
+        """Matrix `outside` of `bem.contour.matching.solved`; shape (r n, r n)"""
         m, body = self.modes, self.body
         weights = body.contracted(self.top, m.rows, m.wavenumbers, m.norms, body.profiles.gap.outer_decays)
         one = body.profiles.combinations @ m.wave_rows
@@ -160,7 +160,8 @@ class _OneShape:
 
     @staticmethod
     def _orders(cls, one):
-        """(n,) m of the class: cos mθ where it is even in y, and even m where it is even in both or in neither"""
+        """Orders m of the class: those of cos mθ where it is even in y, and even m where it is even in both or in
+        neither"""
         first = 0 if cls[0] * cls[1] == 1 else 1
         m = np.arange(first, one.last + 1, 2)
         return m[1:] if cls == (-1, -1) else m

@@ -18,7 +18,7 @@ from scipy.special import ive
 
 
 def mean_force(waves, norms, radius, regular, sent, density):
-    """(c, 3) N, N m: mean force along x and y of the scene and moment about the axis, in each of c flows.
+    """Mean force along x and y of the scene and moment about the axis, in each of c flows, N, N m; shape (c, 3).
 
     waves, norms : [`partial_waves.PartialWaves`] and ∫Zₙ² dz (m) of each; radius : m, of the circle around the body
     regular, sent : (q, c) coefficients, mode by mode, m²/s

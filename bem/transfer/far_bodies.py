@@ -105,12 +105,12 @@ class FarBodies(SeveralBodies):
 
     @cached_property
     def axes(self):
-        """(N,) complex m"""
+        """Axes of the bodies, complex, m; shape (N,)"""
         return np.array([place.x + 1j * place.y for place in self.places])
 
     @cached_property
     def radii(self):
-        """(N,) m, of the circles around the bodies"""
+        """Radii of the circles around the bodies, m; shape (N,)"""
         return np.array([body.plan.reach for body in self.bodies])
 
     @cached_property
@@ -198,7 +198,8 @@ class Coupled:
         return Response(np.array(few) @ into, out @ (one.scattered @ back), one.pressed @ back, out @ one.sent)
 
     def _size(self, a):
-        """(q,) of regular waves, as they are sent from the nearest axis, or as plane waves bring them; a : m, radius"""
+        """Size of the regular waves as they are sent from the nearest axis, or as plane waves bring them; shape (q,); a
+        : radius, m"""
         near, out = float(self.bodies.apart.min()), []
         for wave in self.waves:
             one = np.abs(wave.seen_from(near, a, a)[wave.last, wave.last :])
@@ -216,7 +217,8 @@ class Coupled:
         return slices(np.cumsum([0, *(len(one.few) for one in self.each)]))
 
     def pairs(self):
-        """((i, j), S) of all pairs, S [(q, q)] of each mode or None where nothing arrives: waves about i that j sends
+        """Return ((i, j), S) of all pairs, S [(q, q)] of each mode, or None where nothing arrives: waves about i that j
+        sends
 
         Pairs of equal bodies at equal distance and direction come one after another and share one matrix S.
         """
@@ -253,17 +255,17 @@ class Coupled:
         return lu_factor(matrix, check_finite=False), sent
 
     def _arriving(self, seen, sent):
-        """(q, ·) S times what is sent"""
+        """S times the waves that are sent; shape (q, ·)"""
         parts = zip(seen, self.parts, strict=True)
         return np.vstack([np.zeros_like(sent[part]) if S is None else S @ sent[part] for S, part in parts])
 
     @cached_property
     def moved(self):
-        """(y, 6N) of unit velocities about the axes"""
+        """Unknowns of unit velocities about the axes; shape (y, 6N)"""
         return self._solved(self.equations[1])
 
     def diffracted(self, headings):
-        """(y, m) of plane waves of unit amplitude, with the waves that all other bodies send"""
+        """Unknowns of plane waves of unit amplitude, with the waves that all other bodies send; shape (y, m)"""
         incident = self.incident(headings)
         return self._solved(np.vstack([one.few @ wave for one, wave in zip(self.each, incident, strict=True)]))
 
@@ -274,17 +276,17 @@ class Coupled:
 
     @cached_property
     def radiation(self):
-        """(6N, 6N) ∬ φⱼ nᵢ dS: moments about the axis of each body, components along its own axes"""
+        """Integrals ∬ φⱼ nᵢ dS: moments about the axis of each body, components along its own axes; shape (6N, 6N)"""
         from scipy.linalg import block_diag
 
         return block_diag(*(self.alone[body].radiation for body in self.bodies.bodies)) + self.pressed(self.moved)
 
     def pressed(self, y):
-        """(6N, ·) ∬ φ nᵢ dS of y (·, ·)"""
+        """Integrals ∬ φ nᵢ dS of y (·, ·); shape (6N, ·)"""
         return np.vstack([one.pressed @ y[at] for one, at in zip(self.each, self.first, strict=True)])
 
     def incident(self, headings):
-        """(N, q, m) regular waves of plane waves of unit amplitude"""
+        """Regular waves of plane waves of unit amplitude; shape (N, q, m)"""
         beta, one = np.atleast_1d(np.asarray(headings, float)), self.waves[0]
         m, out = one.orders, np.zeros((len(self.each), len(self.orders), len(beta)), complex)
         turn = 1j ** np.abs(m)[:, None] * np.exp(-1j * np.outer(m, beta)) * -1j * self.gravity / self.omega
@@ -294,13 +296,13 @@ class Coupled:
         return out
 
     def sent(self, y, velocity):
-        """(N, q, ·) outgoing waves of y and of velocities (6N, ·) about the axes"""
+        """Outgoing waves of the unknowns y and of velocities (6N, ·) about the axes; shape (N, q, ·)"""
         own = np.split(velocity, len(self.each))
         each = zip(self.each, self.first, own, strict=True)
         return np.stack([one.scattered @ y[at] + one.sent @ v for one, at, v in each])
 
     def drift_of_each(self, headings, motions, density):
-        """(m, N, 3) N/m², N m/m² mean force along x and y of the scene and moment about each axis
+        """Mean force along x and y of the scene and moment about each axis, N/m², N m/m²; shape (m, N, 3)
 
         motions : (m, 6N) m, rad about the origin, per metre of each wave
         """
@@ -350,7 +352,8 @@ class Coupled:
         return 1j * self.omega / self.gravity * total
 
     def _haskind(self, sent, headings, density):
-        """(m, 6N) excitation −4ρgnω/k² H(β + π) from what unit velocities send, by Haskind's relation"""
+        """Excitation −4ρgnω/k² H(β + π), by Haskind's relation, from the waves that unit velocities send; shape (m,
+        6N)"""
         beta = np.atleast_1d(np.asarray(headings, float))
         if not len(beta):
             return np.zeros((0, sent.shape[-1]), complex)

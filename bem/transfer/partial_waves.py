@@ -34,11 +34,11 @@ class PartialWaves(NamedTuple):
 
     @property
     def orders(self):
-        """(2 last + 1,) m of exp(imθ), rising"""
+        """Orders m of exp(imθ), rising; shape (2 last + 1,)"""
         return np.arange(-self.last, self.last + 1)
 
     def size(self, a):
-        """(last + 1,) |Hₘ(ka)| of radiating waves, 1 of other partial waves"""
+        """Size |Hₘ(ka)| of radiating waves, 1 of other partial waves; shape (last + 1,)"""
         m = np.arange(self.last + 1)
         return np.abs(hankel1(m, self.k * a)) if self.kind == "radiating" else np.ones(len(m))
 
@@ -57,7 +57,7 @@ class PartialWaves(NamedTuple):
 
     @property
     def wronskian(self):
-        """(last + 1,) r (S dR/dr − R dS/dr)"""
+        """Wronskian R (S dR/dr − R dS/dr); shape (last + 1,)"""
         m = np.arange(self.last + 1)
         if self.kind == "laplace":
             return np.where(m, 2.0 * m, -1.0)
@@ -125,7 +125,7 @@ def _finite(kind, k, a, apart, most):
 
 
 def to_real(orders):
-    """(2M + 1, 2M + 1) from coefficients of exp(imθ) to coefficients of cos 0 … M and sin 1 … M"""
+    """Matrix from coefficients of exp(imθ) to coefficients of cos 0 … M and sin 1 … M; shape (2M + 1, 2M + 1)"""
     last = orders[-1]
     m = np.arange(last + 1)
     cos = (np.abs(orders) == m[:, None]).astype(complex)
@@ -134,5 +134,5 @@ def to_real(orders):
 
 
 def to_complex(orders):
-    """(2M + 1, 2M + 1), the inverse"""
+    """The inverse of `to_real`; shape (2M + 1, 2M + 1)"""
     return np.linalg.inv(to_real(orders))

@@ -38,9 +38,8 @@ class WavesAround(NamedTuple):
     pierces: bool
 
     def elevation(self, places):
-        """(p,) complex, m per m, at places (p, 2) m: Re η exp(−iωt) is the surface; nan in the plan of the body, for
-        several bodies in the outline around all
-        """
+        """Complex elevation per metre of amplitude at places (p, 2), m; shape (p,): Re η exp(−iωt) is the surface; nan
+        in the plan of the body, for several bodies in the outline around all"""
         places = np.atleast_2d(np.asarray(places, float))
         total = np.full(len(places), np.nan, complex)
         outside = ~self.sources.covers(places - self.middle) if self.pierces else np.ones(len(places), bool)
@@ -84,7 +83,7 @@ def beside_incident(reader, omega, headings, motions, places):
 
 
 def at_waterline(mesh, places):
-    """(n, 2) m, places (n, 2) in plan; places inside a hull are moved to the nearest point of its waterline"""
+    """Places (n, 2) in plan, m; shape (n, 2); places inside a hull are moved to the nearest point of its waterline"""
     plan, pierces = plan_of(mesh)
     places = np.array(places, float).reshape(-1, 2)
     over = covers(plan, places) if pierces else np.zeros(len(places), bool)
@@ -96,7 +95,8 @@ def at_waterline(mesh, places):
 
 
 def far_field(reader, motion, omega, beta):
-    """(…, t) Kochin functions about the origin in waves towards beta (…,) rad, of motions (…, 6) or None for none"""
+    """Kochin functions about the origin in waves towards beta (…,) rad, of motions (…, 6) or None for none; shape (…,
+    t)"""
     betas = np.atleast_1d(beta)
     radiated, diffracted = reader.far_field([omega], betas)
     H = diffracted[0] if motion is None else diffracted[0] + np.atleast_2d(motion) @ radiated[0]
@@ -104,8 +104,8 @@ def far_field(reader, motion, omega, beta):
 
 
 def plan_of(mesh):
-    """(n, 2) m, corners anticlockwise of the convex hull of a PanelMesh's waterline, and whether the mesh has a
-    waterline
+    """Corners anticlockwise of the convex hull of a PanelMesh's waterline, and whether the mesh has a waterline, m;
+    shape (n, 2)
 
     A submerged body has the plan of all its panels.  A curved plan is represented by CORNERS corners.
     """

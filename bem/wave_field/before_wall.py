@@ -127,7 +127,7 @@ def _breadth(body):
 
 
 def _frequencies(body, wall):
-    """(q,) rad/s, stored frequencies and as many between them as waves to the wall and back need"""
+    """Stored frequencies and as many between them as waves to the wall and back need, rad/s; shape (q,)"""
     low, high = body.between.span
     k = wavenumber(np.array([low, high]), body.depth, body.gravity)
     count = int(np.clip(2 * abs(wall) * np.ptp(k) / TURN, FEWEST, MOST))

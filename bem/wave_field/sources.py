@@ -40,17 +40,17 @@ class Sources:
 
     @cached_property
     def of_far_field(self):
-        """(s, t) strengths of H (t,)"""
+        """Strengths of H (t,); shape (s, t)"""
         return regular_inverse(self.sent, SMALLEST)
 
     def strengths(self, H):
-        """(…, s) of Kochin functions H (…, t), and the share of H that the sources do not reproduce"""
+        """Strengths (…, s) of Kochin functions H (…, t), and the share of H that the sources do not reproduce"""
         found = H @ self.of_far_field.T
         size = np.linalg.norm(H)
         return found, float(np.linalg.norm(H - found @ self.sent.T) / size) if size > 0 else 0.0
 
     def elevation(self, strengths, places):
-        """(…, p) at places (p, 2), m, of strengths (…, s)"""
+        """Elevation at places (p, 2), m, by sources of strengths (…, s); shape (…, p)"""
         step = max(1, AT_ONCE // len(self.points))
         parts = [
             strengths @ waves(self.k, places[i : i + step], self.points).T for i in range(0, max(len(places), 1), step)
@@ -58,7 +58,7 @@ class Sources:
         return np.concatenate(parts, axis=-1)
 
     def covers(self, places):
-        """(p,) whether places (p, 2) lie in the plan, where no wave is defined"""
+        """Whether places (p, 2) lie in the plan, where no wave is defined; shape (p,)"""
         return covers(self.plan, places)
 
 
@@ -77,7 +77,7 @@ def slopes(k, places, points):
 
 
 def covers(plan, places):
-    """(p,) whether places (p, 2) lie within a convex plan (n, 2), corners anticlockwise"""
+    """Whether places (p, 2) lie within a convex plan (n, 2), corners anticlockwise; shape (p,)"""
     side = np.roll(plan, -1, axis=0) - plan
     away = places[:, None] - plan
     return np.all(side[:, 0] * away[..., 1] > side[:, 1] * away[..., 0], axis=1)
@@ -89,12 +89,12 @@ def incident(k, beta, places):
 
 
 def directions(angle):
-    """(a, 2)"""
+    """Unit vectors of the directions of waves; shape (a, 2)"""
     return np.stack([np.cos(angle), np.sin(angle)], axis=-1)
 
 
 def rectangle(half):
-    """(4, 2) corners of a rectangle about the origin of `half` length and breadth (2,)"""
+    """Corners of a rectangle about the origin of `half` length and breadth (2,); shape (4, 2)"""
     return np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]) * half
 
 
@@ -111,7 +111,7 @@ def perimeter(plan):
 
 
 def contour(plan, count):
-    """(n, 2) points on a polygon (n, 2), about `count`, two on each side at the least, evenly spaced"""
+    """Points on a polygon (n, 2), about `count`, two on each side at the least, evenly spaced; shape (n, 2)"""
     side = np.roll(plan, -1, axis=0) - plan
     step = perimeter(plan) / count
     each = np.maximum(2, np.ceil(np.linalg.norm(side, axis=1) / step).astype(int))
@@ -122,7 +122,7 @@ def contour(plan, count):
 
 
 def spaced(plan, count):
-    """(n, 2) points on a polygon (n, 2), `count` rounded up, evenly spaced around it"""
+    """Points on a polygon (n, 2), `count` rounded up, evenly spaced around it; shape (n, 2)"""
     closed = np.vstack([plan, plan[:1]])
     along = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(closed, axis=0), axis=1))])
     n = int(np.ceil(count))

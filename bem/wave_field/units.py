@@ -27,7 +27,7 @@ class Field(NamedTuple):
     missed: float
 
     def elevation(self, places):
-        """(b, p) complex of the whole wave, incident too, at places (p, 2) m; nan in a body"""
+        """Complex elevation of the whole wave, incident too, at places (p, 2), m; shape (b, p); nan in a body"""
         total = incident(self.sources.k, self.beta, places)
         for middle, strengths in zip(self.middles, self.strengths.swapaxes(0, 1), strict=True):
             total += self.sources.elevation(strengths, places - middle)
@@ -35,19 +35,19 @@ class Field(NamedTuple):
         return total
 
     def far_field(self):
-        """(b, t) H of all units about the origin, in the directions of the sources"""
+        """Kochin functions H of all units about the origin, in the directions of the sources; shape (b, t)"""
         away = np.exp(-1j * self.sources.k * (self.middles @ self.directions.T))
         return np.einsum("bus,ts,ut->bt", self.strengths, self.sources.sent, away)
 
     @property
     def directions(self):
-        """(t, 2) of the sources' far field"""
+        """Unit vectors of the directions of the sources' far field; shape (t, 2)"""
         step = 2 * np.pi / len(self.sources.sent)
         return directions(np.arange(len(self.sources.sent)) * step)
 
 
 def row(count, pitch):
-    """(u, 2) middles of units along x, `pitch` m apart, about the origin"""
+    """Middles of units along x, `pitch` m apart, about the origin; shape (u, 2)"""
     return np.stack([(np.arange(count) - (count - 1) / 2) * pitch, np.zeros(count)], axis=1)
 
 

@@ -37,7 +37,7 @@ def panelled(numbers, patches):
 
 
 def _patch(numbers, at):
-    """(knots and orders of u and v, points (nu, nv, 3)) of the patch at index `at`, and the index after it"""
+    """Read the patch at index `at`: its knots and orders in u and v, its points (nu, nv, 3), and the index after it"""
 
     def taken(count):
         nonlocal at
@@ -56,7 +56,7 @@ def _patch(numbers, at):
 
 
 def _grid(spline, m, n):
-    """(m + 1, n + 1, 3) points, evenly in u and v"""
+    """Points, evenly in u and v; shape (m + 1, n + 1, 3)"""
     from scipy.interpolate import BSpline
 
     knots, orders, points = spline

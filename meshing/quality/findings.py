@@ -94,7 +94,7 @@ class _Edges:
 
     @cached_property
     def free(self):
-        """(e,) edges with one panel instead of two"""
+        """Edges with one panel instead of two; shape (e,)"""
         return (self.uses == 1) & ~(self.at_surface | self.on_plane | self.at_bed)
 
     @cached_property

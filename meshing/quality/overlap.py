@@ -44,14 +44,15 @@ def overlaps(welded, depth=np.inf):
 
 
 def _parts(mesh):
-    """(n,) number of the part of each panel; parts share no point"""
+    """Number of the part that each panel belongs to; shape (n,); parts share no point"""
     a, b = mesh.corners.reshape(-1), np.roll(mesh.corners, 1, axis=1).reshape(-1)
     number = connected(a, b, len(mesh.points))
     return np.unique(number[mesh.corners[:, 0]], return_inverse=True)[1].reshape(-1)
 
 
 def connected(a, b, count):
-    """(count,) number of the connected part of each node, the smallest node in it; edges join a (e,) and b (e,).
+    """Number of the connected part of each node, which is the smallest node in the part; shape (count,); edges join a
+    (e,) and b (e,).
 
     Of two parts joined by an edge the later takes the number of the earlier, until no edge joins two parts; the import
     of scipy.sparse.csgraph would take longer than the whole check.
@@ -68,7 +69,7 @@ def connected(a, b, count):
 
 
 def winding(places, panels):
-    """(p,) w at places (p, 3) of panels (n, 4, 3) and their images"""
+    """Winding number at places (p, 3) of panels (n, 4, 3) and their images; shape (p,)"""
     images = panels[:, ::-1] * [1.0, 1.0, -1.0]
     corners = np.concatenate([panels, images])
     triangles = np.concatenate([corners[:, [0, 1, 2]], corners[:, [0, 2, 3]]])

@@ -86,7 +86,7 @@ def _ring(x, a, b, edges, count):
 
 
 def _pairs(found, open_):
-    """(one, other) of open rings along each other without a common corner: rims of unequal panels"""
+    """Find pairs (one, other) of open rings along each other without a common corner: rims of unequal panels"""
     for k, one in enumerate(open_):
         for other in open_[k + 1 :]:
             p, q = found[one], found[other]

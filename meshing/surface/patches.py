@@ -53,7 +53,7 @@ def mirrored_in(polygons, symmetry):
 
 
 def covered(points, mesh):
-    """(n,) whether points (n, 2) m lie in the waterplane of a hull"""
+    """Whether each of the points (n, 2), m, lies in the waterplane of a hull; shape (n,)"""
     return sum(np.sign(area) * _inside(points, ring[:, :2]) for ring, area in rings_of(mesh.whole())) > 0
 
 

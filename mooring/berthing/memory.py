@@ -45,7 +45,7 @@ class BerthingShip:
 
     @property
     def added_mass_zero(self):
-        """(2, 2) at frequency 0, A∞ − c a⁻² b"""
+        """Added mass at frequency 0, A∞ − c a⁻² b; shape (2, 2)"""
         return self.added_mass_infinity - self.c @ np.linalg.solve(self.a, np.linalg.solve(self.a, self.b))
 
 
@@ -164,7 +164,8 @@ class _Run:
 
 
 def _taken(fender, deflection, state):
-    """(n,) J, ∫R dδ along deflections (n,) m from one row to the next, with the states (n,) of the rows"""
+    """Energy ∫R dδ along deflections (n,), m, from one row to the next, with the states (n,) of the rows, J; shape
+    (n,)"""
     x, w = np.polynomial.legendre.leggauss(4)
     before, after = deflection[:-1], deflection[1:]
     half = 0.5 * (after - before)

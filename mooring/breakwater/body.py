@@ -73,7 +73,7 @@ class OnTautLines(Buoyant):
 
     @property
     def mode(self):
-        """(ξ, θ) of unit q: X in m and cos α"""
+        """Return (ξ, θ) of a unit q: X in m and cos α"""
         c = np.cos(self.angle)
         return np.array([self.attachment * np.sin(self.angle) + (self.attachment_z - self.z0) * c, c])
 

@@ -53,8 +53,8 @@ class Snap(NamedTuple):
 
 
 def frequencies(body, omega):
-    """(n,) rad/s, frequencies of the sections that `snap` needs in waves of omega, rad/s, with omega among the
-    frequencies"""
+    """Frequencies of the sections, rad/s, that `snap` needs in waves of omega, rad/s, which are among them; shape
+    (n,)"""
     most = max(np.sqrt(SHORT * body.gravity / min(body.draft, body.waterline / 2)), 3 * omega)
     return np.union1d(np.linspace(LOWEST * omega, most, COUNT), omega)
 

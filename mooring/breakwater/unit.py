@@ -14,8 +14,8 @@ STIFF = 1e6
 
 
 def inertia(body, length, center):
-    """(6, 6) of a `FloatingBody` over `length`, m, about (0, 0, center), kg, kg m, kg m²; the section has equal radii
-    of gyration about both of its axes"""
+    """Inertia of a `FloatingBody` over `length`, m, about (0, 0, center), kg, kg m, kg m²; shape (6, 6); the section
+    has equal radii of gyration about both of its axes"""
     mass, arm = body.mass * length, body.z0 - center
     matrix = np.diag([mass, mass, mass, 0.0, 0.0, 0.0])
     matrix[1, 3] = matrix[3, 1] = -mass * arm
@@ -29,7 +29,7 @@ def inertia(body, length, center):
 
 
 def buoyancy(body, length, center):
-    """(6, 6) hydrostatic stiffness from the water's pressure and the weight, N/m, N, N m"""
+    """Hydrostatic stiffness from the water's pressure and the weight, N/m, N, N m; shape (6, 6)"""
     weight, width = body.density * body.gravity, body.waterline
     righting = weight * body.area * length * (body.buoyancy_z - center)
     righting -= body.mass * length * body.gravity * (body.z0 - center)
@@ -41,7 +41,7 @@ def buoyancy(body, length, center):
 
 
 def line_matrix(body, length, center, spacing, axial_stiffness=None):
-    """(6, 6) of the lines of a `TautBody` over `length`, m, in pairs about `spacing` m apart
+    """Stiffness of the lines of a `TautBody` over `length`, m, in pairs about `spacing`, m, apart; shape (6, 6)
 
     axial_stiffness : EA, N per metre of body, None for lines that do not stretch
     """

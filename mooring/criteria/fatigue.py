@@ -99,6 +99,6 @@ def miner(cycles, curve, diameter, breaking_load):
 
 
 def damages(cycles, curve, diameter, breaking_load):
-    """(n,) of one whole cycle of each of Cycles, 1/N(s); diameter mm, breaking_load N"""
+    """Damage by one whole cycle of each of Cycles, 1/N(s); shape (n,); diameter mm, breaking_load N"""
     s = cycles.range / curve.reference(diameter, breaking_load)
     return s**curve.exponent / curve.strength(cycles.mean / breaking_load)

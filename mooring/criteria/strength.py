@@ -48,7 +48,7 @@ def larger_sizes(name, most):
 
 
 def kind_and_size(name):
-    """("R3 studless", 76.0) of a name of the catalogue such as "R3 studless 76 mm": kind, and nominal diameter in mm"""
+    """Kind and nominal diameter, mm, of a name of the catalogue: ("R3 studless", 76.0) of "R3 studless 76 mm" """
     kind, _, size = name.strip().removesuffix("mm").strip().rpartition(" ")
     return kind, float(size)
 

@@ -167,7 +167,8 @@ def _utilisations(criterion, values):
 
 
 def _over(strength, load):
-    """(n,) inf without load: a slack line, or an anchor whose chain lies on the bed"""
+    """Utilisation of each line; shape (n,): inf for a slack line without load, or an anchor whose chain lies on the
+    bed"""
     return np.divide(strength, load, out=np.where(np.isnan(strength), np.nan, np.inf), where=np.asarray(load) > 0)
 
 

@@ -80,7 +80,7 @@ def beam_of(body, direction=0.5 * math.pi):
 
 
 def springs(dolphins, center, stiffness):
-    """(6, 6) of n springs across the body, each of `stiffness`"""
+    """Stiffness of n springs across the body, each of `stiffness`; shape (6, 6)"""
     out = np.zeros((6, 6))
     for x, _, z in np.asarray(dolphins.positions, float) - center:
         row = np.array([0.0, 1.0, 0.0, -z, 0.0, x])
@@ -89,7 +89,8 @@ def springs(dolphins, center, stiffness):
 
 
 def at_fenders(beam, dolphins, stiffness, loss):
-    """(q,) |y|, m/m, at the middle of the fenders of the body on springs of a complex stiffness k − ih each"""
+    """Sway |y| per metre, m/m, at the middle of the fenders of the body on springs of a complex stiffness k − ih each;
+    shape (q,)"""
     w = beam.omega[:, None, None]
     held = beam.stiffness + springs(dolphins, beam.center, stiffness) - 1j * springs(dolphins, beam.center, loss)
     motion = np.linalg.solve(-(w**2) * beam.inertia - 1j * w * beam.damping + held, beam.force[..., None])[..., 0]

@@ -144,7 +144,7 @@ def _integrated(time, acceleration):
 
 
 def response_spectrum(ground, periods, ratio=0.05):
-    """(q,) m/s² pseudo-acceleration of oscillators of the given periods, s, and damping ratio"""
+    """Pseudo-acceleration of oscillators of the given periods, s, and damping ratio, m/s²; shape (q,)"""
     return np.array([_largest(ground, 2 * np.pi / T, ratio) for T in np.atleast_1d(periods)])
 
 

@@ -18,7 +18,7 @@ ALLOWED = "UTC, an offset such as +09:00, or a name such as Europe/Berlin"
 
 
 def times(texts, zone, where):
-    """(n,) datetime64[s] in UTC of ISO texts; zone : for texts without an offset of their own from UTC.
+    """Times in UTC, datetime64[s], of ISO texts; shape (n,); zone : for texts without an offset of their own from UTC.
 
     where : name of the file, for messages.  Raises TableError.
     """
@@ -47,7 +47,7 @@ def _parsed(texts, where):
 
 
 def _offsets(ends, where):
-    """(n,) timedelta64[s] of "Z", "+09:00", …"""
+    """Offsets from UTC, timedelta64[s], of "Z", "+09:00", …; shape (n,)"""
     known = {}
     for end in set(ends):
         found = OFFSET.fullmatch(end)
@@ -84,7 +84,8 @@ def _of_place(local, zone, where):
 
 
 def _changes(place, begin, end):
-    """(time in UTC, offset before, offset after), the one at the beginning first; datetime64[s], timedelta64[s]"""
+    """Changes of the offset: (time in UTC, offset before, offset after), datetime64[s] and timedelta64[s]; the one at
+    the beginning comes first"""
 
     def offset(at):
         moment = datetime.datetime.fromtimestamp(int(at.astype(int)), datetime.UTC)

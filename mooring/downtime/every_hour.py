@@ -67,7 +67,8 @@ class Shape(NamedTuple):
         return families(self.depth)[self.family](LOW, **{self.kind: period}, **more)
 
     def density(self, omega, height, period):
-        """(h, q) m² s/rad at omega (q,) rad/s of hours with height (h,) m and period (h,) s"""
+        """Spectral density S, m² s/rad, at omega (q,), rad/s, of hours with height (h,), m, and period (h,), s; shape
+        (h, q)"""
         one = _unit(self.family, self.kind, self.gamma)
         tau = (period / REFERENCE)[:, None]
         return (height**2)[:, None] * tau * one.density(omega * tau)
@@ -93,11 +94,11 @@ class Response:
 
     @property
     def ring(self):
-        """(p,) rad"""
+        """Directions of the ring, rad; shape (p,)"""
         return ring_of(self.power.shape[1])
 
     def spread(self, spreading):
-        """(q, p, c) P of mean directions on the ring"""
+        """Shares P of mean directions on the ring; shape (q, p, c)"""
         if spreading is None:
             return self.power
         away = np.mod(self.ring + np.pi, 2 * np.pi) - np.pi
@@ -134,7 +135,8 @@ def response_of(body, points, wanted):
 
 
 def moments_of_hours(response, shape, waves, orders=(0, 2)):
-    """(len(orders), n, c) moments m_n in hours of a `hindcast.WaveHours`; nan where the waves are unknown"""
+    """Spectral moments m_n in hours of a `hindcast.WaveHours`; shape (len(orders), n, c); nan where the waves are
+    unknown"""
     if shape.changes:
         return _by_periods(response, shape, waves, orders)
     omega, count = response.omega, len(response.names)
@@ -159,7 +161,7 @@ def moments_of_hours(response, shape, waves, orders=(0, 2)):
 
 
 def rule_of(omega, orders):
-    """(o, q) weights of the trapezium rule with ωⁿ"""
+    """Weights of the trapezium rule with ωⁿ; shape (o, q)"""
     rule = np.gradient(omega)  # trapezoidal rule, except at its ends
     rule[[0, -1]] *= 0.5
     return np.stack([rule * omega**n for n in orders])
@@ -197,7 +199,7 @@ def _by_periods(response, shape, waves, orders):
 
 
 def _of_spreading(spreading, spectrum, omega, number):
-    """(q, k), or an array that broadcasts with it: harmonics of the spreading, 1 for long crests"""
+    """Harmonics of the spreading, 1 for long crests; shape (q, k), or an array that broadcasts with it"""
     if spreading is None:
         return np.ones((1, len(number)))
     if not spreading.depends_on_frequency:
@@ -209,12 +211,12 @@ def _of_spreading(spreading, spectrum, omega, number):
 
 
 def ring_of(count):
-    """(count,) rad, equal steps from 0"""
+    """Angles of equal steps from 0, rad; shape (count,)"""
     return np.arange(count) * (2 * np.pi / count)
 
 
 def lagrange(t):
-    """(n, 6) weights of values at NODES for places t (n,) between 0 and 1"""
+    """Weights of values at NODES for places t (n,) between 0 and 1; shape (n, 6)"""
     away = t[:, None] - NODES
     weights = [np.prod(np.delete(away, j, axis=1) / np.delete(NODES[j] - NODES, j), axis=1) for j in range(len(NODES))]
     return np.stack(weights, axis=1)

@@ -35,7 +35,7 @@ TIMES = "time", "valid_time", "time_index", "ocean_time", "Time"  # alternative 
 
 
 def read_columns(path, time, zone, wanted, location=None):
-    """(n,) datetime64[s] in UTC, {name: (n,) in SI, nan for empty fields}, messages on assumptions
+    """Return times (n,), datetime64[s] in UTC; {name: values (n,) in SI, nan for empty fields}; messages on assumptions
 
     time : name of its column; zone : as in `clock.times`; wanted : {name of a column: its kind, of UNITS or another}
     location : number of the place in netCDF of several, from 1, the last of its axes fastest
@@ -175,7 +175,7 @@ def _netcdf(path, time, wanted, location):
 
 
 def _at(path, values, time, location):
-    """(n,) of a variable at a place, index `location` over all axes except time"""
+    """Values of a variable at a place, index `location` over all axes except time; shape (n,)"""
     axes = [axis for axis in values.dims if axis not in time.dims]
     sizes = [values.sizes[axis] for axis in axes]
     count = int(np.prod(sizes))

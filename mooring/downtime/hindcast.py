@@ -52,17 +52,17 @@ class Hindcast:
 
     @property
     def year(self):
-        """(n,)"""
+        """Year of each row; shape (n,)"""
         return self.time.astype("datetime64[Y]").astype(int) + 1970
 
     @property
     def month(self):
-        """(n,) 1 to 12"""
+        """Month of each row, 1 to 12; shape (n,)"""
         return self.time.astype("datetime64[M]").astype(int) % 12 + 1
 
     @property
     def height(self):
-        """(n,) m, of all systems together: root of the sum of squares; nan if one is missing"""
+        """Height of all systems together, m, the root of the sum of squares; shape (n,); nan if one is missing"""
         return np.sqrt(sum(one.height**2 for one in self.waves))
 
     @property
@@ -73,7 +73,7 @@ class Hindcast:
 
     @property
     def slot(self):
-        """(n,) index of each row on equal steps from the first: a gap skips indices"""
+        """Index of each row on equal steps from the first; shape (n,); a gap skips indices"""
         return np.round((self.time - self.time[0]).astype(float) / self.step).astype(int)
 
 

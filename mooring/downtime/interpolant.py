@@ -110,7 +110,7 @@ def where_it_may_change(x, mean, error, scatter, free, count, taken):
 
 
 def _nearest(x, taken):
-    """(n,) squared distance to the nearest of states"""
+    """Squared distance to the nearest of states; shape (n,)"""
     nearest = np.full(len(x), np.inf)
     for one in taken:
         nearest = np.minimum(nearest, np.sum((x - one) ** 2, axis=1))

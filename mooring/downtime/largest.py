@@ -19,7 +19,7 @@ WHOLE = 0.9  # fraction of the hours of a year needed for a yearly maximum
 
 
 def largest_of_hours(m0, m2, duration):
-    """(…,) mean largest amplitude in `duration` s from moments (…,); 0 without motion, nan where unknown"""
+    """Mean largest amplitude in `duration` s from moments (…,); shape (…,); 0 without motion, nan where unknown"""
     sigma = np.sqrt(m0)
     with np.errstate(invalid="ignore", divide="ignore"):
         count = duration / (2 * np.pi) * np.sqrt(m2 / m0)
@@ -38,7 +38,7 @@ def drawn_of_years(m0, m2, year, step):
 
 
 def whole_years(known, year, step):
-    """(Y,) years with enough rows of step s that are known (n,)"""
+    """Years with enough rows of step s that are known (n,); shape (Y,)"""
     years = np.unique(year)
     return years[[known[year == one].sum() * step >= WHOLE * 365.25 * 86400 for one in years]]
 

@@ -30,7 +30,7 @@ class Planes(NamedTuple):
     angle: np.ndarray
 
     def density(self):
-        """(m, f, d) m² s/rad², some hours at a time; nan for an hour without a plane"""
+        """Density of some hours at a time, m² s/rad²; shape (m, f, d); nan for an hour without a plane"""
         for path in self.paths:
             for _, _, _, density in planes_of(path, self.location):
                 yield density / np.float32(2 * np.pi)
@@ -41,7 +41,8 @@ class Planes(NamedTuple):
 
 
 def read_planes(paths, location, x_axis):
-    """(n,) times, Planes, and (n,) significant height m, energy period s and mean direction rad of their hours.
+    """Read times, Planes, and the significant height, m, energy period, s, and mean direction, rad, of their hours,
+    (n,) each.
 
     x_axis : rad of the compass that the x axis heads.  Raises TableError.
     """
@@ -64,7 +65,7 @@ def read_planes(paths, location, x_axis):
 
 
 def _integrals(omega, angle, density):
-    """(3, n): 4√m₀, 2π m₋₁/m₀ and the mean direction"""
+    """Height 4√m₀, energy period 2π m₋₁/m₀ and the mean direction; shape (3, n)"""
     around = _straight(angle, ring_of(RING)).sum(axis=0) * (2 * np.pi / RING)
     rule = rule_of(omega, (0, -1))
     m0, below = np.einsum("nfd,of,d->on", density, rule, around, optimize=True)
@@ -74,7 +75,8 @@ def _integrals(omega, angle, density):
 
 
 def moments_of_planes(response, omega, angle, density, orders=(0, 2)):
-    """(len(orders), n, c) moments of planes (n, f, d) m² s/rad², straight between omega (f,) rad/s and angle (d,) rad
+    """Spectral moments of planes (n, f, d), m² s/rad², straight between omega (f,), rad/s, and angle (d,), rad; shape
+    (len(orders), n, c)
 
     density : iterable of arrays (m, f, d), n hours in all; nan in an hour without data
     """
@@ -85,7 +87,7 @@ def moments_of_planes(response, omega, angle, density, orders=(0, 2)):
 
 
 def _kernel(response, omega, angle, orders):
-    """(f d, o c) W"""
+    """Kernel W of the integrals over a plane; shape (f d, o c)"""
     inside = omega[(omega > response.omega[0]) & (omega < response.omega[-1])]
     fine = np.union1d(response.omega, inside)
     rows = np.eye(len(omega))
@@ -104,7 +106,7 @@ def _kernel(response, omega, angle, orders):
 
 
 def _straight(angle, beta):
-    """(b, d) weights at β (b,) of straight lines between directions (d,), none across the gap of a sector"""
+    """Weights at β (b,) of straight lines between directions (d,), none across the gap of a sector; shape (b, d)"""
     order = np.argsort(np.mod(angle, 2 * np.pi))
     rows = np.mod(angle, 2 * np.pi)[order]
     gaps = np.diff(rows, append=rows[0] + 2 * np.pi)

@@ -10,7 +10,7 @@ import numpy as np
 
 
 def features(numbers, directions=()):
-    """(n, d) of numbers [(n,), …] scaled by their ranges, and directions [(n,) rad, …] as points of a circle"""
+    """Numbers [(n,), …] scaled by their ranges, and directions [(n,) rad, …] as points of a circle; shape (n, d)"""
     columns = []
     for values in numbers:
         least, width = np.min(values), np.ptp(values)

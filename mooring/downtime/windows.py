@@ -33,7 +33,7 @@ def windows(usable, known, slot):
 
 
 def in_windows(found, count, steps):
-    """(n,) whether each of `count` rows is in a window of at least `steps` rows"""
+    """Whether each of `count` rows is in a window of at least `steps` rows; shape (n,)"""
     long = found.steps >= steps
     edge = np.zeros(count + 1, int)
     edge[found.first[long]] += 1
@@ -42,8 +42,8 @@ def in_windows(found, count, steps):
 
 
 def waiting(found, known, slot, steps):
-    """(n,) rows of waiting from each row for a window of `steps` rows; nan where the record does not determine the
-    waiting
+    """Rows of waiting from each row for a window of `steps` rows; shape (n,); nan where the record does not determine
+    the waiting
 
     The wait from a row inside a window is 0 if at least `steps` rows of the window remain.
     """

@@ -18,7 +18,7 @@ def within(thing, value, low, high, unit=""):
 
 
 def row_of_numbers(thing, values, fewest=1):
-    """(n,) finite floats.  Raises ValueError that names the first row without a finite number."""
+    """Finite floats; shape (n,).  Raises ValueError that names the first row without a finite number."""
     values = np.asarray(values, float)
     if values.ndim != 1 or len(values) < fewest:
         raise ValueError(
@@ -31,7 +31,7 @@ def row_of_numbers(thing, values, fewest=1):
 
 
 def rising(thing, values, fewest=2):
-    """(n,) finite floats, strictly rising, the first at least 0.  Raises ValueError."""
+    """Finite floats, strictly rising, the first at least 0; shape (n,).  Raises ValueError."""
     values = row_of_numbers(thing, values, fewest)
     steps = np.diff(values)
     if not np.all(steps > 0):

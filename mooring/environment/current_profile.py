@@ -25,7 +25,7 @@ class CurrentProfile:
     parts: tuple[Callable, ...]
 
     def velocity(self, z):
-        """(…, 3) m/s at heights z (…) m, 0 at the surface and negative below"""
+        """Velocity of the current at heights z (…), m, 0 at the surface and negative below, m/s; shape (…, 3)"""
         z = np.asarray(z, float)
         total = np.zeros((*z.shape, 3))
         for part in self.parts:

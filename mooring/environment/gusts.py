@@ -53,12 +53,12 @@ class GustSpectrum:
         return float(np.sqrt(self.variance))
 
     def density(self, omega):
-        """(…) m²/s² per rad/s, one-sided, at ω (…) rad/s ≥ 0"""
+        """Spectral density of gusts, m²/s² per rad/s, one-sided, at ω (…) ≥ 0, rad/s; shape (…)"""
         scale = self.time_scale / (2 * np.pi)
         return self.variance * scale * SHAPES[self.shape][0](scale * _frequencies(omega))
 
     def share(self, low, high):
-        """(…) part of the variance between ω = low and high (…) rad/s"""
+        """Part of the variance between ω = low and high (…), rad/s; shape (…)"""
         scale, below = self.time_scale / (2 * np.pi), SHAPES[self.shape][1]
         return below(scale * _frequencies(high)) - below(scale * _frequencies(low))
 
@@ -112,7 +112,7 @@ def kaimal(speed, height, intensity):
 
 
 def gust_record(spectrum, t, seed, low, high, count):
-    """(n,) m/s, gusts at the times t (n,) s, of zero mean; add the mean wind.
+    """Gusts at the times t (n,), s, of zero mean, m/s; shape (n,); add the mean wind.
 
         u(t) = Σ √(2 σ² share(ωᵢ, ωᵢ₊₁)) cos(ω t + ε)
 

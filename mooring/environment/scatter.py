@@ -53,7 +53,7 @@ class Scatter:
         return f"<Scatter {len(h)} heights {h[0]:g} to {h[-1]:g} m, {len(t)} {kind}s {t[0]:g} to {t[-1]:g} s>"
 
     def states(self):
-        """(height, period, probability) of every class that occurs"""
+        """Return (height, period, probability) of every class that occurs"""
         for i, j in np.argwhere(self.probability > 0):
             yield float(self.heights[i]), float(self.periods[j]), float(self.probability[i, j])
 

@@ -27,7 +27,7 @@ class Spectrum:
     T_significant: float | None = None
 
     def density(self, omega):
-        """(...,) rad/s → (...,) m² s/rad"""
+        """Spectral density, m² s/rad, at omega (...,), rad/s; shape (...,)"""
         raise NotImplementedError
 
     def moment(self, order, low=0.0, high=np.inf):

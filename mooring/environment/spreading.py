@@ -30,11 +30,12 @@ class Spreading:
     depends_on_frequency = False
 
     def density(self, angle, omega=None):
-        """(...,) rad → (...,) 1/rad; omega (rad/s), broadcast with angle, only if the spreading depends on frequency"""
+        """Density over direction, 1/rad, at angles (...,), rad; shape (...,); omega, rad/s, broadcast with angle, only
+        if the spreading depends on frequency"""
         raise NotImplementedError
 
     def shares(self, omega=None):
-        """(3600,) or (n, 3600) share of the energy in each cell of the circle; each row sums to 1.
+        """Share of the energy in each cell of the circle, shape (3600,) or (n, 3600); each row sums to 1.
 
         omega : (n,) rad/s, if the spreading depends on it
         Raises ValueError if the function is too narrow for the cells.
@@ -51,7 +52,7 @@ class Spreading:
         return share / total
 
     def quantile(self, share, omega=None):
-        """(n,) rad, angles below which the shares (n,) of the energy lie; omega : (n,) rad/s if needed"""
+        """Angles below which the shares (n,) of the energy lie, rad; shape (n,); omega : (n,) rad/s if needed"""
         share = np.asarray(share, float)
         if not self.depends_on_frequency:
             return np.interp(share, np.concatenate([[0.0], np.cumsum(self.shares())]), EDGES)

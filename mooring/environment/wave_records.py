@@ -31,7 +31,7 @@ class Record(NamedTuple):
 
     @property
     def time(self):
-        """(n,) s"""
+        """Times of the record, s; shape (n,)"""
         return self.start + self.step * np.arange(len(self.elevation))
 
 

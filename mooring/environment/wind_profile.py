@@ -63,7 +63,7 @@ AVERAGING = (1.0, HOUR)  # s, of the Frøya formula: from gusts to its one-hour 
 
 
 def speed_at(height, speed_10, exponent=None):
-    """(…) m/s at heights (…) m above the sea from the mean `speed_10` m/s at 10 m.
+    """Wind speed at heights (…), m, above the sea from the mean `speed_10` at 10 m, m/s; shape (…).
 
     exponent : α of the power law, 1/15 over smooth sea to 1/3 over rough land; None for the table C_H
     raises : ValueError for heights not above 0, speeds below 0, exponents outside 0 to 0.5
@@ -76,7 +76,8 @@ def speed_at(height, speed_10, exponent=None):
 
 
 def froya_speed_at(height, hourly_speed, averaging=HOUR):
-    """(…) m/s, largest mean over `averaging` seconds in the hour at heights (…) m, from the one-hour mean at 10 m.
+    """Largest mean over `averaging` seconds in the hour at heights (…), m, from the one-hour mean at 10 m, m/s; shape
+    (…).
 
     raises : ValueError for heights not above 0, speeds below 0, averaging times outside 1 s to one hour
     """
@@ -114,7 +115,7 @@ def mean_over(speed, given, wanted, height=10.0):
 
 
 def froya_intensity(height, hourly_speed):
-    """(…) standard deviation of the wind within the hour over its mean, at heights (…) m"""
+    """Standard deviation of the wind within the hour over its mean, at heights (…) m; shape (…)"""
     positive("one-hour wind speed at 10 m", hourly_speed, "m/s")
     return 0.06 * (1 + 0.043 * hourly_speed) * (_heights(height) / 10.0) ** -0.22
 

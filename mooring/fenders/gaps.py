@@ -21,7 +21,8 @@ class Side(NamedTuple):
 
 
 def pairs_of(sides):
-    """(Side, Side) of which at least one moves, and whose boxes do not overlap at rest, unlike a float and its spar"""
+    """Pairs (Side, Side) of which at least one moves, and whose boxes do not overlap at rest, unlike a float and its
+    spar"""
     rest = np.zeros((1, 1 + max((one.moves for one in sides), default=0), 6))
     for one in sides:
         if one.moves >= 0:
@@ -31,15 +32,15 @@ def pairs_of(sides):
 
 
 def gaps(sides, poses):
-    """(n, pairs) m of `pairs_of`, with the bodies at poses (n, N, 6) in space from their places at rest; negative for
-    the depth of an overlap
-    """
+    """Gaps of `pairs_of`, m, with the bodies at poses (n, N, 6) in space from their places at rest; shape (n, pairs);
+    negative for the depth of an overlap"""
     found = [_gap(*pair, poses) for pair in pairs_of(sides)]
     return np.stack(found, axis=-1) if found else np.zeros((len(poses), 0))
 
 
 def _gap(one, other, poses):
-    """(n,) m: the nearest of the corners of each to the other; the least way that ends an overlap (separating axes)"""
+    """Distance of each hull from the nearest of the other's corners, m; shape (n,); the least way that ends an overlap
+    (separating axes)"""
     frames = [_frame(side, poses) for side in (one, other)]
     (p, P), (q, Q) = frames
     away, axes = q - p, np.concatenate([P, Q], axis=2)
@@ -56,7 +57,7 @@ def _gap(one, other, poses):
 
 
 def _frame(side, poses):
-    """(n, 2) m place of the origin of a hull's coordinates, (n, 2, 2) its axes"""
+    """Place of the origin of a hull's coordinates, m, shape (n, 2), and its axes, shape (n, 2, 2)"""
     pose = np.zeros((len(poses), 3)) + side.place
     if side.moves >= 0:
         pose = pose + poses[:, side.moves][:, [0, 1, 5]] - [0, 0, side.place[2]]

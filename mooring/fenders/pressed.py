@@ -56,7 +56,7 @@ class Pressed:
         return z + 0.5 * self.h * (self.A @ stages.sum(axis=0) + self.B @ both.sum(axis=0)), stages
 
     def _reactions(self, state, start, deflection):
-        """(2k,) N at deflections (2k,) of both stages, of fenders with `state` at `start` (k,)"""
+        """Reactions at deflections (2k,) of both stages, of fenders with `state` at `start` (k,), N; shape (2k,)"""
         out = []
         for i, after in enumerate(deflection):
             j = i % self.k

@@ -38,8 +38,8 @@ class WorkingCurves(NamedTuple):
     k2: float
 
     def after(self, largest):
-        """(k, 2) strain and tension, N, at rest, of a rope whose mean tension has been `largest`, N; the first tension
-        is 0"""
+        """Strain and tension, N, at rest, of a rope whose mean tension has been `largest`, N; shape (k, 2); the first
+        tension is 0"""
         strain, tension = self.original.T
         if not 0 <= largest <= tension[-1]:
             raise ValueError(
@@ -76,7 +76,7 @@ def is_syrope(row):
 
 
 def curve_of_line(row, kind, syrope, path):
-    """(k, 2) strain and tension, N, at rest, of a LineRow whose LineTypeRow `kind` is tabulated.
+    """Strain and tension, N, at rest, of a LineRow whose LineTypeRow `kind` is tabulated; shape (k, 2).
 
     syrope : {id of a line: N, the largest mean tension before}
     raises : FormatError
@@ -136,7 +136,7 @@ def _working_curves(folder, name):
 
 
 def _table(path):
-    """(n, 2) strain and tension, N, from 0, 0; lines without numbers are its header"""
+    """Strain and tension, N, from 0, 0; shape (n, 2); lines without numbers are its header"""
     rows = []
     for number, line in enumerate(read_text(path, FormatError).splitlines(), 1):
         values = [finite_number(word) for word in line.split()]

@@ -119,7 +119,8 @@ def _fitted(t, x, start, size, power=2):
 
 
 def _solutions(parameters, time, power=2):
-    """(q, m) m at times (q,) s of m sets of parameters (6, m), by `scipy`; nan for a divergent one"""
+    """Solutions, m, at times (q,), s, of m sets of parameters (6, m), by `scipy`; shape (q, m); nan for a divergent
+    one"""
     from scipy.integrate import solve_ivp
 
     x, v, mean, omega, first, second = parameters

@@ -74,14 +74,14 @@ def forced(time, motion, force):
 
 
 def _shares(basis, force):
-    """(4,) share of each column (n, 4) in a force (n,), and the relative deviation that remains"""
+    """Share of each column (n, 4) in a force (n,), shape (4,), and the relative deviation that remains"""
     size = np.abs(basis).max(axis=0)
     share = np.linalg.lstsq(basis / size, force, rcond=None)[0] / size
     return share, float(np.std(force - basis @ share) / np.std(force)) if np.std(force) > 0 else 0.0
 
 
 def _basis(sine, t, power=2):
-    """(n, 4) columns of the reaction at times from the first: −a, −v, −v|v| or −v³, 1"""
+    """Columns of the reaction, −a, −v, −v|v| or −v³, and 1, at times from the first; shape (n, 4)"""
     theta, V = sine.omega * t + sine.phase, sine.omega * sine.amplitude
     v, a = V * np.cos(theta), -V * sine.omega * np.sin(theta)
     return np.stack([-a, -v, -v * np.abs(v) ** (power - 1), np.ones_like(t)], axis=1)

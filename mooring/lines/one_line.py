@@ -54,7 +54,7 @@ class OneLine:
         return float(span_at_tension(H, self.height, *self.properties)[0])
 
     def shape(self, span, points):
-        """(points, 2) m from the anchor"""
+        """Shape of the line in its plane, m from the anchor; shape (points, 2)"""
         from .catenary.buoyant import buoyant_profile
         from .catenary.solve import profile
 

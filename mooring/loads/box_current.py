@@ -73,7 +73,7 @@ def box_table(length, beam, draft, depth):
 
 
 def current_force(speed, direction, length, beam, draft, density=1025.0, table=None, depth=np.inf):
-    """(…, 3) F_x, F_y in N and M_z in N m about the middle of the box.
+    """Forces F_x, F_y, N, and moment M_z, N m, about the middle of the box; shape (…, 3).
 
     speed : (…) m/s; direction : (…) rad, the current flows to
     table : DragTable; by default that of `box_table` at the water depth `depth`, its notes as warnings
@@ -152,14 +152,15 @@ def _broad(wide, relative):
 
 
 def _over_depth(name, relative):
-    """(7,) coefficients of L/B = 1.2, B/d = 10, a curve over d/H"""
+    """Coefficients for L/B = 1.2, B/d = 10, a curve over d/H; shape (7,)"""
     rows = sorted((1 / h, values) for (b, h), values in _rows(name, 1.2).items() if b == 10.0)
     x, values = [r[0] for r in rows], [r[1] for r in rows]
     return smooth(x, values, flat=[0])(max(1 / relative, x[0]))
 
 
 def _shape(name, wide, relative):
-    """(7,) coefficients of L/B = 2 over that at 0° (C_x) or 90° (C_y): curves over B/d, then over d/H"""
+    """Ratios of the coefficients for L/B = 2 to that at 0° (C_x) or 90° (C_y); shape (7,): curves over B/d, then over
+    d/H"""
     rows, beams = _rows(name, 2.0), (5.0, 10.0, 15.0, 20.0)
     largest = 0 if name == "C_x" else -1
 

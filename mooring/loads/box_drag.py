@@ -67,7 +67,8 @@ def drag_table(angle, x, y, lever=None):
 
 
 def box_drag(direction, pressure, area_x, area_y, length, table):
-    """(…, 3) F_x, F_y in N and M_z in N m about the middle of the box, for a stream towards `direction`.
+    """Forces F_x, F_y, N, and moment M_z, N m, about the middle of the box, for a stream towards `direction`; shape (…,
+    3).
 
     direction : (…) rad, relative to the x axis of the box; pressure : (…) ½ρU² in Pa
     area_x, area_y : m², of the ends and of the sides; length : m

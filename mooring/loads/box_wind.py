@@ -22,7 +22,7 @@ BOX = DragTable(
 def wind_force(
     speed, direction, length, beam, freeboard, density=AIR_DENSITY, table=BOX, *, front_area=0.0, side_area=0.0
 ):
-    """(…, 3) F_x, F_y in N and M_z in N m about the middle of the box.
+    """Forces F_x, F_y, N, and moment M_z, N m, about the middle of the box; shape (…, 3).
 
     speed : (…) m/s; direction : (…) rad, the wind blows to; freeboard : D − d, m
     front_area, side_area : m², of superstructures seen from ahead and from abeam

@@ -74,7 +74,8 @@ def hull_coefficients(angle, x, y, n, *, area_x, area_y, length, area_n=None, he
 
 
 def hull_force(coefficients, speed, direction, density):
-    """(…, 3) F_x, F_y in N and M_z in N m amidships; speed (…) m/s; direction (…) rad, travelled to; density kg/m³"""
+    """Forces F_x, F_y, N, and moment M_z, N m, amidships; shape (…, 3); speed (…), m/s; direction (…), rad, travelled
+    to; density kg/m³"""
     pressure = stream_pressure("stream", speed, density)
     c = coefficients
     scale = np.array([c.area_x, c.area_y, c.area_n * c.length])

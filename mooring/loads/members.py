@@ -33,7 +33,8 @@ class Member(NamedTuple):
 
 
 def wind_on_members(members, speed_10, direction, exponent=None, density=AIR_DENSITY):
-    """(6,) N and N m about the origin, z = 0 at the waterline, of wind towards `direction` rad on Members.
+    """Force and moment, N and N m, about the origin, z = 0 at the waterline, of wind towards `direction`, rad, on
+    Members; shape (6,).
 
     speed_10 : m/s at 10 m; exponent : of the power law over height, by default the report's table
     raises : ValueError naming the member whose shape or area is impossible

@@ -39,7 +39,8 @@ def plate(width, C_D, C_M=1.0):
 
 
 def force_per_metre(section, axis, velocity, acceleration, own_velocity=0.0, own_acceleration=0.0, density=1025.0):
-    """(…, 3) N/m on a member along `axis` (3,), from velocity and acceleration of the water (…, 3) m/s, m/s².
+    """Force per metre, N/m, on a member along `axis` (3,), from velocity, m/s, and acceleration, m/s², of the water (…,
+    3); shape (…, 3).
 
     own_velocity, own_acceleration : (…, 3) of the member
     """
@@ -51,7 +52,8 @@ def force_per_metre(section, axis, velocity, acceleration, own_velocity=0.0, own
 
 
 def member_force(section, start, end, flow, density=1025.0, points=8):
-    """(6,) N and N m about the origin on a straight member at rest from `start` to `end`, (3,) m, wholly in the water.
+    """Force and moment, N and N m, about the origin on a straight member at rest from `start` to `end`, (3,), m, wholly
+    in the water; shape (6,).
 
     flow : function of positions (n, 3) m that returns velocity and acceleration of the water, two (n, 3)
     points : of Gauss quadrature; 8 are exact for polynomials of degree 15 along the member
@@ -72,7 +74,7 @@ def _gauss(points):
 
 
 def _normal(axis):
-    """(3, 3) projector on the plane normal to an axis"""
+    """Projector on the plane normal to an axis; shape (3, 3)"""
     axis = np.asarray(axis, float)
     size = np.linalg.norm(axis)
     if not 0 < size < np.inf:

@@ -37,12 +37,14 @@ class StreamOnHull:
     notes: tuple[str, ...] = ()
 
     def about(self, angle, center):
-        """(…, 6) N s²/m² and N s² of 1 m/s about `center` (3,) m; middle of the hull and still water are 0"""
+        """Force and moment, N s²/m² and N s², of 1 m/s about `center` (3,), m; shape (…, 6); middle of the hull and
+        still water are 0"""
         return heeling(about(self.unit(angle), (0.0, 0.0), center), self.height, center[2])
 
 
 def heeling(load, height, up=0.0):
-    """(…, 6) of a load (…, 3) N, N, N m whose forces along and across act at heights (2,) m, about one `up` m high"""
+    """Load (…, 6) of a load (…, 3), N, N, N m, whose forces along and across act at heights (2,), m, about a point `up`
+    m high"""
     x, y, turn = np.moveaxis(load, -1, 0)
     return np.stack([x, y, 0 * x, (up - height[1]) * y, (height[0] - up) * x, turn], axis=-1)
 
@@ -100,7 +102,8 @@ def _first(*values):
 
 
 def silhouettes(hull):
-    """((A_f, z), (A_s, z)) m², m above still water: a box with superstructures from ahead and from abeam, their middles
+    """Areas and heights of their middles above still water, ((A_f, z), (A_s, z)), m² and m: a box with superstructures
+    from ahead and from abeam
 
     Superstructures without a given height stand on the deck, over the whole hull.
     raises : ValueError for a hull with unknown freeboard

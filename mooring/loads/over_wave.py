@@ -17,12 +17,13 @@ class Member(NamedTuple):
 
     @property
     def foot(self):
-        """(3,) m, the lower end"""
+        """The lower end of the member, m; shape (3,)"""
         return min(self.start, self.end, key=lambda end: end[2])
 
 
 def over_wave(member, wave, phases, density):
-    """(p, 6) N and N m on a Member in a RegularWave, about the foot of the Member, at phases (p,) rad"""
+    """Force and moment, N and N m, on a Member in a RegularWave, about the foot of the Member, at phases (p,), rad;
+    shape (p, 6)"""
     force = np.zeros((len(phases), 6))
     for row, phase in zip(force, phases, strict=True):
         wet = wet_part(member.start, member.end, wave, phase)

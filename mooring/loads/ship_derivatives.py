@@ -57,7 +57,8 @@ def clarke(length, beam, draft, block) -> ShipDerivatives:
 
 
 def by_yaw_rate(derivatives: ShipDerivatives, length, density, added_surge, angles):
-    """(n, 3) N over V (rL) of the force by the yaw rate, against the angle that the water flows to, rad from the bow.
+    """Forces over V (rL), N, by the yaw rate, against the angle, rad from the bow, that the water flows to; shape (n,
+    3)
 
     added_surge : kg, whose part −m_x u r of Y_r is already in the equation of motion
     """

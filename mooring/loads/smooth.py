@@ -45,7 +45,8 @@ def _through(x, y, slope, flat):
 
 
 def _harmonic_slopes(x, y):
-    """(n, …) of Fritsch and Butland (1984); at the ends of the parabola through three points, limited in sign and size
+    """Slopes of Fritsch and Butland (1984); shape (n, …); at the ends of the parabola through three points, limited in
+    sign and size
 
     (Moler, Numerical Computing with MATLAB, 2004, section 3.6)
     """

@@ -77,19 +77,20 @@ class TurningCoefficients:
     notes: tuple[str, ...] = ()
 
     def C_x(self, beta, turn):
-        """(…) drag over ½ρ L d V² at drift angles `beta` (rad) and turns r' = L/R"""
+        """Drag over ½ρ L d V² at drift angles `beta`, rad, and turns r' = L/R; shape (…)"""
         return _total(self.x, DRAG, beta, turn)
 
     def C_y(self, beta, turn):
-        """(…) side force over ½ρ L d V²"""
+        """Side force over ½ρ L d V²; shape (…)"""
         return _total(self.y, LIFT, beta, turn)
 
     def C_m(self, beta, turn):
-        """(…) moment over ½ρ L² d V²"""
+        """Moment over ½ρ L² d V²; shape (…)"""
         return _total(self.m, MOMENT, beta, turn)
 
     def powers(self, beta):
-        """(…, 5, 3) −C_x, C_y and C_m as polynomials in r': coefficients of r'ᵏ, k = 0 … 4, at drift angles `beta`"""
+        """Coefficients of r'ᵏ, k = 0 … 4, of −C_x, C_y and C_m as polynomials in r', at drift angles `beta`; shape (…,
+        5, 3)"""
         beta = np.asarray(beta, float)
         out = np.zeros((*beta.shape, 5, 3))
         for part, (values, terms, sign) in enumerate(((self.x, DRAG, -1), (self.y, LIFT, 1), (self.m, MOMENT, 1))):
@@ -98,7 +99,7 @@ class TurningCoefficients:
         return out
 
     def tested(self, beta, turn):
-        """(…) whether the tests cover this motion: within 60° of straight ahead or astern and |r'| ≤ 0.5"""
+        """Whether the tests cover this motion; shape (…): within 60° of straight ahead or astern and |r'| ≤ 0.5"""
         acute = np.abs(np.arctan(np.tan(beta)))
         return (acute <= FITTED * (1 + 1e-9)) & (np.abs(turn) <= LARGEST_TURN)
 
@@ -127,7 +128,7 @@ def turning_coefficients(length_over_beam, beam_over_draft, depth_over_draft):
 
 
 def turning_force(coefficients, u, v, r, length, draft, mass_x, mass_y, density=1025.0):
-    """(…, 3) F_x, F_y in N and M_z in N m of the water on the box, about its middle.
+    """Forces F_x, F_y, N, and moment M_z, N m, of the water on the box, about its middle; shape (…, 3).
 
     u, v : (…) m/s, velocity relative to the water along and across the box; r : (…) rad/s yaw rate
     mass_x, mass_y : kg, mass with added mass of slow surge and sway, whose inertia in the turn is part of the tests

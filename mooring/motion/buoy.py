@@ -95,13 +95,14 @@ class BuoyOnLines:
 
     @property
     def stiffness(self):
-        """(k,) N/m of each hawser at FULL of its breaking load"""
+        """Stiffness of each hawser at FULL of its breaking load, N/m; shape (k,)"""
         strain = self.rope.strain_at(FULL * self.rope.breaking_load)
         return FULL * self.rope.breaking_load * self.rope.exponent / (strain * np.asarray(self.lengths))
 
     @property
     def damping(self):
-        """(k,) N s/m of each hawser: the share DAMPING of the critical damping of the buoy alone on that hawser"""
+        """Damping of each hawser, N s/m; shape (k,): the share DAMPING of the critical damping of the buoy alone on
+        that hawser"""
         return 2 * DAMPING * np.sqrt(self.stiffness * self.body.mass)
 
 
@@ -190,7 +191,7 @@ def buoy_arrays(buoy):
 
 
 def buoy_of(hung, table, samples):
-    """(Buoy, BuoyWork) of a BuoyOnLines in the waves of a `WaveTable`, with room for so many samples"""
+    """Return (Buoy, BuoyWork) of a BuoyOnLines in the waves of a `WaveTable`, with room for so many samples"""
     buoy = buoy_arrays(hung)
     c, _, steps = table.factor.shape
     count = len(buoy.ropes) + len(buoy.lines.lost)
@@ -297,7 +298,7 @@ def hawsers(buoy, work, y, place, R):
 
 @kernel()
 def turned(R, p):
-    """(3,) m: a point of the body, converted from its axes to space"""
+    """A point of the body, converted from its axes to space, m; shape (3,)"""
     return (
         R[0, 0] * p[0] + R[0, 1] * p[1] + R[0, 2] * p[2],
         R[1, 0] * p[0] + R[1, 1] * p[1] + R[1, 2] * p[2],

@@ -126,7 +126,7 @@ def no_berth():
 
 
 def berth_force(berth, position):
-    """(n,) generalized forces, in heading axes, of fenders at first compression and of ropes
+    """Generalized forces, in heading axes, of fenders at first compression and of ropes; shape (n,)
 
     position : (n,) displacements of the bodies in space, six for each, and amplitudes of the shapes of those that bend
     """
@@ -139,7 +139,7 @@ def berth_force(berth, position):
 
 
 def berth_stiffness(berth, position):
-    """(n, n) −∂force/∂position at a position (n,), along the axes of the bodies"""
+    """−∂force/∂position at a position (n,), along the axes of the bodies; shape (n, n)"""
     count, rigid = len(position), 6 * len(berth.heading)
     out, along = np.empty((count, count)), np.eye(count)
     along[:rigid, :rigid] = places_along(berth.heading)
@@ -150,7 +150,8 @@ def berth_stiffness(berth, position):
 
 
 def at_rest(berth, others, start, unit):
-    """(n,) place at which fenders, ropes and `others` (function of the place, (n,) N) balance; unit : (n,) m, rad
+    """Place at which fenders, ropes and `others` (function of the place, (n,), N) balance; shape (n,); unit : (n,), m,
+    rad
 
     raises : ValueError without a balance
     """
@@ -180,8 +181,8 @@ def balanced(residual, start):
 
 
 def rest_together(links, forces, start, unit, headings):
-    """(n,) positions at which forces, a function of the position (n,) in space, and links balance, and (r,) forces of
-    the links
+    """Positions at which forces, a function of the position (n,) in space, and links balance, shape (n,), and forces of
+    the links, shape (r,)
 
     Springs of links are not among the forces.
     forces : (n,) N, N m along the axes of the bodies; unit : (n,) m, rad; headings : (N,) rad at rest
@@ -214,7 +215,8 @@ def rest_together(links, forces, start, unit, headings):
 
 
 def stiffness_together(links, forces, place, mu, headings):
-    """(n, n) stiffness along the axes of the bodies, of forces (`rest_together`), springs and link forces μ (r,)"""
+    """Stiffness along the axes of the bodies, of forces (`rest_together`), springs and link forces μ (r,); shape (n,
+    n)"""
     out, along, rigid = np.empty((len(place), len(place))), np.eye(len(place)), 6 * len(headings)
     along[:rigid, :rigid] = places_along(headings)
 
@@ -228,8 +230,8 @@ def stiffness_together(links, forces, place, mu, headings):
 
 
 def rest_between(system, berth, links, water, load):
-    """(n,) positions in space at which lines of a `System`, fenders, ropes, links, water and a load are in equilibrium,
-    and (r,) forces μ of the links
+    """Positions in space at which lines of a `System`, fenders, ropes, links, water and a load are in equilibrium,
+    shape (n,), and forces μ of the links, shape (r,)
 
     links : `links.Links`, or None; water : (n, n) stiffness along the axes of the bodies; load : (n,) in space
     raises : ValueError without a balance
@@ -257,21 +259,21 @@ def rest_between(system, berth, links, water, load):
 
 
 def poses_at(place, headings):
-    """(N, 6) of displacements in space (n,)"""
+    """Poses of displacements in space (n,); shape (N, 6)"""
     poses = np.array(place, float).reshape(-1, 6)
     poses[:, 5] += headings
     return poses
 
 
 def bent_poses_at(place, headings):
-    """(N, 6) poses of displacements in space (6N + f,), of which the last (f,) are amplitudes of shapes, for bodies
-    that bend"""
+    """Poses of displacements in space (6N + f,), of which the last (f,) are amplitudes of shapes, for bodies that bend;
+    shape (N, 6)"""
     rigid = 6 * len(headings)
     return (poses_at(place[:rigid], headings), *([place[rigid:]] if len(place) > rigid else []))
 
 
 def contact_forces(berth, position):
-    """(m,) N of fenders and ropes with the bodies put to a displacement (n,)"""
+    """Forces of fenders and ropes with the bodies moved by a displacement (n,), N; shape (m,)"""
     rigid = 6 * len(berth.heading)
     poses = np.array(position[:rigid], float).reshape(1, -1, 6)
     poses[:, :, 5] += berth.heading

@@ -165,7 +165,7 @@ def memory_at(bodies, groups=0):
 
 
 def blocks(state, bodies):
-    """(N, BLOCK) of a state (n,)"""
+    """Blocks of a state (n,), one for each body; shape (N, BLOCK)"""
     return state[: BLOCK * bodies].reshape(bodies, BLOCK)
 
 

@@ -66,7 +66,7 @@ def share_beyond(runs):
 
 
 def rare(largest):
-    """(q,) number of runs whose largest value is beyond RARE times their median; largest : (runs, q), above 0
+    """Number of runs whose largest value is beyond RARE times their median; shape (q,); largest : (runs, q), above 0
 
     0 with fewer than FEWEST runs.  If a line snaps, or a fender is touched, in few runs only, one more run may have
     values far beyond all of them.
@@ -78,5 +78,5 @@ def rare(largest):
 
 
 def beyond(used, limit):
-    """(q,) number of runs in which a utilisation (runs, q) is above the limit; nan is not"""
+    """Number of runs in which a utilisation (runs, q) is above the limit; shape (q,); nan does not count"""
     return np.sum(np.asarray(used, float) > limit, axis=0)

@@ -156,7 +156,7 @@ MIDDLES = ((0.5, 0.5), (0.5, 0.0), (0.5, 1.0), (0.0, 0.5), (1.0, 0.5))
 
 
 def _with_twist(corners, dc, dz):
-    """(2, 4, 4) of H and V at the corners of a cell, with the mixed derivatives of Adini's polynomial
+    """H and V at the corners of a cell, with the mixed derivatives of Adini's polynomial; shape (2, 4, 4)
 
     corners : (4, 2, 3) f, f_c, f_z at (low, low), (high, low), (low, high), (high, high) chord and height
     """
@@ -173,7 +173,7 @@ def _slackest(chord, span, height, reach):
 
 
 def _solved(composite, chord, height):
-    """(2, 3) H and V with their derivatives to chord and height, nan without a solution"""
+    """H and V with their derivatives to chord and height, nan without a solution; shape (2, 3)"""
     row, span = np.zeros(ROW), float(np.sqrt(max(chord**2 - height**2, 0.0)))
     fill_row(row, composite, np.zeros(3), np.array([span, 0.0, height]))
     out = np.full((2, 3), np.nan)
@@ -239,7 +239,7 @@ def packed(tables):
 
 @kernel(inline=True, counted=False)
 def cell_pull(values, dc, dz, s, t):
-    """(H, V) N of the values (2, 4, 4) of a cell at s, t of its sizes, 0 to 1"""
+    """Forces (H, V), N, from the values (2, 4, 4) of a cell at s, t of its sizes, 0 to 1"""
     a, b = (1 + 2 * s) * (1 - s) ** 2, s * s * (3 - 2 * s)
     c, d = dc * s * (1 - s) ** 2, -dc * s * s * (1 - s)
     e, f = (1 + 2 * t) * (1 - t) ** 2, t * t * (3 - 2 * t)
@@ -258,7 +258,8 @@ def cell_pull(values, dc, dz, s, t):
 
 @kernel(counted=False)
 def packed_pull(tables, number, x, z):
-    """(H, V) N of a table of a `Packed` at a span x and height z; nan above and below the heights of the table.
+    """Forces (H, V), N, from a table of a `Packed` at a span x and height z; nan above and below the heights of the
+    table.
 
     Below the least chord the value is that of the least chord; beyond the greatest it is extrapolated along the chord.
     """

@@ -106,7 +106,8 @@ def drift_of_half_waves(reader, components, heading, ramp, duration):
 
 
 def sampled(forces, ramp, duration, bodies=1):
-    """(6N, m) sum of GivenForces at equal steps from −ramp to the duration, and the step, s; one column without forces
+    """Sum of GivenForces at equal steps from −ramp to the duration, shape (6N, m), and the step, s; one column without
+    forces
 
     raises : ValueError for a table that does not last
     """

@@ -167,7 +167,7 @@ def with_shapes(lines, reader):
 
 
 def ends_at_rest(lines, at_rest):
-    """(n, 3), (n, 3) m in space, both ends of `Lines` with the bodies' axes at (N, 6) m, rad"""
+    """Both ends of `Lines` in space, m, with the bodies' axes at (N, 6), m, rad; shapes (n, 3) and (n, 3)"""
     turns = [rotation(0.0, 0.0, heading) for heading in at_rest[:, 5]]
 
     def placed(body, point):
@@ -314,7 +314,7 @@ def fairlead_course(lines, i, states):
 
 @kernel(inline=True, counted=False)
 def straight_pull(curves, number, length, span, rise):
-    """(H, V) N of a hawser with the curve `number`, `length` m unstretched; zero if shorter"""
+    """Forces (H, V), N, of a hawser with the curve `number`, `length` m unstretched; zero if shorter"""
     away = np.sqrt(span * span + rise * rise)
     T = reaction(curves, number, away - length, 1.0)
     return T * span / max(away, length), T * rise / max(away, length)

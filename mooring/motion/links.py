@@ -153,7 +153,8 @@ def link_work(links, states=0, samples=0, groups=0):
 
 
 def rows_at(links, poses, bent=0.0):
-    """(r, 6N + f) of G and (r,) of g, of `links.Links` with the bodies at poses (N, 6) and amplitudes of f shapes"""
+    """G, shape (r, 6N + f), and g, shape (r,), of `links.Links` with the bodies at poses (N, 6) and amplitudes of f
+    shapes"""
     work, poses = link_work(links), np.ascontiguousarray(poses, float)
     work.amplitude[:] = bent
     fill_rows(links, work, poses, False)
@@ -168,7 +169,8 @@ def rows_at(links, poses, bent=0.0):
 
 
 def held_by(links, poses, mu):
-    """(k, 6) N, N m exerted by the first body of each link on the second, along the axes of the first, from μ (r,)"""
+    """Forces and moments, N, N m, that the first body of each link exerts on the second, along the axes of the first,
+    from μ (r,); shape (k, 6)"""
     work, poses, out = link_work(links), np.ascontiguousarray(poses, float), np.zeros(SHOWN * len(links.ends))
     fill_rows(links, work, poses, True)
     drive(links, work, np.zeros(len(work.free)))
@@ -178,7 +180,8 @@ def held_by(links, poses, mu):
 
 
 def springs_at(links, poses, bent=0.0):
-    """(6N + f,) N, N m along the axes of the bodies, and on shapes, of the springs of links at rest, as `rows_at`"""
+    """Forces of the springs of links at rest along the axes of the bodies, and on shapes, as `rows_at`, N, N m; shape
+    (6N + f,)"""
     work, poses = link_work(links), np.ascontiguousarray(poses, float)
     force = np.zeros(len(work.free))
     work.amplitude[:] = bent

@@ -19,7 +19,8 @@ LIGHT = 0.02  # damping ratio below which slow motion counts as lightly damped
 
 
 def drift_damping_ring(forces, weather, depth, gravity):
-    """(HEADINGS + 3, 6) B over headings of the body, rows (surge, sway, yaw) by (surge, sway), in its axes; N s/m …
+    """Damping B, N s/m …, over headings of the body, rows (surge, sway, yaw) by (surge, sway), in its axes; shape
+    (HEADINGS + 3, 6)
 
     Wave drift damping (`mooring.response.wave_drift_damping`) of all seas together, from the drift of `WaveForces`.
     The damping acts on the slow velocity over ground; the drift B V that a current adds at rest is part of the drift of
@@ -59,7 +60,8 @@ def shares(moored, damping, drift_damping):
 
 
 def _radiated(moored, omega):
-    """(n, n) damping by radiation at omega, rad/s; without a memory that of the nearest frequency of the database"""
+    """Damping by radiation at omega, rad/s; shape (n, n); without a memory that of the nearest frequency of the
+    database"""
     if moored.memory.states:
         return moored.memory.transform(np.array([omega]))[0].real
     return moored.reader.coefficients(np.clip([omega], *moored.reader.between.span))[1][0]

@@ -51,7 +51,8 @@ class RecordStatistics(NamedTuple):
 
 
 def stillness(sigma, units, length, weight):
-    """(q,) σ up to which quantities count as constant, relative to the other motions and forces, and the hull.
+    """Standard deviation up to which quantities count as constant, relative to the other motions and forces, and the
+    hull; shape (q,).
 
     sigma, units : (q,) of "m", "rad", "N" or another; length : m; weight : N.  An angle moves an end of the hull by
     half the length times it.
@@ -92,8 +93,8 @@ def record_statistics(record, step, split, duration=None):
 
 
 def statistics_of_records(records, step, split, duration=None):
-    """(q,) `record_statistics` of records (q, n), whose spectra are computed together, in half the time that single
-    records take
+    """`record_statistics` of records (q, n), whose spectra are computed together, in half the time that single records
+    take; shape (q,)
 
     raises : ValueError as there
     """
@@ -122,8 +123,8 @@ def _statistics(x, y, mean, slow, wave, step, duration):
 
 
 def parts(records, step, split):
-    """(2, …) standard deviations of the parts of records (…, n) without mean below and above `split` rad/s: σ² is
-    their sum."""
+    """Standard deviations of the parts of records (…, n) without mean below and above `split`, rad/s; shape (2, …): σ²
+    is their sum."""
     n = records.shape[-1]
     power = np.abs(np.fft.rfft(records)) ** 2
     power[..., 1 : (n + 1) // 2] *= 2

@@ -75,7 +75,7 @@ def current_stream(current, hull, center, density, depth):
 
 
 def _around():
-    """(RING,) rad"""
+    """Directions all around, rad; shape (RING,)"""
     return np.arange(RING) * (2 * np.pi / RING)
 
 
@@ -102,7 +102,7 @@ def stream_force(stream, body, t, share, moving, weights, out, value):
 
 
 def gust_at(stream, t):
-    """(n,) m/s of the gusts at times t (n,) s"""
+    """Speed of the gusts at times t (n,), s, m/s; shape (n,)"""
     if stream.gusts.shape[1] == 1:
         return np.zeros(len(t))
     return np.interp(t, stream.first + GUST_STEP * np.arange(stream.gusts.shape[1]), stream.gusts[0])

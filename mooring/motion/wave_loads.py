@@ -124,7 +124,7 @@ def no_wave_forces(body):
 
 
 def drift_of(forces, components, heading):
-    """(c, 3) drift, in still water, of wave components alone on a body at heading `heading` rad, as in runs"""
+    """Drift of wave components alone, in still water, on a body at heading `heading`, rad, as in runs; shape (c, 3)"""
     table = forces.curves[1](np.clip(components.omega, forces.omega[0], forces.omega[-1]))
     place = (np.asarray(components.direction) - heading) * (HEADINGS / (2 * np.pi))
     whole, weights, out = np.floor(place), np.empty(6), np.empty((len(place), 3))
@@ -135,7 +135,8 @@ def drift_of(forces, components, heading):
 
 
 def forces_towards(forces, direction):
-    """(q, 6) complex first-order forces per metre on a body at rest, of waves towards `direction` rad from its axes"""
+    """Complex first-order forces per metre on a body at rest, of waves towards `direction`, rad, from its axes; shape
+    (q, 6)"""
     place, weights = direction * (HEADINGS / (2 * np.pi)), np.empty(6)
     whole = np.floor(place)
     lagrange_weights(place - whole + 2.0, 6, weights)
@@ -153,7 +154,8 @@ def drift_damping(forces, omega, depth, gravity):
 
 
 def drift_on_current(forces, omega, direction, velocity, depth, gravity):
-    """(q, HEADINGS, 3) D + B V of waves of omega (q,) rad/s towards `direction` (q,) rad, V (2,) m/s, all in space
+    """Drift D + B V of waves of omega (q,), rad/s, towards `direction` (q,), rad, on a current V (2,), m/s, all in
+    space; shape (q, HEADINGS, 3)
 
     The HEADINGS are those of the waves in the body's axes; the current keeps its angle to the waves.
     """

@@ -37,15 +37,15 @@ class OnCurrent(Reader):
         return Reader(**{one.name: getattr(self, one.name) for one in fields(Reader)})
 
     def encounter(self, omega, headings=None):
-        """(q, p) rad/s at which the body meets waves"""
+        """Frequencies at which the body meets the waves, rad/s; shape (q, p)"""
         return self.carrier.met(*self._pairs(omega, headings), self.depth, self.gravity)
 
     def intrinsic(self, omega, headings=None):
-        """(q, p) rad/s of waves in the moving water"""
+        """Frequencies of the waves in the moving water, rad/s; shape (q, p)"""
         return self.carrier.own(*self._pairs(omega, headings), self.depth, self.gravity)
 
     def motions(self, omega, headings=None):
-        """(q, p, n) as `Reader.motions`; the motions in still water if the database lacks the coefficients"""
+        """As `Reader.motions`; the motions in still water if the database lacks the coefficients; shape (q, p, n)"""
         if self.lacks_motions:
             return self.still.motions(omega, headings)
         self._check_inertia()
@@ -60,7 +60,7 @@ class OnCurrent(Reader):
         return not {*RADIATION, "excitation_force"} <= set(self.between.quantities)
 
     def drift(self, omega, headings=None, fixed=False):
-        """(q, p, 3) as `Reader.drift`, in still water: for waves of the same length"""
+        """As `Reader.drift`, in still water; shape (q, p, 3): for waves of the same length"""
         return self.waves_of("drift", omega, headings, fixed=fixed)
 
     def waves_of(self, name, omega, headings, **words):
@@ -78,7 +78,8 @@ class OnCurrent(Reader):
         return (self.motions(omega, headings) if name == "rao" else value), error
 
     def resonant(self, headings):
-        """(q,) rad/s, given frequencies of waves towards headings (p,) rad that resolve the resonances of the body"""
+        """Given frequencies and those that resolve the resonances of the body in waves towards headings (p,), rad,
+        rad/s; shape (q,)"""
         met = about(self.still, resonances(self.still))
         low, high = self.between.span
         rows = [met]

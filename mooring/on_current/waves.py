@@ -63,7 +63,7 @@ def in_water(components, carrier, depth, gravity):
 
 
 def met_by_a_place(components, carrier, depth, gravity):
-    """(c,) rad/s at which a fixed place meets wave components of intrinsic frequencies"""
+    """Frequencies at which a fixed place meets wave components of intrinsic frequencies, rad/s; shape (c,)"""
     if carrier is None:
         return np.asarray(components.omega, float)
     return absolute_frequency(components.omega, carrier.along(components.direction), depth, gravity)

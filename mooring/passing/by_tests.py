@@ -27,7 +27,8 @@ NEAREST, LENGTHS = 0.1, (0.5, 2.0)  # range of distance/L₁ and of L₂/L₁ of
 
 
 def depth_factors(draft, depth, gap, beam):
-    """(3,) of surge, sway, yaw.  draft : m, of the moored ship; gap : m between sides; beam : m, mean of both ships"""
+    """Factors of surge, sway and yaw for the depth; shape (3,).  draft : m, of the moored ship; gap : m between sides;
+    beam : m, mean of both ships"""
     if not 0 < draft < depth or not gap > 0:
         raise ValueError(
             f"draft {draft:g} m in {depth:g} m, gap {gap:g} m; allowed: water under the keel and between the ships"
@@ -36,7 +37,7 @@ def depth_factors(draft, depth, gap, beam):
 
 
 def scale(moored, passing, track, density=1025.0):
-    """(3,) N, N, N m by which the coefficients of surge, sway and yaw are multiplied"""
+    """Forces, N, N, N m, by which the coefficients of surge, sway and yaw are multiplied; shape (3,)"""
     unit = density * track.through_water**2 * moored.area * passing.area / passing.length**2
     return np.array([unit, unit, unit * moored.length])
 

@@ -29,7 +29,8 @@ PASSING_SURGE = 6
 
 
 def added_mass(hulls, place, heading, depth, wall=None, density=1025.0):
-    """(12, 12) kg, kg m, kg m² of both hulls at zero frequency, forces and motions about the middle of each.
+    """Added mass of both hulls at zero frequency, kg, kg m, kg m², forces and motions about the middle of each; shape
+    (12, 12).
 
     hulls : PanelMesh of the moored and of the passing ship, each with its middle at the origin
     place : (2,) m of the passing one

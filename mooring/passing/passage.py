@@ -60,7 +60,7 @@ class Track:
 
 
 def along_track(track, moored, passing, lengths, fine=1):
-    """(n,) m: places ξ to `lengths` mean lengths before and behind.
+    """Places ξ to `lengths` mean lengths before and behind; shape (n,).
 
     moored, passing : m, lengths of the ships; places are at most an eighth of the shorter one apart, and a quarter of
     the distance; fine : factor on their number
@@ -86,7 +86,7 @@ class Passage:
 
     @property
     def force(self):
-        """(n, 6) N, N m, sum of both parts of the force"""
+        """Sum of both parts of the force, N, N m; shape (n, 6)"""
         return self.changing + self.steady
 
     def about(self, place):

@@ -54,7 +54,7 @@ def wang(moored, passing, track, stagger, depth=math.inf, density=1025.0):
 
 
 def _unit(moored, passing, distance, stagger, depth):
-    """(3,) Fx, Fy, Mz over ρU²S₁S₂ of a stagger, with the ship on the positive side"""
+    """Fx, Fy, Mz over ρU²S₁S₂ of a stagger, with the ship on the positive side; shape (3,)"""
     x, weight = np.polynomial.legendre.leggauss(POINTS)
     x1, x2 = 0.5 * moored.length * x, 0.5 * passing.length * x
     first, last = 0.5 * moored.length * weight, 0.5 * passing.length * weight

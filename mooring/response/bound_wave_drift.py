@@ -54,14 +54,14 @@ class BoundWaveForces:
 
     @property
     def error(self):
-        """(6,) size of the last coefficients, as shares of the largest force"""
+        """Size of the last coefficients, as shares of the largest force; shape (6,)"""
         size = np.abs(self.coefficients)
         last = size[-2:].sum(axis=(0, 1)) + size[:, -2:].sum(axis=(0, 1))
         return last / np.maximum(size.sum(axis=(0, 1)), 1e-300)
 
     def of_components(self, components, drift=None):
-        """(n, n, 6) T of all pairs of wave `components`, all of one direction; half of the pairs follow from T_ji =
-        conj T_ij"""
+        """Transfer functions T of all pairs of wave `components`, all of one direction; shape (n, n, 6); half of the
+        pairs follow from T_ji = conj T_ij"""
         omega = np.asarray(components.omega, float)
         T = np.zeros((len(omega), len(omega), 6), complex)
         apart = omega[:, None] - omega
@@ -71,7 +71,8 @@ class BoundWaveForces:
         return T
 
     def __call__(self, one, two):
-        """(…, 6) T of the bound waves of pairs: frequencies that broadcast, rad/s; N/m², N m/m²
+        """Transfer functions T of the bound waves of pairs of frequencies that broadcast, rad/s; shape (…, 6); N/m², N
+        m/m²
 
         T is zero for differences beyond `highest`; a smooth step over SLOW leads to it.
         """
@@ -253,7 +254,8 @@ def depth_in_waves(body, sea):
 
 
 def estimated_forces(body, one, two, direction, highest):
-    """(…, 6) T of bound waves in surge and sway without a solution: a long wave exerts the force of its slope.
+    """Transfer functions T of bound waves in surge and sway without a solution; shape (…, 6): a long wave exerts the
+    force of its slope.
 
     D = iκ ρg (∇ + A/ρ) (cos β, sin β) f,   f = sinc(κa cos β) sinc(κb sin β), its mean over a plan of 2a by 2b
 

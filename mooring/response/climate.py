@@ -57,7 +57,8 @@ class Climate:
 
     @property
     def excited(self):
-        """(c,) whether a response is larger than rounding errors of the other responses; True for unknown ones"""
+        """Whether a response is larger than rounding errors of the other responses; shape (c,); True for unknown
+        ones"""
         largest = dict.fromkeys(self.units, 0.0)
         for unit, m0 in zip(self.units, self.m0.T, strict=True):
             largest[unit] = np.fmax.reduce(m0, initial=largest[unit])
@@ -65,7 +66,7 @@ class Climate:
 
     @property
     def mean_drift(self):
-        """(3,) N, N, N m, mean over all time"""
+        """Mean force over all time, N, N, N m; shape (3,)"""
         return None if self.drift is None else self.probability @ self.drift
 
 
@@ -140,12 +141,12 @@ class _Known:
         return self.transfer.units
 
     def motions(self, omega, heading):
-        """(q, p, n) as `Reader.motions`"""
+        """As `Reader.motions`; shape (q, p, n)"""
         rows, columns = self._place(omega, heading)
         return self.transfer.value[rows, columns, : len(self.body.words)]
 
     def drift(self, omega, heading):
-        """(q, p, 3) as `Reader.drift`"""
+        """As `Reader.drift`; shape (q, p, 3)"""
         return self.forces[self._place(omega, heading)]
 
     def at(self, omega, heading):

@@ -20,7 +20,8 @@ TURN = np.deg2rad(0.25)  # either side, for the slope over the headings
 
 
 def drift_slopes(body, omega, heading, fixed=False):
-    """(q, p, 3) drift and its derivatives ∂D/∂ω and ∂D/∂β per rad; omega rising, close enough to differentiate.
+    """Drift and its derivatives ∂D/∂ω and ∂D/∂β per rad; each of shape (q, p, 3); omega rising, close enough to
+    differentiate.
 
     fixed : True for the fixed body, False for the floating one
     Where headings (p,) are steps of the circle, no more than 5°, D is known on all of it and ∂D/∂β is that of its
@@ -54,7 +55,7 @@ def _by_differences(body, omega, heading, fixed):
 
 
 def mean_in_sea(omega, drift, density, weights=(1.0,)):
-    """(3,) mean force N, N and moment N m in irregular waves: twice the integral over the spectrum.
+    """Mean force, N, N, and moment, N m, in irregular waves, twice the integral over the spectrum; shape (3,).
 
     omega : (q,); drift : (q, p, 3); density : (q,) m² s/rad
     weights : (p,) or (q, p) shares of the energy per heading
@@ -63,8 +64,8 @@ def mean_in_sea(omega, drift, density, weights=(1.0,)):
 
 
 def mean_in_sea_beyond(body, spectrum, ends, weights=(1.0,)):
-    """(2, 3) the part of the mean force in waves below and above the stored band, with D beyond the band equal to its
-    value at the end, (2, p, 3).
+    """The part of the mean force in waves below and above the stored band, with D beyond the band equal to its value at
+    the end; shape (2, 3), or (2, p, 3).
 
     In short waves D tends to that of total reflection, a constant; in long waves it falls, and the end is an upper
     bound.  weights : (p,) or (2, p)

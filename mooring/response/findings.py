@@ -42,8 +42,8 @@ def _solve_to(spectrum, end, share):
 
 
 def missed_response(body, spectrum, transfer, weights):
-    """(c,) m0 of responses to the waves beyond the stored frequencies, with transfer functions equal to the last stored
-    ones"""
+    """Variance m₀ of responses to the waves beyond the stored frequencies, with transfer functions equal to the last
+    stored ones; shape (c,)"""
     ends = over_headings(np.abs(transfer.value[[0, -1]]) ** 2, weights if weights.ndim == 1 else weights[[0, -1]])
     return np.array(energy_outside(body.omega, spectrum)) @ ends * spectrum.moment(0)
 

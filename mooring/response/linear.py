@@ -37,8 +37,8 @@ class Moments(NamedTuple):
 
 
 def frequencies(body, density=None, headings=None):
-    """(q,) rad/s from the lowest to the highest stored frequency, close enough together for every resonance in this
-    range.
+    """Frequencies from the lowest to the highest stored one, close enough together for every resonance in this range,
+    rad/s; shape (q,).
 
     body : `bem.database.reader.Reader`; density : function of omega (q,), the waves that matter; None for all alike
     headings : (p,) rad of the waves, for a body on a current, whose resonances depend on the heading
@@ -93,7 +93,7 @@ def _apart(peaks, steps, count):
 
 
 def _power(body, omega, density, headings):
-    """(q, m, n) |X|² S at headings, None for the stored ones"""
+    """Power |X|² S at headings, None for the stored ones; shape (q, m, n)"""
     power = np.abs(body.motions(omega, headings)) ** 2
     return power if density is None else power * density(omega)[:, None, None]
 
@@ -111,7 +111,7 @@ def over_headings(values, weights):
 
 
 def response_spectrum(transfer, density, weights=(1.0,)):
-    """(q, …) spectral density of responses, unit² s/rad.
+    """Spectral density of responses, unit² s/rad; shape (q, …).
 
     transfer : (q, p, …) complex per m of wave amplitude; density : (q,) wave spectrum, m² s/rad
     weights : (p,) or (q, p) shares of the energy per heading

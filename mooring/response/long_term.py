@@ -24,7 +24,7 @@ class LongTerm(NamedTuple):
     probability: np.ndarray
 
     def crossing_rate(self, x):
-        """(…,) upward crossings of x per second"""
+        """Upward crossings of x per second; shape (…,)"""
         x = np.asarray(x, float)[..., None]
         sigma = np.where(self.sigma > 0, self.sigma, 1.0)
         return np.sum(np.where(self.sigma > 0, self.probability * self.rate, 0.0) * np.exp(-0.5 * (x / sigma) ** 2), -1)
@@ -41,7 +41,7 @@ class LongTerm(NamedTuple):
         return brentq(lambda x: np.log(max(self.crossing_rate(x) * time, TINY)), 0.0, high, xtol=1e-12 * high)
 
     def not_exceeded(self, x, time):
-        """(…,) probability that the largest value in `time` s is below x, for independent crossings"""
+        """Probability that the largest value in `time`, s, is below x, for independent crossings; shape (…,)"""
         return np.exp(-time * self.crossing_rate(x))
 
 

@@ -62,11 +62,12 @@ class PairForces:
         return float(self.between.difference[-1])
 
     def of_components(self, components, drift=None):
-        """(n, n, 6) of all pairs of wave `components`, all in the one direction"""
+        """Transfer functions of all pairs of wave `components`, all in the one direction; shape (n, n, 6)"""
         return self(components.omega[:, None], components.omega)
 
     def __call__(self, one, two):
-        """(…, 6) of pairs of frequencies that broadcast, rad/s; zero if one is beyond the stored pairs"""
+        """Transfer functions of pairs of frequencies that broadcast, rad/s; shape (…, 6); zero if one is beyond the
+        stored pairs"""
         one, two = np.broadcast_arrays(np.asarray(one, float), np.asarray(two, float))
         flat = one.ravel(), two.ravel()
         parts = [self._of(*(w[i : i + AT_ONCE] for w in flat)) for i in range(0, one.size, AT_ONCE)]
@@ -78,13 +79,13 @@ class PairForces:
         return T * self.share(one, two)[:, None]
 
     def share(self, one, two):
-        """(…,) share of T that is used: zero if one frequency, or the difference, is beyond the stored pairs"""
+        """Share of T that is used; shape (…,): zero if one frequency, or the difference, is beyond the stored pairs"""
         low, high = self.between.omega[[0, -1]]
         known = (np.minimum(one, two) >= low) & (np.maximum(one, two) <= high)
         return known * slow_share((one - two) / self.highest)
 
     def newman(self, one, two):
-        """(q, 3) mean drift at frequencies (q,), as Newman's approximation uses it"""
+        """Mean drift at frequencies (q,), as Newman's approximation uses it; shape (q, 3)"""
         both = (one, self.drift), (two, self.drift if self.second is None else self.second)
         return newman(*(np.stack([np.interp(w, self.omega, d) for d in drift.T], axis=-1) for w, drift in both))
 
@@ -112,7 +113,7 @@ class SpreadPairForces:
         return max(pair.highest for pair in self.pairs.values())
 
     def of_components(self, components, drift):
-        """(n, n, 6) of all pairs of wave `components`, T minus Newman's of their mean drift (n, 3)
+        """T minus Newman's value from their mean drift (n, 3), of all pairs of wave `components`; shape (n, n, 6)
 
         T is linear between headings; beyond the headings of the pairs it is that of the nearest
         """
@@ -129,7 +130,8 @@ class SpreadPairForces:
         return total * pair.share(omega[:, None], omega)[..., None]
 
     def spectrum(self, omega, difference):
-        """(d, 6) of the slow force over differences Ω (d,) rad/s:  8 ∫ S(ω) S(ω + Ω) Σ_a Σ_b w_a w_b |T_ab|² dω
+        """Spectrum 8 ∫ S(ω) S(ω + Ω) Σ_a Σ_b w_a w_b |T_ab|² dω of the slow force over differences Ω (d,), rad/s; shape
+        (d, 6)
 
         omega : (q,) rad/s; w : shares of the energy of the headings, of w_a at ω + Ω, of w_b at ω
         """
@@ -146,8 +148,8 @@ class SpreadPairForces:
 
 
 def between_headings(headings, directions):
-    """(n, m) weights of headings (m,) for linear interpolation at directions (n,) rad; beyond the headings, weight 1 of
-    the nearest heading"""
+    """Weights of headings (m,) for linear interpolation at directions (n,), rad; shape (n, m); beyond the headings,
+    weight 1 of the nearest heading"""
     weights = linear_weights(headings, np.asarray(directions, float))
     outside = ~weights.any(axis=1)
     apart = np.abs(np.angle(np.exp(1j * (directions[outside, None] - headings))))
@@ -203,7 +205,7 @@ def beside_newman(db, sea, level, spread=False):
 
 
 def beside_newman_of_bodies(db, sea, level):
-    """(moving bodies,) of what `beside_newman` has of each of several bodies, or None; and remarks
+    """What `beside_newman` has for each of several bodies, or None, shape (moving bodies,); and remarks
 
     level : newman, body, or auto, which is body where that is stored.  raises : as of `beside_newman`
     """
@@ -325,7 +327,7 @@ def _of_headings(db, sea, forces, values, level, body):
 
 
 def _drift(db, forces, headings, body):
-    """(q,) rad/s close enough for the mean drift, and its values (q, m, 3) there"""
+    """Frequencies, rad/s, close enough for the mean drift, shape (q,), and its values there, shape (q, m, 3)"""
     omega, reader = np.linspace(*forces.omega[[0, -1]], 8 * len(forces.omega)), db.bodies_reader.floating()
     if body is None:
         return omega, reader.drift(omega, headings)

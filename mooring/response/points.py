@@ -204,30 +204,33 @@ def of_station(body, motion, station):
 
 
 def apart(body, motion, first, second):
-    """(q, p, 3) of the point `second` from the point `first`, of two bodies, along the axes of the body of the first"""
+    """Displacement of the point `second` of one body from the point `first` of another, along the axes of the body of
+    the first; shape (q, p, 3)"""
     here, there = (of_point(body, motion, point)[0] for point in (first, second))
     turn = body.body_named(first.body).axes.T @ body.body_named(second.body).axes
     return there @ turn.T - here
 
 
 def displacement(motion, position, rotation_center):
-    """(q, p, 3) of the point at `position` (3,) m from motions (q, p, 6) about `rotation_center`."""
+    """Displacement of the point at `position` (3,), m, from motions (q, p, 6) about `rotation_center`; shape (q, p,
+    3)."""
     arm = np.asarray(position, float) - np.asarray(rotation_center, float)
     return motion[..., :3] + np.cross(motion[..., 3:], arm)
 
 
 def velocity(omega, displaced):
-    """(q, p, …) m/s per m"""
+    """Velocity per metre of wave amplitude, m/s; shape (q, p, …)"""
     return -1j * _column(omega, displaced) * displaced
 
 
 def acceleration(omega, displaced):
-    """(q, p, …) m/s² per m"""
+    """Acceleration per metre of wave amplitude, m/s²; shape (q, p, …)"""
     return -(_column(omega, displaced) ** 2) * displaced
 
 
 def felt_acceleration(omega, displaced, motion, gravity):
-    """(q, p, 2) m/s² per m along x and y of the deck, gravity included; displaced (q, p, 3), motion (q, p, 6)"""
+    """Acceleration felt along x and y of the deck, gravity included, m/s² per metre of wave amplitude; shape (q, p, 2);
+    displaced (q, p, 3), motion (q, p, 6)"""
     turned = gravity * np.stack([-motion[..., 4], motion[..., 3]], axis=-1)
     return acceleration(omega, displaced)[..., :2] + turned
 
@@ -265,7 +268,7 @@ def _column(omega, values):
 
 
 def corners_of_bottom(points):
-    """(n, 3) m from points (p, 3) of a hull: corners of the convex hull of its deepest part in plan, at most 12.
+    """Corners of the convex hull of the deepest part in plan of points (p, 3) of a hull, m; shape (n, 3), at most 12.
 
     The vertical displacement of a rigid body is linear in x and y, so that it is largest at one of them.
     """

@@ -53,12 +53,12 @@ class SlowForces:
 
     @property
     def sigma_of_pairs(self):
-        """(6,) as `sigma`, for all modes"""
+        """Standard deviation of the slow force by pairs in all motions, as `sigma`; shape (6,)"""
         return np.sqrt(np.trapezoid(self.of_pairs, self.difference, axis=0))
 
     @property
     def sigma(self):
-        """(3,) standard deviation of the slow drift force, of differences up to the last"""
+        """Standard deviation of the slow drift force, of differences up to the last; shape (3,)"""
         return np.sqrt(np.trapezoid(self.spectrum, self.difference, axis=0))
 
 
@@ -90,36 +90,36 @@ class SeaState:
 
     @property
     def sigma(self):
-        """(c,) standard deviation"""
+        """Standard deviation; shape (c,)"""
         return np.sqrt(self.moments.m0)
 
     @property
     def zero_period(self):
-        """(c,) s, mean between upward zero crossings; nan for a zero response"""
+        """Mean between upward zero crossings, s; shape (c,); nan for a zero response"""
         return _ratio(self.moments.m0, self.moments.m2)
 
     @property
     def peak_period(self):
-        """(c,) s, mean between maxima"""
+        """Mean between maxima, s; shape (c,)"""
         return _ratio(self.moments.m2, self.moments.m4)
 
     @property
     def bandwidth(self):
-        """(c,) ε; 0 for a zero response"""
+        """Bandwidth ε of the spectrum; shape (c,); 0 for a zero response"""
         return self._each(lambda m, _: float(bandwidth(m.m0, m.m2, m.m4)))
 
     @property
     def significant(self):
-        """(c,) mean of the highest third of the maxima, C(ε) σ"""
+        """Mean of the highest third of the maxima, C(ε) σ; shape (c,)"""
         return self._each(lambda m, _: significant_factor(float(bandwidth(m.m0, m.m2, m.m4))) * np.sqrt(m.m0))
 
     @property
     def expected_maximum(self):
-        """(c,) mean of the largest value in `duration`"""
+        """Mean of the largest value in `duration`; shape (c,)"""
         return self._each(lambda m, T: expected_maximum(np.sqrt(m.m0), self.duration, T))
 
     def not_exceeded(self, probability):
-        """(c,) value not exceeded by the largest in `duration` with `probability`"""
+        """Value not exceeded by the largest in `duration` with `probability`; shape (c,)"""
         return self._each(lambda m, T: maximum_not_exceeded(np.sqrt(m.m0), self.duration, T, probability))
 
     def air_gaps(self):
@@ -154,7 +154,7 @@ class SeaState:
         return level, level - self.expected_maximum[self.names.index(name)], self.reached(name, level)
 
     def _each(self, function):
-        """(c,) function(moments, zero period) of each nonzero response, 0 for the others"""
+        """Function(moments, zero period) of each nonzero response, 0 for the others; shape (c,)"""
         parts = zip(*self.moments, self.zero_period, strict=True)
         return np.array([function(Moments(*m), T) if np.isfinite(T) else 0.0 for *m, T in parts])
 
@@ -209,8 +209,8 @@ def linear_response(sea, transfer, weights):
 
 
 def mean_drift(body, sea, omega, drift, weights):
-    """(3,) N, N, N m by waves within the stored band, (2, 3) by waves below and above the band; drift (q, p, 3) at
-    omega"""
+    """Mean drift, N, N, N m, by waves within the stored band, shape (3,), and by waves below and above it, shape (2,
+    3); drift (q, p, 3) at omega"""
     ends = weights if weights.ndim == 1 else weights[[0, -1]]
     inside = drifts.mean_in_sea(omega, drift, sea.spectrum.density(omega), weights)
     return inside, drifts.mean_in_sea_beyond(body, sea.spectrum, drift[[0, -1]], ends)
@@ -250,7 +250,7 @@ def slow_forces(body, sea, omega, heading, weights, bound=None) -> SlowForces:
 
 
 def drift_of_each(body, sea, omega, heading, weights):
-    """(bodies, 3) mean drift of each of several bodies, None if unknown; arguments as in `slow_forces`"""
+    """Mean drift of each of several bodies, None if unknown; shape (bodies, 3); arguments as in `slow_forces`"""
     if not body.bodies:
         return None
     try:

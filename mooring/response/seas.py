@@ -107,7 +107,7 @@ def _lost_of_one(sea, omega, step):
 
 
 def _integrals(body, sea, omega, step):
-    """(n,) ∫⟨|X|²⟩S dω and (2, 3) ∫⟨D±⟩S dω"""
+    """Integrals ∫⟨|X|²⟩S dω, shape (n,), and ∫⟨D±⟩S dω, shape (2, 3)"""
     heading, weights = directions(sea, omega, step)
     density = sea.spectrum.density(omega)
     power = np.abs(body.motions(omega, heading)) ** 2

@@ -56,7 +56,7 @@ class HalfWaves(NamedTuple):
 
 
 def component_drift(body, components, hold=False):
-    """(n, 3) mean drift D of every wave component at its own frequency and direction, N/m² and N m/m².
+    """Mean drift D of every wave component at its own frequency and direction, N/m² and N m/m²; shape (n, 3).
 
     components : omega, amplitude, phase, direction, each (n,)
     hold : use the end values for all components beyond the stored band; else only up to 1 % of the energy
@@ -85,7 +85,7 @@ def outside_band(body, components):
 
 
 def newman(components, drift, t):
-    """(s, 3) drift force record at times t (s,), N, N, N m.
+    """Record of the drift force at times t (s,), s, N, N, N m; shape (s, 3).
 
     components : omega, amplitude, phase (lag), each (n,); drift : (n, 3) from `component_drift`
     Equally spaced times cost two small matrix products instead of n s cosines.
@@ -102,9 +102,9 @@ def newman(components, drift, t):
 
 
 def differences(body):
-    """(d,) rad/s of the spectrum of the slow force: to 0.2 for a hull of 100 m, by Froude's law for others, and to
-    three times the natural frequency of surge, sway and yaw for a moored body; not of several, which fenders hold to
-    each other far more stiffly than lines hold them to the bed"""
+    """Differences, rad/s, of the spectrum of the slow force; shape (d,): to 0.2 for a hull of 100 m, by Froude's law
+    for others, and to three times the natural frequency of surge, sway and yaw for a moored body; not of several, which
+    fenders hold to each other far more"""
     high = SLOWEST[0] * np.sqrt(SLOWEST[1] / body.between.length * body.gravity / 9.80665)
     for mode in (0, 1, 5):
         if body.stiffness[mode, mode] > 0 and not body.bodies:
@@ -114,7 +114,7 @@ def differences(body):
 
 
 def signed_means(drift, weights=(1.0,)):
-    """(q, 2, 3) means over the headings of D where it is positive and of −D where it is negative.
+    """Means over the headings of D where it is positive and of −D where it is negative; shape (q, 2, 3).
 
     drift : (q, p, 3); weights : (p,) or (q, p) shares of the energy per heading
     """
@@ -122,12 +122,13 @@ def signed_means(drift, weights=(1.0,)):
 
 
 def signed(drift):
-    """(q, p, 2, 3) positive part of drift (q, p, 3), and minus its negative part"""
+    """Positive part of drift (q, p, 3), and minus its negative part; shape (q, p, 2, 3)"""
     return np.stack([np.maximum(sign * drift, 0.0) for sign in (1, -1)], axis=2)
 
 
 def force_spectrum(spectrum, omega, drift, difference):
-    """(d, 3) N² s/rad: spectral density of the slow force over differences (d,) rad/s, Pinkster's with Newman's T.
+    """Spectral density of the slow force over differences (d,), rad/s, N² s/rad, Pinkster's with Newman's T; shape (d,
+    3).
 
     spectrum : has `density`; omega : (q,) rising, close enough for D
     drift : (q, 3) of long-crested waves, or (q, 2, 3) `signed_means` of short-crested ones.  Waves beyond omega are
@@ -140,7 +141,7 @@ def force_spectrum(spectrum, omega, drift, difference):
 
 
 def signed_products(drift, weights=(1.0,)):
-    """(q, 4, 3, 3) means over the headings of √(D_a D_b) of the parts of D_a and D_b of either sign
+    """Means over the headings of √(D_a D_b) of the parts of D_a and D_b of either sign; shape (q, 4, 3, 3)
 
     In the order ++, +−, −+, −−; drift : (q, p, 3); weights : (p,) or (q, p) shares of the energy per heading
     """
@@ -148,7 +149,8 @@ def signed_products(drift, weights=(1.0,)):
 
 
 def signed_pairs(drift):
-    """(q, p, 4, 3, 3) √(D_a D_b) of the parts of drift (q, p, 3) of either sign, as in `signed_products`"""
+    """Products √(D_a D_b) of the parts of drift (q, p, 3) of either sign, as in `signed_products`; shape (q, p, 4, 3,
+    3)"""
     roots = np.moveaxis(np.sqrt(signed(drift)), 2, 0)
     return np.stack([np.einsum("qpa,qpb->qpab", a, b) for a in roots for b in roots], axis=2)
 
@@ -188,7 +190,7 @@ def slow_parts(body, spectrum, omega, heading, parts, weights):
 
 
 def cross_spectrum(spectrum, omega, products, difference):
-    """(d, 3, 3) cross spectral densities of slow forces; products : `signed_products` at omega
+    """Cross spectral densities of slow forces; shape (d, 3, 3); products : `signed_products` at omega
 
     In phase: T_ij of two forces in one pair of waves have no lag by Newman's rule.  Its diagonal is `force_spectrum`.
     """
@@ -198,7 +200,7 @@ def cross_spectrum(spectrum, omega, products, difference):
 
 
 def _over_pairs(spectrum, omega, values, difference):
-    """(d, c) 8 ∫ S(ω) S(ω + Δω) v(ω) v(ω + Δω) dω of values (q, c)"""
+    """Integrals 8 ∫ S(ω) S(ω + Δω) v(ω) v(ω + Δω) dω of values (q, c); shape (d, c)"""
     first = values * np.asarray(spectrum.density(omega))[:, None]
     result = np.zeros((len(np.atleast_1d(difference)), first.shape[1]))
     for i, step in enumerate(np.atleast_1d(difference)):
@@ -210,7 +212,8 @@ def _over_pairs(spectrum, omega, values, difference):
 
 
 def force_spectrum_with(bound, spectrum, omega, drift, difference, met=None):
-    """(d, 6) as `force_spectrum` of long-crested waves, with the force of their bound waves: 8 ∫ S S |T|² dω
+    """Spectral density of the slow force of long-crested waves, as `force_spectrum`, with the force of their bound
+    waves: 8 ∫ S S |T|² dω; shape (d, 6)
 
     bound : T of them as a function of two frequencies, `bound_wave_drift.BoundWaveForces`; drift : (q, 3), in surge,
     sway and yaw, for Newman's part; met : frequency at which a body on a current meets waves, a function of the wave
@@ -271,7 +274,7 @@ def half_waves(elevation, step, amplitude="extreme") -> HalfWaves:
 
 
 def half_wave_drift(waves, omega, drift, t):
-    """(s, 3) drift force record at times t (s,), N, N, N m; zero outside the half waves.
+    """Record of the drift force at times t (s,), s, N, N, N m; shape (s, 3); zero outside the half waves.
 
     waves : from `half_waves`; omega : (q,) rad/s, drift : (q, 3) mean drift there.  Beyond omega D keeps its end
     values: half waves scatter far more in frequency than the spectrum.
@@ -285,7 +288,7 @@ def half_wave_drift(waves, omega, drift, t):
 
 
 def _own(body, omega, direction):
-    """(n, 3) D at pairs of frequency and direction, by a spline over directions at most 5° apart"""
+    """Drift D at pairs of frequency and direction, by a spline over directions at most 5° apart; shape (n, 3)"""
     from scipy.interpolate import CubicSpline
 
     offset = np.mod(direction - direction[0] + np.pi, 2 * np.pi) - np.pi
@@ -296,7 +299,8 @@ def _own(body, omega, direction):
 
 
 def sums(rows, omega, t):
-    """(r, s) Σᵢ rowsᵢ exp(−iωᵢt); for equal steps t = t₁ + t₂ splits every phase into a coarse and a fine one"""
+    """Sums Σᵢ rowsᵢ exp(−iωᵢt); shape (r, s); for equal steps t = t₁ + t₂ splits every phase into a coarse and a fine
+    one"""
     step = np.diff(t)
     if len(t) > 2 * ROWS and np.ptp(step) <= 1e-9 * np.abs(t).max():
         fine = int(np.ceil(np.sqrt(len(t))))

@@ -129,14 +129,15 @@ def _ratio(a, b):
 
 
 def _share(step, answer):
-    """(n,) of the damping found in the next guess: secant in logarithms; ⅔ for quadratic drag, as σ_v ∝ damping^−½"""
+    """Share of the damping found in the next guess: secant in logarithms; ⅔ for quadratic drag, as σ_v ∝ damping^−½;
+    shape (n,)"""
     moved = (step > 0) & (answer > 0) & (np.abs(step - 1) > 1e-12)
     slope = np.log(np.where(moved, answer, 1.0)) / np.log(np.where(moved, step, 2.0))
     return np.where(moved, 1 / (1 - np.clip(slope, -3.0, 0.5)), 2 / 3)
 
 
 def _damping(body, sea, laws, step):
-    """(n,) damping at the motion of a body that already has some damping; step : degrees between directions"""
+    """Damping at the motion of a body that already has some damping; shape (n,); step : degrees between directions"""
     omega = frequencies(body, sea.spectrum.density)
     heading, weights = directions(sea, omega, step)
     X, density = body.motions(omega, heading), sea.spectrum.density(omega)

@@ -52,7 +52,8 @@ def along_waves(body, omega, heading):
 
 
 def of_current(body, coefficients):
-    """(…, 3) B V of B (…, 3, 2) on the current of an `on_current.body.OnCurrent`, 0 in still water"""
+    """Damping force B V of B (…, 3, 2) on the current of an `on_current.body.OnCurrent`, 0 in still water; shape (…,
+    3)"""
     carrier = carrier_of_body(body)
     return coefficients @ np.array((0.0, 0.0) if carrier is None else carrier.velocity)
 
@@ -73,7 +74,7 @@ def _damping(body, omega, heading, value, by_omega, by_heading):
 
 
 def from_slopes(omega, heading, k, depth, value, by_omega, by_heading):
-    """(q, p, …, 2) B from the drift D (q, p, …) and its derivatives per rad/s and per rad."""
+    """Damping B from the drift D (q, p, …) and its derivatives per rad/s and per rad; shape (q, p, …, 2)."""
     omega, heading = np.asarray(omega, float), np.atleast_1d(heading)
     n = group_factor(k, depth)
     group_speed = n * omega / k
@@ -87,7 +88,8 @@ def from_slopes(omega, heading, k, depth, value, by_omega, by_heading):
 
 
 def mean_damping(omega, coefficients, density, weights=(1.0,)):
-    """(3, 2) N s/m and N m s/m in irregular waves: 2 ∫ Σ_β w_β B S dω; arguments as in `drift.mean_in_sea`."""
+    """Mean damping, N s/m and N m s/m, in irregular waves: 2 ∫ Σ_β w_β B S dω; shape (3, 2); arguments as in
+    `drift.mean_in_sea`."""
     return 2 * np.trapezoid(over_headings(coefficients, weights) * np.reshape(density, (-1, 1, 1)), omega, axis=0)
 
 

@@ -140,7 +140,7 @@ def _renamed(path, data, name, more=()):
 
 
 def _towards(data, name, axis):
-    """(m,) rad clockwise from north that waves travel to"""
+    """Direction, clockwise from north, that waves travel to, rad; shape (m,)"""
     if name == "d2fd":
         count = data.sizes[axis]
         return (np.arange(count) + 0.5) * (2 * np.pi / count)

@@ -44,7 +44,7 @@ class Shallow(Spectrum):
 
     @cached_property
     def _edges(self):
-        """(e,) rad/s, edges of panels from where S vanishes to where Φ is 1"""
+        """Edges of panels from where S vanishes to where Φ is 1, rad/s; shape (e,)"""
         low = 0.3 * self.peak_omega
         high = max(np.sqrt(DEEP * self.gravity / self.depth), 2.0 * self.peak_omega)
         between = np.geomspace(low, high, 2 + int(STEPS * np.log(high / low)))

@@ -45,7 +45,7 @@ class Swan:
         return int(word)
 
     def numbers(self, count, thing):
-        """(count,) numbers from as many lines as needed
+        """Numbers from as many lines as needed; shape (count,)
 
         SWAN writes remarks after a single number, none among many: there a word is a fault; otherwise the next line,
         which may be a time, would be read in its place.
@@ -122,7 +122,7 @@ class Swan:
         raise TableError(f"{self.path} has no time {time}; it has {', '.join(seen[:6])}")
 
     def block(self, head):
-        """(n, columns) numbers of one location, of the first quantity if there are directions; else None"""
+        """Numbers of one location, of the first quantity if there are directions; shape (n, columns); else None"""
         found = self.part(head)
         for _ in head["QUANT"][1:] if "angle" in head and found is not None else ():
             self.part(head)

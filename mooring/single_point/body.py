@@ -88,7 +88,7 @@ class SinglePoint:
 
     @cached_property
     def inverse(self):
-        """(3, 3) of the mass"""
+        """Inverse of the mass matrix; shape (3, 3)"""
         return np.linalg.inv(self.mass)
 
     @cached_property
@@ -109,12 +109,13 @@ class SinglePoint:
 
     @cached_property
     def origin(self):
-        """(2,) m, the buoy without the body"""
+        """Place of the buoy without the body, m; shape (2,)"""
         return self.at_rest.position[0, :2]
 
     @cached_property
     def apex(self):
-        """(2,) m in the body's axes, ahead, where two taut hawsers meet; the attachment of a single hawser"""
+        """Point in the body's axes, ahead, where two taut hawsers meet, m; shape (2,); the attachment of a single
+        hawser"""
         if len(self.ends) == 1:
             return self.ends[0]
         (p, q), (a, b) = self.ends, self.lengths
@@ -177,7 +178,8 @@ class SinglePoint:
         return min(found, key=lambda one: one[0])[1]
 
     def stiffness(self, heading, held: Hold):
-        """(3, 3) N/m, N … minus the derivatives of a Hold's force by the body's place in space and its heading
+        """Stiffness, N/m, N: minus the derivatives of a Hold's force by the body's place in space and its heading;
+        shape (3, 3)
 
         A taut hawser turns about its end on the body until the lines pull along it, so that it yields sideways.
         """
@@ -251,18 +253,18 @@ class SinglePoint:
 
 
 def _turned(heading):
-    """(2, 2) from axes of the body into space"""
+    """Vector of two components, turned from the axes of the body into space; shape (2,)"""
     c, s = cos(heading), sin(heading)
     return np.array([[c, -s], [s, c]])
 
 
 def _with_moment(force, arm):
-    """(3,) of a force (2,) in axes of the body that acts at (2,) m"""
+    """Force and moment of a force (2,) in axes of the body that acts at (2,), m; shape (3,)"""
     return np.array([force[0], force[1], arm[0] * force[1] - arm[1] * force[0]])
 
 
 def planar_mass(own, length, beam, added, gyration=None):
-    """(3, 3) kg, kg m² of slow surge, sway and yaw about the centre of mass.
+    """Mass matrix of slow surge, sway and yaw about the centre of mass, kg, kg m²; shape (3, 3).
 
     own : kg; length, beam : m; added : (3,) added mass over the mass, and added inertia over the moment of inertia
     gyration : m, in yaw, of a uniform box if not given
@@ -272,6 +274,7 @@ def planar_mass(own, length, beam, added, gyration=None):
 
 
 def planar_mass_stored(reader):
-    """(3, 3) kg, kg m, kg m² of slow surge, sway and yaw of a `bem.database.reader.Reader`, with its added mass"""
+    """Mass matrix of slow surge, sway and yaw of a `bem.database.reader.Reader`, with its added mass, kg, kg m, kg m²;
+    shape (3, 3)"""
     body, plane = reader.floating(), [0, 1, 5]
     return (body.inertia + body.held_added_mass(0.0)[0])[np.ix_(plane, plane)]

@@ -48,7 +48,7 @@ class Slewing(NamedTuple):
 
 
 def moored_quartic(m: Lateral):
-    """(…, 5) coefficients 1, A, B, C, D of a body moored in a steady stream (eq. after 3.6.18)"""
+    """Coefficients 1, A, B, C, D of a body moored in a steady stream (eq. after 3.6.18); shape (…, 5)."""
     M, I, F, a, L = m.mass, m.inertia, m.pull, m.arm, m.length
     A = -m.Y_v / M - m.N_r / I
     B = (m.Y_v * m.N_r - m.Y_r * m.N_v) / (M * I) + F / (L * I) * (I / M + a * a + a * L) - m.N_psi / I
@@ -64,19 +64,19 @@ def undamped(quartic):
 
 
 def routh_hurwitz(quartic):
-    """(…) whether all roots have negative real parts: A, B, C, D > 0 and ABC − C² − A²D > 0 (3.6.18)"""
+    """Whether all roots have negative real parts; shape (…): A, B, C, D > 0 and ABC − C² − A²D > 0 (3.6.18)"""
     _, A, B, C, D = np.moveaxis(np.asarray(quartic, float), -1, 0)
     return (A > 0) & (B > 0) & (C > 0) & (D > 0) & (A * B * C - C * C - A * A * D > 0)
 
 
 def undamped_stable(quartic):
-    """(…) whether the undamped motion stays bounded: B > 0, D > 0, B² − 4D > 0 (3.6.21)"""
+    """Whether the undamped motion stays bounded; shape (…): B > 0, D > 0, B² − 4D > 0 (3.6.21)"""
     _, _, B, _, D = np.moveaxis(np.asarray(quartic, float), -1, 0)
     return (B > 0) & (D > 0) & (B * B - 4 * D > 0)
 
 
 def roots(quartic):
-    """(…, 4) roots λ, 1/s, as eigenvalues of the companion matrix, the largest real part first"""
+    """Roots λ, 1/s, as eigenvalues of the companion matrix, the largest real part first; shape (…, 4)"""
     q = np.asarray(quartic, float)
     companion = np.zeros((*q.shape[:-1], 4, 4))
     companion[..., 0, :] = -q[..., 1:] / q[..., :1]
@@ -85,7 +85,8 @@ def roots(quartic):
 
 
 def falling(values):
-    """(…, n) complex numbers by real part, the largest first; in a pair, the one with positive imaginary part first"""
+    """Complex numbers sorted by real part, the largest first; shape (…, n); in a pair, the one with positive imaginary
+    part first"""
     order = np.lexsort((-values.imag, -values.real), axis=-1)
     return np.take_along_axis(values, order, axis=-1)
 

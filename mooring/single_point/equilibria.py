@@ -52,12 +52,12 @@ class Equilibrium:
 
     @property
     def state(self):
-        """(6,) of `slewing.rates`"""
+        """State as in `slewing.rates`; shape (6,)"""
         return at_rest_state(self.point, self.place, self.heading)
 
     @cached_property
     def roots(self):
-        """(6,) λ of small motions, 1/s, the fastest growing first"""
+        """Roots λ of small motions, 1/s, the fastest growing first; shape (6,)"""
         return falling(np.linalg.eigvals(linearised(self.point, self.state, Hold(-self.force, self.hawser, self.buoy))))
 
     @cached_property
@@ -84,7 +84,7 @@ class Equilibrium:
 
     @cached_property
     def quartic(self):
-        """(5,) coefficients of the criterion, None if `lateral` is"""
+        """Coefficients of the criterion, shape (5,); None if `lateral` is"""
         return None if self.lateral is None else moored_quartic(self.lateral)
 
 
@@ -119,7 +119,7 @@ def _why_none(point):
 
 
 def headings_of_rest(loads, end):
-    """(k,) rad, all headings at which loads have zero moment about the point (2,) m of the body"""
+    """All headings at which loads have zero moment about the point (2,) m of the body, rad; shape (k,)"""
     return zeros(lambda psi: _about(loads.at_rest(psi), end))
 
 
@@ -132,7 +132,8 @@ def _about(force, end):
 
 
 def _supports(point):
-    """(point of the body, hawser length from it, its number) of each possible carrier of the pull; number −1 of both"""
+    """Return (point of the body, hawser length from it, its number) of each possible carrier of the pull; number −1 of
+    both"""
     if len(point.ends) == 2:
         yield point.apex, 0.0, -1
     for i, (end, length) in enumerate(zip(point.ends, point.lengths, strict=True)):
@@ -140,7 +141,8 @@ def _supports(point):
 
 
 def _tensions(point, force, end, length, which):
-    """(k,) N of the hawsers under a force (3,) of the loads; None in case of compression, or if the other is taut"""
+    """Tensions of the hawsers under a force (3,) of the loads, N; shape (k,); None in case of compression, or if the
+    other is taut"""
     F = np.hypot(*force[:2])
     if not F > 0:
         return None

@@ -42,8 +42,8 @@ class Cycle(NamedTuple):
 
 
 def line_tensions(point: SinglePoint, buoy, height=None):
-    """(n, lines) N, the larger of both ends, with the buoy at (n, 2) m; height : (n,) m of the buoy, None to compute
-    the height"""
+    """Tension of each line, N, the larger of both ends, with the buoy at (n, 2), m; shape (n, lines); height : (n,), m,
+    of the buoy, None to compute the height"""
     system, turn = point.system, point.system.pose.turn
     z = np.full(len(buoy), system.bodies[0].position[2]) if height is None else np.asarray(height, float)
     if height is None and "Heave" in system.bodies[0].freedom:
@@ -58,7 +58,7 @@ def line_tensions(point: SinglePoint, buoy, height=None):
 
 
 def _uniform_rows(system, places, turn):
-    """(n, lines, …) rows of `System.load` with the buoy at (n, 3) m, all at once"""
+    """Rows of `System.load` with the buoy at (n, 3) m, all at once; shape (n, lines, …)"""
     from ..lines.system.assembly import uniform_rows
 
     arrays, n = system.arrays, len(places)
@@ -87,7 +87,7 @@ def cycle(time, heading) -> Cycle:
 
 
 def wave_deviations(record, after):
-    """(6,) m, rad: standard deviations of surge, sway, heave, roll, pitch and yaw in waves, from `after` s on
+    """Standard deviations of surge, sway, heave, m, roll, pitch and yaw, rad, in waves, from `after`, s, on; shape (6,)
 
     Surge and sway are along and across the hull at its slow heading; nan if the record ends earlier
     """

@@ -76,11 +76,12 @@ class WaterLoad:
 
     @property
     def velocity(self):
-        """(2,) m/s of the current in space"""
+        """Velocity of the current in space, m/s; shape (2,)"""
         return self.speed * np.array([np.cos(self.direction), np.sin(self.direction)])
 
     def force(self, u, v, r):
-        """(3,) N, N, N m at a velocity through the water along and across the body, m/s, and a yaw rate, rad/s"""
+        """Force, N, N, N m, at a velocity through the water along and across the body, m/s, and a yaw rate, rad/s;
+        shape (3,)"""
         V = np.hypot(u, v)
         out = np.zeros(3)
         if V > 0:
@@ -112,7 +113,7 @@ class Loads:
     drift: DriftLoad | None = None
 
     def at_rest(self, heading):
-        """(n, 3) N, N, N m in axes of the body at rest at headings (n,), rad"""
+        """Force, N, N, N m, in axes of the body at rest at headings (n,), rad; shape (n, 3)"""
         heading, water = np.asarray(heading, float), self.water
         stream = water.direction - heading
         total = water.speed**2 * water.still.along(stream)
@@ -123,7 +124,7 @@ class Loads:
         return total if self.drift is None else total + self.drift.ring.along(heading)
 
     def moving(self, heading, velocity, wind_speed=None):
-        """(3,) N, N, N m at one heading, with velocities (u, v, r) through the water
+        """Force, N, N, N m, at one heading, with velocities (u, v, r) through the water; shape (3,)
 
         wind_speed : m/s at this instant, by default the mean
         """
@@ -146,7 +147,7 @@ class Loads:
 
 
 def turning_table(coefficients: TurningCoefficients, length, draft, density, count=720):
-    """(count, 5, 3) of a WaterLoad from turning tests of a box; length, draft : m; density : kg/m³
+    """Table of a WaterLoad from turning tests of a box; shape (count, 5, 3); length, draft : m; density : kg/m³
 
     Rows are angles that the water flows to: it flows past a body of drift angle β towards π − β, so that v = −V sin β.
     """
@@ -154,7 +155,7 @@ def turning_table(coefficients: TurningCoefficients, length, draft, density, cou
 
 
 def still_table(unit):
-    """(count, 5, 3) of a WaterLoad with a force independent of the yaw rate; unit : (count, 3) at 1 m/s"""
+    """Table of a WaterLoad with a force independent of the yaw rate; shape (count, 5, 3); unit : (count, 3) at 1 m/s"""
     table = np.zeros((len(unit), POWERS, 3))
     table[:, 0] = unit
     return table

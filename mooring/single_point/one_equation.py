@@ -153,7 +153,7 @@ def run_in_one(steady: Equilibrium, body: Moored, duration, step, *, components=
 
 
 def _stretch(steady, state, rope, buoy):
-    """(3,) m, additional distance of the body from its buoy when its hawser is stretched by its tension
+    """Additional distance of the body from its buoy when its hawser is stretched by its tension, m; shape (3,)
 
     and the buoy tilted accordingly
     """

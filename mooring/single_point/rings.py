@@ -14,7 +14,7 @@ WIDTHS = np.concatenate([-np.array([0.5, 0.1, 1e-3, 1e-4, 1e-5, 1e-6]), [0.0], [
 
 
 def angles(count=COUNT):
-    """(count,) rad from 0"""
+    """Angles of the table from 0, rad; shape (count,)"""
     return np.arange(count) * (2 * np.pi / count)
 
 
@@ -44,7 +44,7 @@ class Ring:
         return out
 
     def __call__(self, angle):
-        """(…) at one angle, rad"""
+        """Values of the table at one angle, rad; shape (…)"""
         place = (angle / self.step) % len(self._pieces)
         whole = int(place)
         s = (place - whole) * self.step
@@ -52,7 +52,7 @@ class Ring:
         return ((a * s + b) * s + c) * s + d
 
     def along(self, angle):
-        """(n, …) of angles (n,), rad"""
+        """Values of the table at angles (n,), rad; shape (n, …)"""
         place = np.asarray(angle, float) / self.step
         whole = np.floor(place)
         s = ((place - whole) * self.step).reshape(-1, *[1] * (self._pieces.ndim - 2))
@@ -60,7 +60,8 @@ class Ring:
         return ((at[:, 0] * s + at[:, 1]) * s + at[:, 2]) * s + at[:, 3]
 
     def crests(self):
-        """(k,) rad, rising, where a Ring of numbers has zero slope: the slope of each cubic is a parabola"""
+        """Angles, rising, where a Ring of numbers has zero slope, rad; shape (k,): the slope of each cubic is a
+        parabola"""
         a, b, c = self._pieces[:, :3].T
         with np.errstate(divide="ignore", invalid="ignore"):
             root = np.sqrt(b * b - 3 * a * c)

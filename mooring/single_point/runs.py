@@ -40,7 +40,7 @@ class Times:
     seed: int = 1
 
     def begin(self, steady):
-        """(6,) initial state near an Equilibrium"""
+        """Initial state near an Equilibrium; shape (6,)"""
         return turned_state(steady.point, steady.state, self.offset)
 
 

@@ -13,7 +13,8 @@ SIGNIFICANT = 2 / 3  # fraction of the amplitude that is added to the steady val
 
 
 def length_without_uplift(tension, weight, height):
-    """(…) m; tension : N at the top, weight : N/m in water, height : m.  Raises ValueError for a line too heavy."""
+    """Length without uplift of the anchor, m; shape (…); tension : N at the top, weight : N/m in water, height : m.
+    Raises ValueError for a line too heavy."""
     tension = np.asarray(tension, float)
     square = height * (2 * tension / weight - height)
     if np.any(square < height**2 * (1 - 1e-12)):

@@ -38,7 +38,7 @@ class SlowMotion(NamedTuple):
 
 
 def rates(point: SinglePoint, state, wind_speed=None, near=None):
-    """(6,) rates of the state x, y, ψ, u, v, r, and the Hold of the mooring"""
+    """Rates of the state x, y, ψ, u, v, r, and the Hold of the mooring; shape (6,)"""
     x, y, heading, u, v, r = state
     held = point.hold(np.array([x, y]), heading, near)
     cos, sin = np.cos(heading), np.sin(heading)
@@ -50,7 +50,7 @@ def rates(point: SinglePoint, state, wind_speed=None, near=None):
 
 
 def accelerations(point: SinglePoint, heading, velocity, pull, wind_speed=None):
-    """(3,) rates of u, v, r under a force (3,) N, N, N m of the mooring"""
+    """Rates of u, v, r under a force (3,), N, N, N m, of the mooring; shape (3,)"""
     u, v, r = velocity
     force = point.loads.moving(heading, velocity, wind_speed) + pull
     if not point.loads.water.turning:
@@ -60,15 +60,15 @@ def accelerations(point: SinglePoint, heading, velocity, pull, wind_speed=None):
 
 
 def at_rest_state(point: SinglePoint, place, heading):
-    """(6,) state of a body at rest relative to the ground, its centre of mass at (2,) m"""
+    """State of a body at rest relative to the ground, its centre of mass at (2,), m; shape (6,)"""
     x, y = point.loads.water.velocity
     cos, sin = np.cos(heading), np.sin(heading)
     return np.array([*place, heading, -cos * x - sin * y, sin * x - cos * y, 0.0])
 
 
 def linearised(point: SinglePoint, state, held: Hold | None = None):
-    """(6, 6) derivatives of the `rates` at an equilibrium, by displacements (m, m, rad) and by the rates of
-    displacements.
+    """Derivatives of the `rates` at an equilibrium, by displacements, m, m, rad, and by the rates of displacements;
+    shape (6, 6).
 
     Unknowns are the place, the heading and the velocity over the ground in axes that do not turn, so that all rates are
     zero at rest.  The mooring reacts by its stiffness, loads by differences of fourth order.
@@ -173,7 +173,7 @@ def _followed(point, wind_speed=None):
 
 
 def turned_state(point: SinglePoint, state, turn):
-    """(6,) state with the body turned by `turn` rad about its attachment, at rest relative to the ground"""
+    """State with the body turned by `turn`, rad, about its attachment, at rest relative to the ground; shape (6,)"""
     x, y, heading = state[:3]
     arms = [np.array([np.cos(a) * p[0] - np.sin(a) * p[1], np.sin(a) * p[0] + np.cos(a) * p[1]])
             for p in (point.apex,) for a in (heading, heading + turn)]  # fmt: skip

@@ -57,7 +57,7 @@ class WaveBody:
     mean_omega: float
 
     def forces_at(self, place, heading, times):
-        """(m, 6) N, N m at times (m,) s on a body with constant slow place, (2,) m, and heading"""
+        """Forces, N, N m, at times (m,), s, on a body with constant slow place, (2,), m, and heading; shape (m, 6)"""
         near = at_heading(self.force, self.direction - heading)
         cos, sin = np.cos(heading), np.sin(heading)
         cx, cy = self.center

@@ -12,7 +12,7 @@ GROWS = 2  # mean periods in which waves grow to their full height
 
 
 def headings():
-    """(RING,) rad from 0, directions of the waves from the bow"""
+    """Directions of the waves from the bow, from 0, rad; shape (RING,)"""
     return np.arange(RING) * (2 * np.pi / RING)
 
 
@@ -41,12 +41,14 @@ def slow_part(motion, step, split):
 
 
 def share_of_height(time, after, mean_omega):
-    """(n,) share of the full height of waves that start at `after`, s, and grow over GROWS periods of `mean_omega`"""
+    """Share of the full height of waves that start at `after`, s, and grow over GROWS periods of `mean_omega`; shape
+    (n,)"""
     return np.clip((time - after) * mean_omega / (2 * np.pi * GROWS), 0.0, 1.0)
 
 
 def at_heading(ring, turn):
-    """(m, …) of tables (RING, …), or of one for each angle (m, RING, …), at angles (m,) rad from the bow; linear"""
+    """Values of tables (RING, …), or of one for each angle (m, RING, …), at angles (m,), rad, from the bow; shape (m,
+    …); linear"""
     place = np.mod(turn, 2 * np.pi) * (RING / (2 * np.pi))
     low = np.floor(place).astype(int)
     share = (place - low)[:, None]
@@ -57,7 +59,7 @@ def at_heading(ring, turn):
 
 
 def mean_drift(forces, sea, carrier=None, depth=np.inf, gravity=9.80665):
-    """(HEADINGS, 3) N, N, N m of mean drift in axes of the body, at headings from 0 all round, in a `Sea`.
+    """Mean drift in axes of the body, at headings from 0 all round, in a `Sea`, N, N, N m; shape (HEADINGS, 3).
 
     forces : `mooring.motion.wave_loads.WaveForces` with drift
     carrier : `mooring.on_current.waves.Carrier` of the waves in `depth` m, which gives D + B V; or None

@@ -55,7 +55,7 @@ def straight_line(m: Lateral, speed):
 
 
 def changes(m: Lateral, lengths):
-    """(k,) m, between rising lengths (n,) m, at which a line becomes stable or unstable"""
+    """Lengths between rising lengths (n,), m, at which a line becomes stable or unstable, m; shape (k,)"""
     from scipy.optimize import brentq
 
     def margin(length):

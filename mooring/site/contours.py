@@ -38,7 +38,7 @@ class JointLaw(NamedTuple):
     highest: float
 
     def height(self, probability):
-        """(…) m, not exceeded by that share of the seas"""
+        """Height that that share of the seas does not exceed, m; shape (…)"""
         low, scale, shape = self.weibull
         return low + scale * (-np.log1p(-np.asarray(probability, float))) ** (1 / shape)
 
@@ -123,7 +123,7 @@ def _weibull(heights, share):
 
 
 def _centers(heights, weibull):
-    """(n,) m, mean height within each class by its distribution"""
+    """Mean height within each class by its distribution, m; shape (n,)"""
     (low, scale, shape), ends = weibull, _edges(heights)
     fine = ends[:-1, None] + np.diff(ends)[:, None] * np.linspace(0, 1, PARTS + 1)
     left = np.exp(-((np.maximum(fine - low, 0.0) / scale) ** shape))
@@ -133,7 +133,7 @@ def _centers(heights, weibull):
 
 
 def _of_periods(scatter, share, heights):
-    """(a₁, a₂, a₃) and (b₁, b₂, b₃) of the largest likelihood of the period classes at each height"""
+    """Coefficients (a₁, a₂, a₃) and (b₁, b₂, b₃) of the largest likelihood of the period classes at each height"""
     from scipy.optimize import minimize
     from scipy.special import ndtr
 

@@ -37,11 +37,11 @@ class ExtremeFit(NamedTuple):
     maxima: np.ndarray
 
     def value(self, period):
-        """(…) x_R of return periods in years, above 1"""
+        """X_R of return periods in years, above 1; shape (…)"""
         return _value(self.family, (self.location, self.scale, self.shape), _checked(period))
 
     def interval(self, period, confidence=0.9, samples=SAMPLES):
-        """(low, high) of x_R for one return period in years.  The same fit has the same interval.
+        """Interval (low, high) of x_R for one return period in years.  The same fit has the same interval.
 
         raises : ValueError for a confidence outside 0.5 to 0.99
         """
@@ -95,12 +95,12 @@ def fit_extremes(maxima, family="gumbel"):
 
 
 def plotting_positions(count):
-    """(count,) probabilities of sorted maxima on probability paper (Gringorten, 1963)"""
+    """Probabilities of sorted maxima on probability paper (Gringorten, 1963); shape (count,)"""
     return (np.arange(1, count + 1) - GRINGORTEN) / (count + 1 - 2 * GRINGORTEN)
 
 
 def _pivotal(drawn, place, reduced, tails):
-    """(low, high) of b + s·reduced for Gumbel's b, s, from standard samples (m, n)"""
+    """Interval (low, high) of b + s·reduced for Gumbel's b, s, from standard samples (m, n)"""
     b, s = _likely_fit(drawn)
     low, high = np.quantile((b + s * reduced - reduced) / s, tails)
     value = place[0] + place[1] * reduced

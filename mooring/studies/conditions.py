@@ -122,21 +122,21 @@ class Afloat(NamedTuple):
 
     @property
     def axes(self):
-        """(3, 3) matrix whose columns are the axes of the body in space"""
+        """Matrix whose columns are the axes of the body in space; shape (3, 3)"""
         return rotation(0.0, 0.0, self.heading)
 
     @property
     def position(self):
-        """(6,) m and rad, of its `MooredBody` at rest"""
+        """Position, m and rad, of its `MooredBody` at rest; shape (6,)"""
         return np.array([*(self.axes @ self.rotation_center + (*self.place, 0.0)), 0.0, 0.0, self.heading])
 
     def own(self, point):
-        """(3,) m, a point of space in the hull's own coordinates"""
+        """A point of space in the hull's own coordinates, m; shape (3,)"""
         return (np.asarray(point, float) - (*self.place, 0.0)) @ self.axes
 
 
 def afloat(db, hull, name="body"):
-    """(`Afloat`, …) of the moving bodies of a database, in its order.
+    """Return an `Afloat` for each moving body of a database, in its order.
 
     hull : ExposedBox of one body, called `name`; of several {name: ExposedBox}
     """
@@ -155,7 +155,8 @@ def alone(body, hull, name="body"):
 
 
 def in_motions(stiffness, hulls):
-    """(n, n) about the axes of the motions, from (n, n) about space axes, for hulls one after another"""
+    """Matrix about the axes of the motions, from a matrix (n, n) about space axes, for hulls one after another; shape
+    (n, n)"""
     if len(hulls) == 1 and not hulls[0].heading:
         return stiffness
     turn = axes_in_space([one.heading for one in hulls])

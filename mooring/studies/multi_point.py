@@ -85,34 +85,34 @@ class MultiPoint:
 
     @cached_property
     def steady_force(self):
-        """(n,) N, N m, sum of the steady loads"""
+        """Sum of the steady loads, N, N m; shape (n,)"""
         return sum(self.loads.values(), np.zeros(len(self.amplitudes)))
 
     @cached_property
     def displacement(self):
-        """(3,) m, m, rad: surge, sway and yaw of each body under the steady forces"""
+        """Displacement of surge, sway and yaw of each body under the steady forces, m, m, rad; shape (3,)"""
         return self._moved[:, PLANE].ravel()
 
     @cached_property
     def heel(self):
-        """(2,) rad: roll and pitch of each body under the steady forces"""
+        """Roll and pitch of each body under the steady forces, rad; shape (2,)"""
         return self._moved[:, 3:5].ravel()
 
     @cached_property
     def _moved(self):
-        """(b, 6)"""
+        """Poses of the bodies, moved by their displacements; shape (b, 6)"""
         moved = self.equilibrium.position - self.rest.position
         moved[:, 5] -= 2 * np.pi * np.round(moved[:, 5] / (2 * np.pi))
         return moved
 
     @cached_property
     def tension(self):
-        """(n,) N, largest at each fairlead"""
+        """Largest tension at each fairlead, N; shape (n,)"""
         return self.extreme.tension_b
 
     @property
     def utilisation(self):
-        """(n,) largest tension over breaking load; infinite beyond reach, nan without a breaking load"""
+        """Largest tension over breaking load; shape (n,); infinite beyond reach, nan without a breaking load"""
         return self.extreme.utilisation
 
 
@@ -234,7 +234,7 @@ def line_ends(state):
 
 
 def outward_directions(state):
-    """(n, 2) unit vectors from anchor to fairlead; a line above its anchor has no direction and uses +x"""
+    """Unit vectors from anchor to fairlead; shape (n, 2); a line above its anchor has no direction and uses +x"""
     anchors, fairleads = line_ends(state)
     away = (fairleads - anchors)[:, :2]
     span = np.hypot(*away.T)[:, None]

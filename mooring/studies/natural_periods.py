@@ -22,7 +22,8 @@ def moored_periods(state: SystemEquilibrium, body, db):
 
 
 def periods_at_berth(moored):
-    """(3,) s of small motions of surge, sway and yaw about rest, coupled, each named by its largest share; nan: none
+    """Periods of small motions of surge, sway and yaw about rest, coupled, each named by its largest share, s; shape
+    (3,); nan: none
 
     moored : `mooring.motion.simulation.Moored`.  Friction of fenders, which prevents small motions, is neglected.
     """

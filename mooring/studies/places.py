@@ -70,7 +70,7 @@ def off_the_mesh(system, body, mesh):
 
 
 def _ends(system, hulls):
-    """(line, its other end (3,), fairlead (3,), hull) of every line end at a hull, in coordinates of the hull"""
+    """Return (line, its other end (3,), fairlead (3,), hull) of every line end at a hull, in coordinates of the hull"""
     points, bodies = {point.name: point for point in system.points}, {one.name: one for one in hulls}
     for line in system.lines:
         a, b = points[line.a], points[line.b]
@@ -81,7 +81,7 @@ def _ends(system, hulls):
 
 
 def _in_space(point, bodies):
-    """(3,) m"""
+    """A point of the hull in space, m; shape (3,)"""
     if not isinstance(point, Fairlead):
         return np.asarray(point.position, float)
     body = bodies[point.body]

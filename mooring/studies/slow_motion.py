@@ -160,7 +160,7 @@ def _modes(held, mass, damping):
 
 
 def _drift_damping(damping):
-    """(6, 6) of wave drift damping (3, 2), None for none"""
+    """Wave drift damping (3, 2), placed in the motions of the body; shape (6, 6); None for none"""
     full = np.zeros((6, 6))
     if damping is not None:
         full[np.ix_(PLANE, [0, 1])] = damping
@@ -168,7 +168,7 @@ def _drift_damping(damping):
 
 
 def _places(held, modes):
-    """(d,) rad/s, close about each resonance"""
+    """Frequencies close enough about each resonance, rad/s; shape (d,)"""
     natural = 2 * np.pi / modes.period
     high = max(differences(held)[-1], 3 * natural.max())
     steps = np.sinh(np.linspace(0, np.arcsinh(100.0), ABOUT))
@@ -180,7 +180,7 @@ def _places(held, modes):
 
 
 def _forms_of(drift, modes, mass, damping, stiffness):
-    """(3, n) eigenvalues of the quadratic forms of the slow motion"""
+    """Eigenvalues of the quadratic forms of the slow motion; shape (3, n)"""
     spectrum, wide, parts = drift.mean_parts()
     finest = (2 * np.pi / modes.period * modes.ratio).min() / 2
     even = np.linspace(wide[0], wide[-1], int(np.clip(np.ptp(wide) / finest, FEWEST_WAVES, MOST_WAVES)))
@@ -192,7 +192,8 @@ def _forms_of(drift, modes, mass, damping, stiffness):
 
 
 def _eigenvalues(respond, root):
-    """(n,) of the form Σ_b Σ_± ±H_b(ω_i − ω_l) r_ib± r_lb±; respond (n, 3) at differences, root (n, 2, 3)"""
+    """Eigenvalues of the form Σ_b Σ_± ±H_b(ω_i − ω_l) r_ib± r_lb±; shape (n,); respond (n, 3) at differences, root (n,
+    2, 3)"""
     n = len(root)
     apart = np.subtract.outer(np.arange(n), np.arange(n))
     H = np.where((apart >= 0)[..., None], respond[np.abs(apart)], respond[np.abs(apart)].conj())
@@ -201,7 +202,8 @@ def _eigenvalues(respond, root):
 
 
 def _largest_of_forms(forms, gaussian, speed, seen, duration):
-    """(3,) expected largest distance from the mean, on the side where it is larger, of form and Gaussian together
+    """Expected largest distance from the mean, on the side where it is larger, of form and Gaussian together; shape
+    (3,)
 
     gaussian : (3,) variance of what is; speed : (3,) variance of the velocity
     """
@@ -225,13 +227,13 @@ def _expected_largest(values, gaussian, speed, duration):
 
 
 def _response(omega, mass, damping, stiffness):
-    """(d, 3, 3) motion of surge, sway, yaw by forces along them; the others follow"""
+    """Motions of surge, sway and yaw by forces along them; shape (d, 3, 3); the others follow"""
     w = omega[:, None, None]
     return np.linalg.inv(-(w**2) * mass - 1j * w * damping + stiffness)[:, PLANE][:, :, PLANE]
 
 
 def _estimates(force, omega, modes):
-    """(3, 2) deviation by a flat spectrum, and by a force that beats at the natural period"""
+    """Deviations by a flat spectrum, and by a force that beats at the natural period; shape (3, 2)"""
     own = np.array([np.interp(2 * np.pi / T, omega, force[:, i, i]) for i, T in enumerate(modes.period)])
     of_force = np.sqrt([np.trapezoid(force[:, i, i], omega) for i in range(3)])
     flat = np.sqrt(np.pi * own / (2 * modes.damping * modes.stiffness))
@@ -243,7 +245,8 @@ def _crossing(m0, m2):
 
 
 def _largest(sigma, period, duration):
-    """(3,) expected maxima; of a motion with fewer than three periods in `duration`, its significant amplitude"""
+    """Expected largest values; shape (3,); of a motion with fewer than three periods in `duration`, its significant
+    amplitude"""
     enough = duration / period > np.e
     period = np.where(enough, period, duration / 10)
     return np.where(enough, expected_maximum(sigma, duration, period), SIGNIFICANT * sigma)

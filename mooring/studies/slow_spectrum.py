@@ -31,7 +31,7 @@ class DriftOfSea(NamedTuple):
     heading: np.ndarray | None = None
 
     def slow_spectrum(self, difference):
-        """(d, 3, 3) N² s/rad, of moments with N m: slow drift at rising differences (d,) rad/s"""
+        """Spectrum of slow drift at rising differences (d,), rad/s, N² s/rad, of moments with N m; shape (d, 3, 3)"""
         coarse, parts = np.linspace(0.0, difference[-1], COARSE), signed_pairs(self.drift)
         of = self.body, self.spectrum, self.omega, self.heading, parts, self.weights
         found = cross_spectrum(*slow_parts(*of), coarse)
@@ -53,13 +53,14 @@ def drift_of_sea(body, sea):
 
 
 def gust_spectrum(spectrum, force, omega):
-    """(d, 3, 3) of gusts: `environment.gusts.GustSpectrum` and (3,) mean wind force N, N, N m, at omega (d,) rad/s"""
+    """Spectrum of the force of gusts; shape (d, 3, 3); gusts: `environment.gusts.GustSpectrum` and mean wind force
+    (3,), N, N, N m, at omega (d,), rad/s"""
     slope = 2 * np.asarray(force, float) / spectrum.speed
     return np.multiply.outer(spectrum.density(omega), np.outer(slope, slope))
 
 
 def wave_spectrum(body, sea, omega):
-    """(d, 3) spectrum of first-order wave forces within the stored band, at omega (d,) rad/s below its middle"""
+    """Spectrum of first-order wave forces within the stored band, at omega (d,) rad/s below its middle; shape (d, 3)"""
     inside = np.linspace(body.omega[0], max(omega[-1], body.omega[0] * 1.001), 61)
     heading, weights = directions(sea, inside)
     squares = over_headings(np.abs(body.forces(inside, heading)[:, :, PLANE]) ** 2, weights)

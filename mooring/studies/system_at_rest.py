@@ -35,7 +35,7 @@ class OffsetCurve:
 
     @property
     def restoring(self):
-        """(m,) N against the offset"""
+        """Restoring force against the offset, N; shape (m,)"""
         return -self.force[:, 0] * np.cos(self.direction) - self.force[:, 1] * np.sin(self.direction)
 
 
@@ -50,7 +50,7 @@ def body_number(system, name):
 
 
 def mooring_stiffness(state: SystemEquilibrium, body, others="free"):
-    """(6, 6) mooring stiffness of one body, without its own hydrostatics.
+    """Mooring stiffness of one body, without its own hydrostatics; shape (6, 6).
 
     others : "free", other bodies follow in their free motions; "held", they do not move
     raises : LineSystemError if a free point has no stiffness in some direction
@@ -150,8 +150,8 @@ def one_line_broken(state: SystemEquilibrium, progress=None):
 
 
 def about_body_axes(stiffness, force, R, center):
-    """(6, 6) stiffness about space axes and the origin, changed to the body's axes and the point `center` in these
-    axes.
+    """Stiffness about space axes and the origin, changed to the body's axes and the point `center` in these axes; shape
+    (6, 6).
 
     force : (3,) N in space, which turns with the change of the lever
     """

@@ -100,13 +100,14 @@ def _irregular(reader, conditions):
 
 
 def _held(body, names, values):
-    """(k, 6) of `WaveEffects.held`, from responses (c,) and their names"""
+    """Limits as in `WaveEffects.held`, from responses (c,) and their names; shape (k, 6)"""
     told = [values[names.index(name)] for name, unit, _ in told_of(body.links) if unit.startswith("N")]
     return np.array(told).reshape(-1, 6) if told else None
 
 
 def _of_moving(body, of_each):
-    """(3,) per moving body, one after another, of the drift (bodies, 3) of several; None if unknown"""
+    """Drift of the moving bodies, one after another, three each, from the drift (bodies, 3) of several; None if
+    unknown"""
     if of_each is None:
         raise BetweenError(
             'the drift of each of several bodies is known only for waves in still water; give waves = "still" '

@@ -74,7 +74,8 @@ def _is_regular(read, state):
 
 
 def _damage(read, one, curve):
-    """(2, n) damage of the lines over the service life in this weather alone, and the sum of its squares over cycles"""
+    """Damage of the lines over the service life in this weather alone, and the sum of its squares over cycles; shape
+    (2, n)"""
     life = read.project.project.service_life * YEAR
     found = [
         max(_rate(cycles, read, name, curve, load) for name in types)

@@ -86,7 +86,8 @@ def _levels(read, paths, folder):
 
 
 def _found_in(read, verdict, folder):
-    """(name of a load case, criterion) → address of the file with the number, "" for the project's, and its key"""
+    """For each (name of a load case, criterion), the address of the file with the number, "" for the project's, and its
+    key"""
     ran = {one.case.name: one for one in verdict.ran}
 
     def found(name, criterion):

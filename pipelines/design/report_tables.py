@@ -45,7 +45,7 @@ def write_tables(name, verdict, folder):
 
 
 def part_rows(verdict):
-    """(case, quantity, part, value)"""
+    """Return rows (case, quantity, part, value)"""
     for one in verdict.ran:
         for quantity, values in one.numbers.parts.items() if one.numbers else ():
             for item, value in values.items():
@@ -106,8 +106,8 @@ def _write_table(path, title, head, rows):
 
 
 def origin(read, ran, criterion):
-    """(path of a file, None for a value given in the project; its key there) of the value of a criterion in a load
-    case, a Ran"""
+    """Return (path of a file, None for a value given in the project; its key there) of the value of a criterion in a
+    load case, a Ran"""
     quantity, path = criterion.quantity, ran.path
     if quantity in OF_PROJECT:
         return None, OF_PROJECT[quantity]

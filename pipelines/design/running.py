@@ -40,12 +40,12 @@ class Ran:
 
     @property
     def largest(self):
-        """(n,) N, largest tensions, from the runs in time if there are any"""
+        """Largest tensions, from the runs in time if there are any, N; shape (n,)"""
         return self.numbers.largest if self.runs is None else self.runs["largest"][1.0]
 
     @property
     def at_anchors(self):
-        """(2, n) N, largest pull along and up at the anchors, from the runs in time if there are any"""
+        """Largest pull along and up at the anchors, from the runs in time if there are any, N; shape (2, n)"""
         found = self.numbers._asdict() if self.runs is None else self.runs
         return np.array([found["horizontal"], found["uplift"]])
 
@@ -165,7 +165,7 @@ def grouped(ran):
 
 
 def key_of(case):
-    """(state, level, directions, lost line) of a LoadCase, without the factor on its motions"""
+    """Return (state, level, directions, lost line) of a LoadCase, without the factor on its motions"""
     return case.state, case.level, case.incidence, case.wind_off, case.current_off, case.lost
 
 
@@ -244,7 +244,7 @@ def _tensions(read, ran, largest):
 
 
 def _holding(read, ran):
-    """(n,) N, anchor capacities, from the project or from the study's own [[anchors]]; None if one is unknown"""
+    """Anchor capacities, from the project or from the study's own [[anchors]], N; shape (n,); None if one is unknown"""
     anchors, names = read.project.anchors, ran.numbers.names
     if anchors is not None:
         return np.array([1e3 * anchors.lines.get(name, anchors.holding_kN) for name in names])
@@ -258,7 +258,7 @@ def _holding(read, ran):
 
 
 def _worn_loads(read, numbers):
-    """(n,) N: breaking loads of the lines minus the loss of the weakest of their chains; None without wear"""
+    """Breaking loads of the lines minus the loss of the weakest of their chains, N; shape (n,); None without wear"""
     worn = worn_diameters(read.project, read.study)
     if not worn:
         return None

@@ -90,7 +90,7 @@ def project_quantities(read):
 
 
 def side_by_side(read, cases):
-    """(RuleSet of each rule set and subject with a criterion that Cases can judge, the largest use first)
+    """The RuleSet of each rule set and subject with a criterion that Cases can judge, the largest use first
 
     As Table 4.3 of the SR179 report (1982): a rule set has several subjects, such as chain or hawser, or one of several
     kinds of anchor, each with its own row if the study has such a part.  Limits on motions apply to a ship with its

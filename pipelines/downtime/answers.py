@@ -137,7 +137,7 @@ def _by_year(down, known, hindcast, years):
 
 
 def sector_of(study, hindcast):
-    """(n,) compass sector from which the highest wave system comes, −1 for a calm"""
+    """Compass sector from which the highest wave system comes; shape (n,); −1 for a calm"""
     main = hindcast.main
     comes_from = study.hindcast.x_axis_compass_deg - np.degrees(main.direction) - 180.0
     sector = np.floor(np.mod(comes_from + SECTOR / 2, 360.0) / SECTOR).astype(int)
@@ -186,7 +186,8 @@ def _windows(study, down, known, hindcast, years):
 
 
 def _by_arrival(waited, hindcast, years):
-    """(3, 12) mean wait with its interval and (12,) what nine of ten arrivals wait at most, by month of the arrival"""
+    """Mean wait with its interval, and what nine of ten arrivals wait at most, by month of the arrival; shapes (3, 12)
+    and (12,)"""
     sure = np.isfinite(waited)
     keys = (12 * years[:, None] + np.arange(1, 13)).ravel()
     place = np.searchsorted(keys, 12 * hindcast.year + hindcast.month)

@@ -142,7 +142,7 @@ def _source(where, quantity, study, points, responses, moored):
 
 
 def used_of(limits, hours, hindcast):
-    """(n, l) utilisation of each limit in each hour, above 1 beyond the limit; nan where unknown"""
+    """Utilisation of each limit in each hour, above 1 beyond the limit; shape (n, l); nan where unknown"""
     return np.stack([_used(one.criterion, value_of(one, hours, hindcast)) for one in limits], axis=1)
 
 
@@ -154,7 +154,7 @@ def _used(criterion, value):
 
 
 def value_of(limit, hours, hindcast):
-    """(n,) values of the limited quantity, in its unit"""
+    """Values of the limited quantity, in its unit; shape (n,)"""
     quantity, statistic = limit.criterion.quantity, limit.criterion.statistic
     if limit.kind == "weather":
         return hindcast.height if quantity == "significant height" else hindcast.columns[quantity]

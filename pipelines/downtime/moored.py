@@ -121,7 +121,7 @@ def _notes(read, hindcast, found):
 
 
 def _others(read, folder, db, path, workers, say):
-    """(name, Simulated) of the alternatives of a study, and of its headings"""
+    """Return (name, Simulated) of the alternatives of a study, and of its headings"""
     table, hindcast = read.simulation, read.hindcast
     turned = [AlternativeTable(f"turned {degrees:g}°", table.study, degrees) for degrees in read.turned_deg]
     for one in (*table.alternatives, *turned):
@@ -206,7 +206,7 @@ def _limiting(read, hindcast, found):
 
 
 def crossed(height, used):
-    """(p, b) m at which ln of the utilisation (h, p, b) crosses 0, linear in ln of height (h,), else nan"""
+    """Values where ln of the utilisation (h, p, b) crosses 0, linear in ln of height (h,), m, else nan; shape (p, b)"""
     below, above = used[:-1], used[1:]
     passes = (below <= 0) & (above > 0)
     first = np.argmax(passes, axis=0)[None]

@@ -90,7 +90,7 @@ def _values(body, statistics):
 
 
 def _breaking(body):
-    """(lines,) N, nan where unknown"""
+    """Breaking loads, N; shape (lines,); nan where unknown"""
     load = [
         *(() if body.system is None else body.system.breaking_load),
         *(one.breaking_load for one in body.berth.ropes),

@@ -49,7 +49,8 @@ def record_with_passages(read, folder, depth):
 
 
 def _forces(study, distance):
-    """(p, 3) N, N, N m: largest of surge, sway and yaw at the speed of a PassingStudy, at distances (p,) m"""
+    """Largest surge, sway and yaw forces, N, N, N m, at the speed of a PassingStudy, at distances (p,), m; shape (p,
+    3)"""
     chosen = np.unique(distance)
     if len(chosen) > DISTANCES:
         chosen = np.geomspace(chosen[0], chosen[-1], DISTANCES)

@@ -223,7 +223,7 @@ def _limiting(read, record, response, limits):
 
 
 def _height(limit, hours, at_one):
-    """(g,) m at which a limit on the body is reached: all responses are proportional to the height"""
+    """Height at which a limit on the body is reached; shape (g,): all responses are proportional to the height, m"""
     if limit.kind == "response":
         room, moved = limit.criterion.limit, value_of(limit, hours, at_one)[:, None]
     else:

@@ -135,7 +135,7 @@ def _counted(row):
 
 
 def _features(hindcast, rows):
-    """(r, d) features of rows, and their height (r,) m, calms as very low seas"""
+    """Features of rows, and their height (r,) m, calms as very low seas; shape (r, d)"""
     return features(*columns_of(hindcast, rows)), np.maximum(hindcast.height[rows], QUIET)
 
 
@@ -221,7 +221,7 @@ def _run(read, record, ready, path, executor, say, there, rows):
 
 
 def _used(limits, there, rows, seeds):
-    """(s, seeds, l) of simulated limits, nan for others and for states without a result
+    """Utilisation of simulated limits; shape (s, seeds, l); nan for others and for states without a result
 
     A state whose fender or line gives way is beyond every limit, as far as the worst of the others and OVERLOADED.
     """

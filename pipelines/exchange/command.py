@@ -82,7 +82,8 @@ def export(database, to, output, fresh):
 
 
 def _hulls(values):
-    """("", PanelMesh) of a body, or of each of several ("_barge", along the axes of the scene about its own point)"""
+    """Return ("", PanelMesh) of a body, or ("_barge", PanelMesh along the axes of the scene about its own point) of
+    each of several"""
     for i, body in enumerate(values.bodies):
         yield f"_{body.name}", values.mesh.of_body(i).whole().moved(*np.negative(body.rotation_center))
     if not values.bodies:

@@ -151,7 +151,7 @@ def body_(
 
 
 def _from_to(text):
-    """(low, high) in rad/s from a text such as "0.2:1.5"; an omitted bound is None.  Raises ValueError."""
+    """Return (low, high), rad/s, from a text such as "0.2:1.5"; an omitted bound is None.  Raises ValueError."""
     low, colon, high = (text or ":").partition(":")
     try:
         found = float(low or 0.0), float(high or "inf")
@@ -163,7 +163,7 @@ def _from_to(text):
 
 
 def _three(flag, text):
-    """(3,) finite numbers of a flag, or None.  Raises ValueError."""
+    """Finite numbers of a flag; shape (3,); or None.  Raises ValueError."""
     from math import isfinite
 
     from ..scene.scene import numbers

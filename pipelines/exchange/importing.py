@@ -147,7 +147,7 @@ def _remarks(place, said, values):
 
 
 def _sizes(values):
-    """(6,) largest added mass of each motion"""
+    """Largest added mass of each motion; shape (6,)"""
     return np.abs(np.diagonal(values.get("added_mass"), axis1=1, axis2=2)).max(axis=0)
 
 

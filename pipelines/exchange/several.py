@@ -109,7 +109,7 @@ def _together(parts, radiation):
 
 
 def _blocks(matrices):
-    """(6N, 6N) with (6, 6) matrices on its diagonal"""
+    """Matrix (6N, 6N) with matrices (6, 6) on its diagonal"""
     total = np.zeros((6 * len(matrices),) * 2)
     for i, matrix in enumerate(matrices):
         total[6 * i : 6 * i + 6, 6 * i : 6 * i + 6] = matrix

@@ -135,7 +135,8 @@ def surface(waves, x, y):
 
 
 def _shapes(system, ropes, center, motion):
-    """(lines × POINTS, 3) m of lines, and of ropes as straight, with the body displaced by `motion` (6,)"""
+    """Points of lines, and of ropes as straight, with the body displaced by `motion` (6,), m; shape (lines × POINTS,
+    3)"""
     from hakobune.mooring.lines.system.equilibrium import held_at, rest
     from hakobune.mooring.lines.system.shapes import line_shapes
 

@@ -28,13 +28,13 @@ class Moored(NamedTuple):
     ends: list
 
     def poses(self, motion):
-        """(N, 6) of the motion (6N,) of a frame"""
+        """Poses of the bodies from the motion (6N,) of a frame; shape (N, 6)"""
         from hakobune.mooring.motion.simulation.realisation import poses_of
 
         return poses_of(motion, self.at_rest)
 
     def threads(self, motion):
-        """(lines × POINTS, 3) m, places along the lines while the bodies are displaced by their motions (6N,)"""
+        """Places along the lines while the bodies are displaced by their motions (6N,), m; shape (lines × POINTS, 3)"""
         from hakobune.mooring.lines.system.equilibrium import held_at, rest
         from hakobune.mooring.lines.system.shapes import line_shapes
 
@@ -77,7 +77,7 @@ def scene_of_several(file):
 
 
 def _placed(moored, still, moving, motion):
-    """(n, bodies, 6) poses of all bodies, also of those that are fixed, of motions (n, 6N)"""
+    """Poses of all bodies, also of those that are fixed, of motions (n, 6N); shape (n, bodies, 6)"""
     out = np.tile(still, (len(motion), 1, 1))
     out[:, moving] = [moored.poses(one) for one in motion]
     return out

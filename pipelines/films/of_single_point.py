@@ -53,7 +53,7 @@ def film_of_single_point(path, output, start=None, length=None, step=None):
 
 
 def _at(values, time, at):
-    """(n, …) of a record (t, …) at times (n,)"""
+    """Values of a record (t, …) at times (n,); shape (n, …)"""
     flat = values.reshape(len(time), -1)
     return np.column_stack([np.interp(at, time, column) for column in flat.T]).reshape(len(at), *values.shape[1:])
 

@@ -51,13 +51,13 @@ class Scene(NamedTuple):
 
 
 def straight(one, other):
-    """(ropes × POINTS, 3) m along ropes between points (ropes, 3)"""
+    """Places along ropes between points (ropes, 3), m; shape (ropes × POINTS, 3)"""
     along = np.linspace(0, 1, POINTS)[:, None]
     return np.concatenate([np.empty((0, 3)), *(a + (b - a) * along for a, b in zip(one, other, strict=True))])
 
 
 def moved(center, motion):
-    """(n, 1, 6) poses of one hull by its motions (n, 6), for `frames`"""
+    """Poses of one hull by its motions (n, 6), for `frames`; shape (n, 1, 6)"""
     return (np.asarray(motion) + [*center, 0.0, 0.0, 0.0])[:, None]
 
 

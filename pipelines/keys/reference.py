@@ -46,7 +46,8 @@ class KeyTable(NamedTuple):
 
 @cache
 def reference(kind):
-    """(KeyTable, …) of a kind of file, in the order of its keys.  Raises ValueError for an unknown kind."""
+    """Return a KeyTable for each table of a kind of file, in the order of its keys.  Raises ValueError for an unknown
+    kind."""
     found = {}
     _walk(struct_of(kind), "", "", found)
     values = examples_of(kind)

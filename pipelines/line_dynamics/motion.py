@@ -91,7 +91,7 @@ def _harmonic(study, kind):
 
 
 def read_positions(path):
-    """(k,) s and (k, 3) m of a CSV of t,x,y,z; lines with `#`, and one line of names, are skipped.
+    """Times (k,), s, and positions (k, 3), m, of a CSV of t,x,y,z; lines with `#`, and one line of names, are skipped.
 
     raises : StudyError
     """

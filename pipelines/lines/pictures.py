@@ -138,7 +138,7 @@ def draw_frames(time, nodes, path, count=12):
 
 
 def line_plane(nodes):
-    """(f, k, 2) m: along the horizontal line through both ends at the start, and z"""
+    """Places along the horizontal line through both ends at the start, and z, m; shape (f, k, 2)"""
     along = nodes[0, -1, :2] - nodes[0, 0, :2]
     size = np.linalg.norm(along)
     along = along / size if size > 0 else np.array([1.0, 0.0])

@@ -155,5 +155,5 @@ def quantities_of_anchors(anchors, along, up):
 
 
 def _of(rows, of):
-    """(n,) of (Anchor, along, up) rows, nan without an anchor"""
+    """Values (n,) of (Anchor, along, up) rows, nan without an anchor"""
     return np.array([np.nan if row[0] is None else of(*row) for row in rows], float)

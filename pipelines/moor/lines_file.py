@@ -173,7 +173,7 @@ def _type(types, kind, stiffness, line):
 
 
 def _in_motion(kind, stiffness, line):
-    """(key, value) of a type in motion, of a LineType or a Segment; a damping BA as its share of the critical"""
+    """Return (key, value) of a type in motion, of a LineType or a Segment; a damping BA as its share of the critical"""
     from hakobune.mooring.lines.dynamics.line import DAMPED
 
     mass, own = getattr(kind, "mass", None), getattr(kind, "dynamics", None)

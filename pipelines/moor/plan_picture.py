@@ -74,9 +74,8 @@ def _outlines(result, db):
 
 
 def _outline(one, db):
-    """(k, 3) m, closed, of an `Afloat` in its own coordinates: around its waterline; without panels, or for a submerged
-    hull, its box
-    """
+    """Closed outline of an `Afloat` in its own coordinates, m; shape (k, 3): around its waterline; without panels, or
+    for a submerged hull, its box"""
     if db.mesh is not None and len(db.mesh):
         from scipy.spatial import ConvexHull
 

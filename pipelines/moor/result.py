@@ -84,7 +84,7 @@ def studied(study, db):
 
 
 def _at_anchors(made):
-    """(n,) N, largest pulls along the bed and up"""
+    """Largest pulls along the bed and up, N; shape (n,)"""
     return made.extreme.horizontal_a, -made.extreme.vertical_a
 
 

@@ -143,7 +143,7 @@ def track_of(study):
 
 
 def size(body, hull):
-    """(3,) m, length, beam and draft: as given, or of a mesh file, whose hull is whole"""
+    """Length, beam and draft, m; shape (3,): as given, or of a mesh file, whose hull is whole"""
     if body.shape == "mesh":
         length, beam = np.ptp(hull.points[:, :2], axis=0)
         return np.array([length, beam, hull.draft])

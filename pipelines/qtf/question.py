@@ -127,7 +127,7 @@ def waves_of(db, omega, heading, difference):
 
 
 def listed(flag, text):
-    """(n,) numbers of a text, `a,b,c` or `start:stop:count`.  Raises ValueError."""
+    """Numbers of a text, `a,b,c` or `start:stop:count`; shape (n,).  Raises ValueError."""
     found = numbers(flag, text)
     return np.linspace(found["from"], found["to"], found["count"]) if isinstance(found, dict) else np.array(found)
 
@@ -159,7 +159,8 @@ def _said(values):
 
 
 def multiples(low, high):
-    """(n,) multiples of a step that end at `high` and begin closest to `low`, rad/s; differences are multiples too
+    """Multiples of a step that end at `high` and begin closest to `low`, rad/s; shape (n,); differences are multiples
+    too
 
     A frequency that is also a difference is solved once.
     """

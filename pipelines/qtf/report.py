@@ -13,7 +13,7 @@ MODES = [0, 1, 5]
 
 
 def newman(forces, mode, heading):
-    """(d, n) signed √(DᵢDⱼ) of the diagonal of the squares, NaN without a pair"""
+    """Signed √(DᵢDⱼ) of the diagonal of the squares, NaN without a pair; shape (d, n)"""
     D = forces.squares[0, :, heading, heading, mode].real
     out = np.full((len(forces.frequency), len(D)), np.nan)
     for m in range(len(forces.frequency)):

@@ -90,7 +90,8 @@ def _answer(db, question, moored, fresh):
 
 
 def _stiffness(study, db):
-    """(6, 6) of the lines of a mooring study about the rotation centre, where they hold the body in its steady loads"""
+    """Stiffness of the lines of a mooring study about the rotation centre, where they hold the body in its steady
+    loads; shape (6, 6)"""
     from hakobune.mooring.studies.multi_point import multi_point
 
     from ..moor.study import read_study
@@ -129,7 +130,7 @@ def _key(part):
 
 
 def _rows(stored, sums):
-    """(heading, rad; motion; frequency, rad/s; {part: root mean square}) of equal headings"""
+    """Return rows (heading, rad; motion; frequency, rad/s; {part: root mean square}) of equal headings"""
     forces, most = stored.forces, 4 if sums else 5
     motions = [(mode, name) for mode, name in enumerate(stored.words) if sums or mode % 6 in MODES]
     straight = [mode for mode in range(len(stored.names)) if mode % 6 < (3 if sums else 2)]

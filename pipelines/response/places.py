@@ -53,7 +53,7 @@ def keel_points(table, db):
 
 
 def _bottoms(db):
-    """(name, corners (n, 3) m of the bottom in its own coordinates) of every moving body"""
+    """Return (name, corners (n, 3), m, of the bottom in its own coordinates) of every moving body"""
     if not db.bodies:
         yield "", corners_of_bottom(db.mesh.whole().points)
     for body, one in zip(db.bodies, each_body(db), strict=False):

@@ -249,7 +249,7 @@ def files_of(study, folder):
 
 
 def damping_of(where, ratios, body):
-    """(n, n) SI of ratios {motion: share of critical} of a Body.  Raises StudyError."""
+    """Damping, SI, of ratios {motion: share of critical} of a Body; shape (n, n).  Raises StudyError."""
     extra = np.zeros_like(body.damping)
     for mode, ratio in checked_ratios(where, ratios, body.words).items():
         extra[mode, mode] = ratio * body.critical_damping(mode)

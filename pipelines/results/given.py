@@ -22,7 +22,7 @@ def given(
     read: Callable[[File], tuple[Typed, str]] | None,
     make: Callable[[Tables], Typed],
 ) -> tuple[Typed, str]:
-    """(typed study, its text) of any of the three.
+    """Return (typed study, its text) of any of the three.
 
     kind : class of the typed study; read : path → both, None if there are no such files
     make : nested dictionaries → study

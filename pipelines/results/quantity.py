@@ -89,7 +89,7 @@ def quantities(table, given, *axes, record=False) -> dict[str, Quantity]:
 
 
 def read_in(unit: str, values, share=False) -> tuple[str, float]:
-    """(print unit, its size) for values in an SI unit: kN from 1 kN on, N below"""
+    """Return (print unit, its size) for values in an SI unit: kN from 1 kN on, N below"""
     name, size = READ_IN.get("%" if share else unit, (unit, 1.0))
     if size == KILO:
         finite = np.abs(values)[np.isfinite(values)]

@@ -213,7 +213,7 @@ def _largest(shown):
 
 
 def _filled(column, largest):
-    """(print units, cells) of a column; if units differ by row each row has its own, the same in all columns
+    """Return (print units, cells) of a column; if units differ by row each row has its own, the same in all columns
 
     largest : {unit: largest size in the table}, which determines the print unit, and the limit of rounding printed as 0
     """

@@ -115,7 +115,7 @@ def _check_body(key, mode, scene):
 
 
 def points_of(key, file):
-    """(n, 6 or 7) numbers in the file of a shape: x, y, z, ux, uy, uz and mass; lines of words are skipped"""
+    """Numbers in the file of a shape; shape (n, 6 or 7): x, y, z, ux, uy, uz and mass; lines of words are skipped"""
     if not Path(file).is_file():
         raise SceneError(f"{key}.file is {file!r}; there is no such file")
     rows = []

@@ -18,7 +18,7 @@ def bodies_of(scene):
 
 
 def in_scene(body, point):
-    """(3,) m in coordinates of the scene, of a point given in coordinates of a body"""
+    """Point in coordinates of the scene, m, given in coordinates of a body; shape (3,)"""
     x, y, angle = body.place[0], body.place[1], math.radians(body.place[2])
     turn = np.array([[math.cos(angle), -math.sin(angle), 0], [math.sin(angle), math.cos(angle), 0], [0, 0, 1]])
     return turn @ np.asarray(point, float) + (x, y, 0.0)

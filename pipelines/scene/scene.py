@@ -101,11 +101,11 @@ class Scene(SceneTable, dict=True):  # dict=True: derived quantities are cached 
         return not self.held and all([body.gyration is not None for body in self.bodies if not body.fixed])
 
     def omegas(self):
-        """(n,) rad/s ascending; for a band its ends"""
+        """Frequencies, ascending, rad/s; shape (n,); for a band its ends"""
         return self._omegas
 
     def headings(self):
-        """(m,) rad ascending"""
+        """Headings, ascending, rad; shape (m,)"""
         return np.radians(np.sort(listed("waves.headings_deg", self.waves.headings_deg)))
 
     def names(self):

@@ -234,7 +234,7 @@ def database_path(file):
 
 
 def whole_rows(file):
-    """(seeds,) whether a row is stored and unchanged"""
+    """Whether each row is stored and unchanged; shape (seeds,)"""
     marks = file["stored"][()]
     return np.array([bool(mark) and mark == _row_crc(file, row) for row, mark in enumerate(marks)], bool)
 

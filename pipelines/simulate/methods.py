@@ -78,7 +78,7 @@ def _constant(period):
 
 
 def _row(body, plan, changed, seed):
-    """(2, 3) significant amplitudes, m, m, rad, and periods, s; nan of too few waves"""
+    """Significant amplitudes, m, m, rad, and periods, s; shape (2, 3); nan of too few waves"""
     from hakobune.mooring.motion.simulation import simulate, with_memory
 
     settings = replace(plan.settings, **changed)

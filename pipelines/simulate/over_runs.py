@@ -23,7 +23,8 @@ MOVE = (
 
 
 def largest_in_runs(file, kind):
-    """(runs, q) largest in each run of the quantities of a kind, as "tension", and the (q,) names of their parts"""
+    """Largest value in each run of the quantities of a kind, as "tension", shape (runs, q), and the names of their
+    parts, (q,)"""
     names = [name.partition(" ") for name in file["quantity"].asstr()[()]]
     chosen = [i for i, (word, _, _) in enumerate(names) if word == kind]
     rows = file["statistics"][()][whole_rows(file)]
@@ -31,7 +32,7 @@ def largest_in_runs(file, kind):
 
 
 def used_in_runs(file):
-    """(runs, lines) largest utilisation of the breaking load in each run, nan if unknown"""
+    """Largest utilisation of the breaking load in each run, nan if unknown; shape (runs, lines)"""
     return file["used"][()][whole_rows(file)]
 
 

@@ -43,11 +43,11 @@ class Motions(NamedTuple):
 
     @property
     def named(self):
-        """(name, factor to its unit, unit) of each"""
+        """Return (name, factor to its unit, unit) of each"""
         return tuple((self.before + name, factor, unit) for name, factor, unit in MOTIONS)
 
     def of(self, file, kept):
-        """(…, n, 6) records of rows that are kept"""
+        """Records of rows that are kept; shape (…, n, 6)"""
         return file["motion"][kept][..., 6 * self.body : 6 * self.body + 6]
 
 

@@ -128,7 +128,7 @@ def simulate(asked, database, output, console, executor, seeds=None, duration=No
 
 
 def summary(file):
-    """(quantities, len(SUMMARY)) statistics over the whole rows of a file"""
+    """Statistics over the whole rows of a file; shape (quantities, len(SUMMARY))"""
     rows = file["statistics"][()][whole_rows(file)]
     out = np.full((rows.shape[1], len(SUMMARY)), np.nan)
     if not len(rows):

@@ -30,12 +30,12 @@ def stations_of(study, db):
 
 
 def told_of_stations(reader, stations):
-    """(name, unit) of the deflections and loads of beams at Stations"""
+    """Return (name, unit) of the deflections and loads of beams at Stations"""
     still = np.zeros(len(reader.words)) if stations else None
     return [(f"{one.name} {word}", unit) for one in stations for word, unit, _ in of_station(reader, still, one)]
 
 
 def loads_along(reader, stations, motion):
-    """(n, k) deflections and loads, as `told_of_stations`, along a motion (n, m) of all bodies and shapes"""
+    """Deflections and loads, as `told_of_stations`, along a motion (n, m) of all bodies and shapes; shape (n, k)"""
     found = [part for one in stations for _, _, part in of_station(reader, motion, one)]
     return np.column_stack(found) if found else np.zeros((len(motion), 0))

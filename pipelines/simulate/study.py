@@ -204,7 +204,10 @@ def _record(study, table, settings, omega, folder):
 
 
 def damping(study, body):
-    """(n, n) SI of the damping ratios and the linear damping of a study, for a Body; its springs count as restoring"""
+    """Damping, SI, of the damping ratios and the linear damping of a study, for a Body; shape (n, n)
+
+    The springs of the study count as restoring.
+    """
     if study.simulation is None:
         return np.zeros_like(body.damping)
     sprung = body.restrained(stiffness=spring(study, body.words)) if study.simulation.spring else body
@@ -246,29 +249,29 @@ def _check_damping(table, words):
 
 
 def quadratic(study, words=ONE_BODY):
-    """(n,) SI of the quadratic damping of a study"""
+    """Quadratic damping of a study, SI; shape (n,)"""
     return _by_motion("quadratic_damping", study.simulation.quadratic_damping if study.simulation else {}, words)
 
 
 def spring(study, words=ONE_BODY):
-    """(n, n) SI of the springs of a study"""
+    """Springs of a study, SI; shape (n, n)"""
     return np.diag(_by_motion("spring", study.simulation.spring if study.simulation else {}, words))
 
 
 def _start(key, values, words, shapes):
-    """(n,) m, rad or per second, of numbers in m and degrees by motion.  Raises StudyError."""
+    """Values in m and rad, or per second, from numbers in m and degrees by motion; shape (n,).  Raises StudyError."""
     found = _by_motion(key, values, words, -math.inf, 1.0)
     units = motion_units(words, shapes)
     return tuple(float(np.radians(value) if unit == "rad" else value) for unit, value in zip(units, found, strict=True))
 
 
 def motion_units(words, shapes=()):
-    """(n,) of motions called `words`, the last of which are shapes of given units"""
+    """Units of motions called `words`, the last of which are shapes of given units; shape (n,)"""
     return *MOTION_UNITS * ((len(words) - len(shapes)) // 6), *shapes
 
 
 def _by_motion(key, values, words, least=0.0, unit=1e3):
-    """(n,) SI of numbers in kN by motion, at least `least`.  Raises StudyError."""
+    """Values in SI from numbers in kN by motion, at least `least`; shape (n,).  Raises StudyError."""
     out, known = np.zeros(len(words)), [word.lower() for word in words]
     for name, value in values.items():
         if name.lower() not in known:

@@ -256,7 +256,8 @@ def simulate_seed(task, seed, kept, progress=None):
 
 
 def largest_use(body, motion, tension):
-    """(lines,) largest share of the breaking load in motion (t, n), m, rad, and tension (t, lines), N, at the body
+    """Largest share of the breaking load, at the body, in motion (t, n), m, rad, and tension (t, lines), N; shape
+    (lines,)
 
     Lines of segments include the utilisation of each segment, at the time of the largest pull on the body: below a
     submerged buoy the tension exceeds the tension at the body.
@@ -270,9 +271,9 @@ def largest_use(body, motion, tension):
 
 
 def anchor_pulls(body, motion, tension):
-    """(lines, 2) N: pull along the bed and up at the anchor of each line, where its pull on the body is largest; nan
-    for ropes.  As `largest_use`: static pulls, times the ratio of the largest tension to the static one, at least 1.
-    """
+    """Pull along the bed and up at the anchor of each line, where its pull on the body is largest, N; shape (lines, 2);
+    nan for ropes.  As `largest_use`: static pulls, times the ratio of the largest tension to the static one, at least
+    1."""
     found = np.full((tension.shape[1], 2), np.nan)
     for i in range(0 if body.system is None else len(body.system.lines)):
         lines = _at_rest_in(body, motion[tension[:, i].argmax()])
@@ -294,7 +295,7 @@ def _at_rest_in(body, motion):
 
 
 def sample_times(settings):
-    """(n,) s of the samples that are kept, after the ramp"""
+    """Times of the samples that are kept, after the ramp, s; shape (n,)"""
     whole = math.floor((settings.ramp + settings.duration) / settings.step + 1e-9) + 1
     time = settings.step * np.arange(whole) - settings.ramp
     return time[time >= -1e-9]
@@ -345,7 +346,7 @@ def _check_floats(body, hull):
 
 
 def at_rest_of(sides):
-    """(1, N, 6) poses at rest of the moving bodies"""
+    """Poses at rest of the moving bodies; shape (1, N, 6)"""
     return np.array([[[0, 0, 0, 0, 0, one.place[2]] for one in sides if one.moves >= 0]], float)
 
 

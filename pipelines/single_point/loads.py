@@ -98,7 +98,7 @@ def _block(h, density):
 
 
 def _by_yaw_rate(study, given, density, mass):
-    """(count, 3) of a WaterLoad over V (rL), from given derivatives or those of Clarke et al. (1983)"""
+    """Table (count, 3) of a WaterLoad over V (rL), from given derivatives or those of Clarke et al. (1983)"""
     h = study.hull
     own, block = own_mass(h, density), _block(h, density)
     if not block <= 1 + 1e-9:
@@ -114,7 +114,7 @@ def _by_yaw_rate(study, given, density, mass):
 
 
 def _turning(study, given, density, center, findings):
-    """(count, 5, 3) from turning tests for the hull's proportions, or for the proportions given instead"""
+    """Table (count, 5, 3) from turning tests for the hull's proportions, or for the proportions given instead"""
     h = study.hull
     own = {
         "length_over_beam": h.length / h.beam,

@@ -63,7 +63,7 @@ def draw_hull(axes, study, point, place, heading, **style):
 
 
 def ends_in_space(point, place, heading):
-    """(k, 2) m, attachments of the hawsers to the hull"""
+    """Attachments of the hawsers to the hull, m; shape (k, 2)"""
     return place + point.ends @ np.array([[np.cos(heading), np.sin(heading)], [-np.sin(heading), np.cos(heading)]])
 
 

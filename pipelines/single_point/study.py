@@ -81,7 +81,8 @@ def check_database(study, db):
 
 
 def _mass(study, db, density):
-    """(3, 3) planar mass with added mass about the centre of mass, and (2,) m of that centre, from midship"""
+    """Planar mass with added mass about the centre of mass, shape (3, 3), and that centre from midship, m, shape
+    (2,)"""
     h, table = study.hull, study.mass
     if table is None and db is None:
         raise StudyError("mass is missing; give [mass] with added_surge, added_sway and added_yaw, or --database")

@@ -72,7 +72,7 @@ def _profile(study, values):
 
 
 def _current(study, values):
-    """(depth, speed) in words of the current of the extreme state"""
+    """Depth and speed, in words, of the current of the extreme state"""
     if values.profile is None:
         return []
     return [(f"{z:g}", fixed(float(values.profile.velocity(-z)[0]))) for z in study.current.depths]

@@ -120,7 +120,8 @@ def _gap(one, other):
 
 
 def _distance(point, corners, normal):
-    """(p, k) m of points (p, 1, 3) from flat panels (p, k, 4, 3): to the plane above a panel, else to its sides"""
+    """Distance of points (p, 1, 3) from flat panels (p, k, 4, 3), m; shape (p, k): to the plane above a panel, else to
+    its sides"""
     side = np.roll(corners, -1, axis=-2) - corners
     ahead = point[..., None, :] - corners
     above = np.all(np.einsum("...i,...i", np.cross(side, ahead), normal[..., None, :]) >= 0, axis=-1)

@@ -50,7 +50,7 @@ def body_properties(scene, mesh):
 
 
 def each_body(scene, mesh, body):
-    """(name, scene, mesh, body properties) of every moving body, with several bodies each in its own coordinates
+    """Return (name, scene, mesh, body properties) of every moving body, with several bodies each in its own coordinates
 
     body : `body_properties` of the scene
     """
@@ -114,7 +114,7 @@ def _of_one(scene, mesh):
 
 
 def kochin_angles(scene, mesh, wave):
-    """(t,) rad, equally spaced, enough to resolve the Kochin functions in waves of `wave` m"""
+    """Angles, equally spaced, enough to resolve the Kochin functions in waves of `wave` m, rad; shape (t,)"""
     radius = float(np.linalg.norm(mesh.points[:, :2], axis=1).max())
     return np.linspace(0, 2 * np.pi, max(FEWEST_ANGLES, len(angles(2 * np.pi / wave, radius))), endpoint=False)
 

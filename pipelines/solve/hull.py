@@ -174,7 +174,7 @@ def lid_in_proportion(cover, mesh, other):
 
 
 def coarse_hull(scene, mesh, cover, fewest=FEWEST):
-    """(mesh, lid) with about half as many panels, for the error estimate.
+    """Return (mesh, lid) with about half as many panels, for the error estimate.
 
     None for mesh files, and where the mesh itself is so coarse that half of it gives no information.
     cover : the lid of the mesh, or None; fewest : in a direction
@@ -220,7 +220,7 @@ class FinerHull:
 
     @property
     def omegas(self):
-        """(n,) rad/s of the scene, ascending"""
+        """Frequencies of the scene, ascending, rad/s; shape (n,)"""
         return self.scene.omegas()
 
     def band(self, mesh, lid, omegas):

@@ -37,7 +37,7 @@ COPIES = 3  # copies of a database in memory while it is created: numbers, file,
 
 
 def shared_band(scene, mesh, lid=None, some=None):
-    """(low, high) rad/s of frequencies that share their work (`bem.panels.band.equations`), or None
+    """Return (low, high), rad/s, of frequencies that share their work (`bem.panels.band.equations`), or None
 
     some : (n,) rad/s, ascending, if not all of the scene
     """

@@ -106,7 +106,7 @@ def _largest_radius(gyration):
 
 
 def _tilts(scene, body):
-    """(name, axis, arm in m, moment in N m, angle in degrees) of trim and heel; none for a body that capsizes"""
+    """Return (name, axis, arm in m, moment in N m, angle in degrees) of trim and heel; none for a body that capsizes"""
     lever = np.asarray(body["center_of_mass"], float)[:2] - np.asarray(body["center_of_buoyancy"], float)[:2]
     moments = np.abs(body["mass"] * scene.water.gravity * lever)
     for i, (name, axis, dof) in enumerate((("trim", "x", 4), ("heel", "y", 3))):

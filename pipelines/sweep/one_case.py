@@ -43,8 +43,8 @@ def _needed(app, command):
 
 
 def one_case(command, raw, study, given, keep):
-    """(exit status, what fails, {name: Quantity}, {axis: labels}) of a study; its tables are
-    written to a temporary file beside the study.
+    """Return (exit status, what fails, {name: Quantity}, {axis: labels}) of a study; its tables are written to a
+    temporary file beside the study.
 
     given : from `given_to`; keep : names of quantities, () for all short ones; a failed case may lack some, and
     its message names them

@@ -16,7 +16,8 @@ OF_A_CASE = {"omega": "frequency", "wave_direction": "heading"}  # axes on which
 
 
 def solved(raw, scene_file):
-    """(exit status, message, {name: Quantity}, {axis: labels}) of a scene; mesh files are seen beside `scene_file`.
+    """Return (exit status, message, {name: Quantity}, {axis: labels}) of a scene; mesh files are seen beside
+    `scene_file`.
 
     Axes and units are those of a database, with the index of a frequency and of a heading instead of their values,
     which are arrays too.

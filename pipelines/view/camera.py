@@ -37,7 +37,7 @@ def fit(plotter, hull, bar=False):
 
 
 def _axes(direction, up):
-    """(3, 3) rows to the right, up and towards the camera"""
+    """Axes of the camera in rows: to the right, up and towards the camera; shape (3, 3)"""
     back = -direction / np.linalg.norm(direction)
     right = np.cross(up, back)
     right /= np.linalg.norm(right)

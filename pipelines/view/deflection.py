@@ -20,7 +20,8 @@ def beams_of(db):
 
 
 def axis_rise(db, number, x):
-    """(n, m, x) complex m per m: vertical displacement of the beam axis of a body at x (…,) m in its own coordinates"""
+    """Complex vertical displacement of the beam axis of a body at x (…,), m, in its own coordinates, m per m; shape (n,
+    m, x)"""
     rao, words = db["rao"], db.bodies_reader.names
     body = db.bodies[number] if db.bodies else None
     center = np.asarray(db.rotation_center if body is None else body.own_center)

@@ -132,7 +132,7 @@ def _mesh(source, field):
 
 
 def _meshes(source):
-    """(hull, lid or None, depth in m) of a database, a Scene or a PanelMesh"""
+    """Return (hull, lid or None, depth in m) of a database, a Scene or a PanelMesh"""
     if isinstance(source, PanelMesh):
         return source, None, np.inf
     if isinstance(source, Scene):

@@ -169,7 +169,7 @@ def shown_headings(headings, symmetry):
 
 
 def heading_colors(count):
-    """(count, 4) colours from dark to light, none too pale to read on white"""
+    """Colours from dark to light, none too pale to read on white; shape (count, 4)"""
     from matplotlib import colormaps
 
     return colormaps["viridis"](np.linspace(0.0, 0.85, count))
@@ -269,13 +269,13 @@ def _length(db):
 
 
 def _largest_of_kind(size, lever):
-    """(6,) scale below which forces and moments are rounding: the largest of their kind, or force times lever"""
+    """Scale below which forces and moments are rounding; shape (6,): the largest of their kind, or force times lever"""
     forces, moments = size[..., FORCES].max(), size[..., MOMENTS].max()
     return np.repeat([forces, max(moments, forces * lever)], 3)
 
 
 def _above_rounding(size, lever):
-    """(m, 6) whether a curve of `size` (n, m, 6) exceeds rounding"""
+    """Whether a curve of `size` (n, m, 6) exceeds rounding; shape (m, 6)"""
     return _most(size, 0) > QUIET * _largest_of_kind(_most(size, (0, 1)), lever)
 
 
@@ -300,7 +300,7 @@ def _curve(axis, db, value, style, color, label=None):
 
 
 def _prefix(largest):
-    """(factor, SI prefix, power of ten) that give one to three digits before the point"""
+    """Return (factor, SI prefix, power of ten) that give one to three digits before the point"""
     return next((step for step in PREFIXES if largest >= step[0]), (1.0, "", ""))
 
 

@@ -108,7 +108,8 @@ class HullPoints:
 
 
 def amplitudes(freq, values, cls):
-    """(a, m, columns) of `DepthSums` at the m nodes, and their slopes: wave, table and rows, speed and turn of the edge
+    """Amplitudes of `DepthSums` at the m nodes, and their slopes; shape (a, m, columns); columns: wave, table and rows,
+    speed and turn of the edge
 
     values : `plan_values` of the class; columns : as of `freq.flows`
     """

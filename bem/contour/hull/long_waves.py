@@ -19,7 +19,8 @@ NEAR = 1e-12  # relative difference of κ² and k² below which they are treated
 
 
 def long_wave_forces(freq, number):
-    """(w, 6) D about the origin of waves of wavenumbers (w, 2) rad/m at the frequency of a `SharedFrequency`"""
+    """Diffraction forces D about the origin of waves of wavenumbers (w, 2), rad/m, at the frequency of a
+    `SharedFrequency`; shape (w, 6)"""
     c, depth, values = freq.contour, freq.body.depth, plan_values(freq)
     size = np.hypot(*number.T)
     over_modes = [_depth_integrals(freq, kappa) for kappa in size]
@@ -44,7 +45,7 @@ def long_wave_forces(freq, number):
 
 
 def _rows(freq, kappa, depth):
-    """(r,) integrals of the profiles in the gap, and of 1 and z on the side, times the wave"""
+    """Integrals of the profiles in the gap, and of 1 and z on the side, times the wave; shape (r,)"""
     gap = freq.body.profiles.gap
     if kappa * depth < 1e-9:
         moments = np.concatenate([gap.mean, [gap.draft, -(gap.draft**2) / 2]])
@@ -54,7 +55,7 @@ def _rows(freq, kappa, depth):
 
 
 def _depth_integrals(freq, kappa):
-    """(a,) integrals over the depth of the wave and the amplitudes of `DepthSums`"""
+    """Integrals over the depth of the wave and the amplitudes of `DepthSums`; shape (a,)"""
     modes, h = freq.modes, freq.body.depth
     jump = kappa * np.tanh(kappa * h) - freq.omega**2 / freq.gravity
     apart = kappa**2 - modes.k**2

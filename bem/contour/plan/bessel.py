@@ -40,7 +40,7 @@ def radiating_pair(x):
 
 @lru_cache(maxsize=1)
 def _decaying_cells():
-    """(cells, 4, terms) K₀, xK₁ or their p, and their q"""
+    """Coefficients of K₀, xK₁ or their p, and of their q; shape (cells, 4, terms)"""
     x, near = _points(VANISHED)
     log = np.log(x) * near
     parts = k0(x) + log * i0(x), x * k1(x) - log * x * i1(x), -near * i0(x), near * x * i1(x)
@@ -49,7 +49,8 @@ def _decaying_cells():
 
 @lru_cache(maxsize=8)
 def _radiating_cells(count):
-    """(count, 4, terms) J₀, xJ₁, and Y₀, xY₁ or their p; their q are (2/π) J₀ and (2/π) xJ₁"""
+    """Coefficients of J₀, xJ₁, and of Y₀, xY₁ or their p; shape (count, 4, terms); their q are (2/π) J₀ and (2/π)
+    xJ₁"""
     x, near = _points(count)
     log = 2 / np.pi * np.log(x) * near
     return _cells((j0(x), x * j1(x), y0(x) - log * j0(x), x * (y1(x) - log * j1(x))))
@@ -62,7 +63,7 @@ def _points(count):
 
 
 def _cells(parts):
-    """(cells, parts, terms) coefficients of powers of t, −1 < t < 1 on a cell, the highest first"""
+    """Coefficients of powers of t, −1 < t < 1 on a cell, the highest first; shape (cells, parts, terms)"""
     basis = chebyshev.chebvander(chebyshev.chebpts1(TERMS), TERMS - 1)
     series = np.stack(parts, axis=1) @ (basis * np.where(np.arange(TERMS), 2, 1) / TERMS)
     powers = np.zeros((TERMS, TERMS))

@@ -47,7 +47,7 @@ class Circle:
 
     @property
     def sizes(self):
-        """(radius,), m"""
+        """The radius alone, m, as a tuple"""
         return (self.radius,)
 
     def to(self, accuracy):
@@ -63,7 +63,7 @@ class Circle:
         return table_wavenumber(waves, self.radius)
 
     def subset(self, cls, degree, top):
-        """(n,) indices of the functions up to `degree` within those up to `top`"""
+        """Indices of the functions up to `degree` within those up to `top`; shape (n,)"""
         return np.arange(len(self.orders(cls, degree)))
 
     def finest(self, degree):
@@ -89,7 +89,7 @@ class Circle:
         return m[1:] if cls == (-1, -1) else m
 
     def basis(self, cls, degree, contour):
-        """(m, n) ψ at the nodes of a contour"""
+        """Functions ψ at the nodes of a contour; shape (m, n)"""
         m = self.orders(cls, degree)
         turn = np.multiply.outer(np.arctan2(contour.y, contour.x), m)
         wave = np.cos(turn) if cls[1] == 1 else np.sin(turn)

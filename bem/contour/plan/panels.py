@@ -99,7 +99,7 @@ def gauss_rule(count):
 
 
 def interpolation(nodes, t):
-    """(t, g) values at t of the polynomials that are 1 at one node and 0 at all other nodes"""
+    """Values at t of the polynomials that are 1 at one node and 0 at all other nodes; shape (t, g)"""
     gaps = np.subtract.outer(nodes, nodes) + np.eye(len(nodes))
     scale = 1 / gaps.prod(axis=1)
     distance = np.subtract.outer(t, nodes)
@@ -110,7 +110,7 @@ def interpolation(nodes, t):
 
 
 def is_far(panels, x, y):
-    """(targets, images, p) whether the image of a panel is at least its own length away from the target"""
+    """Whether the image of a panel is at least its own length away from the target; shape (targets, images, p)"""
     far = np.empty((len(x), len(IMAGES), len(panels.start)), bool)
     _is_far(x, y, _flat(panels), IMAGES, far)
     return far
@@ -135,7 +135,7 @@ def near_points(panels, x, y, own, far, count, smallest):
 
 
 def _flat(panels):
-    """(p, 9) start, length, power, corner, direction, normal"""
+    """Start, length, power, corner, direction and normal of each panel; shape (p, 9)"""
     corner = np.broadcast_to(panels.corner, panels.direction.shape)
     return np.column_stack([panels.start, panels.length, panels.power, corner, panels.direction, panels.normal])
 

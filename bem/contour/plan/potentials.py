@@ -43,7 +43,7 @@ def _on_circle(freq):
 
 
 def _trigonometric_slope(plan, cls, contour):
-    """(m, m) by the m lowest orders of the class, which the nodes distinguish"""
+    """Slope along the circle by the m lowest orders of the class, which the nodes distinguish; shape (m, m)"""
     count = len(contour.x)
     m = plan.orders(cls, 2 * count)[:count]
     turn = np.multiply.outer(np.arctan2(contour.y, contour.x), m)
@@ -78,7 +78,8 @@ def _tables(body, degree):
 
 
 def _resampling(panels, contour):
-    """(m, q) from values at the nodes of `panels` to those at the nodes of another contour of the rectangle"""
+    """Interpolation from values at the nodes of `panels` to values at the nodes of another contour of the rectangle;
+    shape (m, q)"""
     g, out = len(panels.t), np.zeros((len(contour.x), len(panels.contour.x)))
     for end in (True, False):
         here = np.flatnonzero((contour.nx > 0.5) == end)
@@ -91,7 +92,7 @@ def _resampling(panels, contour):
 
 
 def _panel_slope(panels):
-    """(q, q) of polynomials in the t of each panel"""
+    """Slope of polynomials in the t of each panel; shape (q, q)"""
     g, out = len(panels.t), np.zeros((len(panels.contour.x),) * 2)
     along = _differentiation(panels.t)
     # counterclockwise is away from the corner on the side, towards it on the end
@@ -103,7 +104,8 @@ def _panel_slope(panels):
 
 
 def _differentiation(t):
-    """(g, g) derivative at the nodes t of the polynomial through values there (Berrut and Trefethen 2004)"""
+    """Matrix of the derivative, at the nodes t, of the polynomial through values there (Berrut and Trefethen 2004);
+    shape (g, g)"""
     gaps = np.subtract.outer(t, t) + np.eye(len(t))
     scale = gaps.prod(axis=1)
     out = scale[:, None] / scale / gaps

@@ -55,7 +55,7 @@ class Rectangle:
 
     @property
     def sizes(self):
-        """(length, beam), m"""
+        """Return (length, beam), m"""
         return self.length, self.beam
 
     def to(self, accuracy):
@@ -85,7 +85,7 @@ class Rectangle:
         return min(self.length, self.beam) / 2
 
     def degree(self, waves, tolerance):
-        """(end, side) highest polynomial degrees; `waves` rad/m is the largest wavenumber under the keel.
+        """Highest polynomial degrees (end, side); `waves`, rad/m, is the largest wavenumber under the keel.
 
         The flow near a corner extends over the shorter side; polynomials resolve a length δ at the end of a
         side with a degree like δ^(−1/2).  The Legendre series of a wave turns from oscillation to decay at x = half
@@ -108,7 +108,7 @@ class Rectangle:
         )
 
     def subset(self, cls, degree, top):
-        """(n,) indices of the functions up to `degree` within those up to `top`"""
+        """Indices of the functions up to `degree` within those up to `top`; shape (n,)"""
         (end, side), first = map(len, self.orders(cls, degree)), len(self.orders(cls, top)[0])
         return np.append(np.arange(end), first + np.arange(side))
 
@@ -128,7 +128,8 @@ class Rectangle:
         )  # fmt: skip
 
     def basis(self, cls, degree, contour):
-        """(m, n) ψ at nodes: end then side, each with its polynomials of the class in increasing order"""
+        """Functions ψ at the nodes; shape (m, n): end then side, each with its polynomials of the class in increasing
+        order"""
         columns = []
         for side, (m, extent) in enumerate(zip(self.orders(cls, degree), (self.beam, self.length), strict=True)):
             here = (contour.nx > 0.5) if side == 0 else (contour.ny > 0.5)

@@ -89,7 +89,7 @@ def _check_apart(plans, places):
 
 
 def _outline(plan, pieces=1):
-    """(p,) complex m, points of a circle or the corners of a rectangle, its sides divided into `pieces` pieces"""
+    """Points of a circle, or of a rectangle whose sides are divided into `pieces` pieces, complex, m; shape (p,)"""
     if isinstance(plan, Circle):
         return plan.radius * np.exp(2j * np.pi * np.arange(180) / 180)
     corner = (plan.length + 1j * plan.beam) / 2
@@ -148,7 +148,7 @@ class SeveralBodies:
             return SeveralFrequency(self, omega, headings, theta, density, gravity).result()
 
     def froude_krylov(self, omega, headings, dofs=None, density=1025.0, gravity=9.80665):
-        """(m, 6N) force of the undisturbed waves alone, N/m and N m/m, about the origin; dofs : ignored"""
+        """Force of the undisturbed waves alone, N/m and N m/m, about the origin; shape (m, 6N); dofs : ignored"""
         k, beta = float(wavenumber(omega, self.depth, gravity)), np.atleast_1d(np.asarray(headings, float))
         each = []
         for body, place in zip(self.bodies, self.places, strict=True):
@@ -158,7 +158,7 @@ class SeveralBodies:
         return np.hstack(each) @ self.to_scene.T
 
     def added_mass_limit(self, which, density=1025.0):
-        """(6N, 6N) added mass for `which` "zero" or "infinity" of the frequency, about the origin
+        """Added mass for `which` "zero" or "infinity" of the frequency, about the origin; shape (6N, 6N)
 
         At zero infinite between motions with a net flux, as `frequency_limits`.
         """
@@ -166,7 +166,8 @@ class SeveralBodies:
         return with_net_flux(density * finite, flux, np.abs(flux).max() or 1.0)
 
     def limit(self, which):
-        """(6N, 6N) of unit density, and (6N,) m² the flux of each motion, a source in plan; both about the origin
+        """Limit of added mass for unit density, shape (6N, 6N), and the flux of each motion, a source in plan, m²,
+        shape (6N,); both about the origin
 
         Infinite values between two of these are omitted.
         """
@@ -214,8 +215,8 @@ class SeveralBodies:
 
     @cached_property
     def to_scene(self):
-        """(6N, 6N) from forces about the middle of each body in its own axes to forces about the origin in the axes of
-        the scene"""
+        """Matrix from forces about the middle of each body in its own axes to forces about the origin in the axes of
+        the scene; shape (6N, 6N)"""
         from scipy.linalg import block_diag
 
         parts = [turned(p.heading) @ reference_change((p.x, p.y, 0.0)) for p in self.places]
@@ -286,7 +287,7 @@ class SeveralBodies:
 
     @memoised
     def maps(self, tops):
-        """(c + 1, n, n) κN outside at the nodes, its limit −1 at the end; and N for κ = 0"""
+        """κN outside at the nodes, with its limit −1 at the end, shape (c + 1, n, n); and N for κ = 0"""
         nodes, exterior = self.nodes(tops), self._exterior(0.0, tops)
         apart = nodes.kappa * min(self.gaps) > REACH
         size = exterior.basis.shape[1]
@@ -305,7 +306,7 @@ class SeveralBodies:
 
     @memoised
     def outer_maps(self, degrees_, tops):
-        """(c + 1, n, n) κN of functions up to degrees among those up to `tops`"""
+        """κN of functions up to degrees among those up to `tops`; shape (c + 1, n, n)"""
         own = self._chosen(degrees_, tops)
         return np.ascontiguousarray(self.maps(tops)[:, own[:, None], own])
 

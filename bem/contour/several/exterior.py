@@ -30,11 +30,11 @@ class Place(NamedTuple):
     heading: float
 
     def in_scene(self, points):
-        """(p,) complex m"""
+        """Points of the contour in the scene, complex, m; shape (p,)"""
         return self.x + 1j * self.y + points * np.exp(1j * self.heading)
 
     def own(self, points):
-        """(p,) complex m"""
+        """Points of the contour in the axes of the body, complex, m; shape (p,)"""
         return (points - self.x - 1j * self.y) * np.exp(-1j * self.heading)
 
 
@@ -93,14 +93,14 @@ class Exterior:
 
     @cached_property
     def basis(self):
-        """(size, n) ψ of all plans, plan by plan and class by class"""
+        """Functions ψ of all plans, plan by plan and class by class; shape (size, n)"""
         from scipy.linalg import block_diag
 
         return block_diag(*(one.bases[cls] for one in self.senders for cls in CLASSES))
 
     @cached_property
     def weak(self):
-        """(n, size) of ∮ ψ · ds"""
+        """Weights of ∮ ψ · ds at the nodes; shape (n, size)"""
         weights = np.concatenate([np.tile(one.contour.weights, 4) for one in self.senders])
         return 4 * (self.basis * weights[:, None]).T
 

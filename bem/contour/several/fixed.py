@@ -28,7 +28,7 @@ class Fixed:
         )
 
     def outside(self, weights, maps, rows, single):
-        """(size, size) sum over the evanescent modes, and one separate mode, tested with all functions
+        """Sum over the evanescent modes, and one separate mode, tested with all functions; shape (size, size)
 
         weights : {(a, b): (r_a, r_b, c)}; maps : (c, n, n); rows : [(r,)] and single : (n, n) of the one mode
         """

@@ -44,14 +44,14 @@ class SeveralFrequency:
 
     @cached_property
     def outside(self):
-        """(gaps + sides, gaps + sides) projections of all potentials on all functions"""
+        """Projections of all potentials on all functions; shape (gaps + sides, gaps + sides)"""
         weights = self.bodies.weights(self.kinds, self.tops)
         single = self.exterior.weak @ self.plane[0] / self.kinds[0].wave_norm
         return self.fixed.outside(weights, self.bodies.outer_maps(self.degrees, self.tops), self.wave_rows, single)
 
     @cached_property
     def incident(self):
-        """(gaps + sides, b) walls in the waves tested with everything"""
+        """Incident waves on the walls, tested with all functions; shape (gaps + sides, b)"""
         wall = self.amplitude * self.exterior.weak @ self.plane[1]
         out = np.empty((self.fixed.size, wall.shape[1]), complex)
         for rows, own, gap, side in zip(self.wave_rows, self.fixed.functions, *self.fixed.layout, strict=True):
@@ -67,7 +67,7 @@ class SeveralFrequency:
 
     @cached_property
     def on_contours(self):
-        """(n, d + b) ⟨u + v, Z₀⟩ of motions and waves on all plans"""
+        """⟨u + v, Z₀⟩ of motions and waves on all plans; shape (n, d + b)"""
         velocity, out = self.flow[0], []
         d = self.fixed.side.shape[0]
         for rows, gap, side in zip(self.wave_rows, *self.fixed.layout, strict=True):

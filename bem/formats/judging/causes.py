@@ -340,7 +340,7 @@ def _about_points(values, own):
 
 
 def point_of_moments(file, true):
-    """(3,) m from our point to the file's: M_file = M − r × F, by least squares; (…, 6) each"""
+    """Arm r from our point to the file's, m, from moments M_file = M − r × F (…, 6) by least squares; shape (3,)"""
     F, M = true[..., :3].reshape(-1, 3), (true - file)[..., 3:].reshape(-1, 3)
     zero = np.zeros(len(F))
     cross = np.stack([  # r × F = [F]ᵀ r, rows of the system
@@ -373,7 +373,7 @@ def _moved(values, names, r):
 
 
 def _crest_at(values, X):
-    """(2,) m of the point to which the phases refer: X_file = X exp(−ik·r), by least squares of the longest wave"""
+    """Point to which the phases refer, m: X_file = X exp(−ik·r), by least squares for the longest wave; shape (2,)"""
     n = int(np.argmin(values.omega))
     k = wavenumber(values.omega[n], values.water_depth, values.gravity)
     file, true = values.quantities["excitation_force"][n], X[n]

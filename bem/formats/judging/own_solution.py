@@ -39,7 +39,7 @@ class Own:
     solved: dict = field(default_factory=dict)
 
     def at(self, omega, headings):
-        """(A (6, 6), B (6, 6), X (m, 6)) in SI"""
+        """Return A (6, 6), B (6, 6) and X (m, 6) in SI units"""
         turned = np.round(np.mod(headings, 2 * np.pi), 6)
         key = round(float(omega), 9)
         known = self.solved.get(key)
@@ -68,7 +68,7 @@ class Own:
 
     @cached_property
     def moves(self):
-        """(6,) whether a mode displaces water"""
+        """Whether a mode displaces water; shape (6,)"""
         return displacing(self.mesh)
 
     @cached_property
@@ -137,9 +137,9 @@ def gaps(values, own):
 
 
 def sizes_of_forces(X, own):
-    """(6,) of (m, 6): the largest of a mode, or a tenth of the largest of all translations or rotations; moments that
-    nearly cancel about a point are compared with the largest force at `CANCELS` of the arm of the hull
-    """
+    """Scale of each of six forces (m, 6): the largest of a mode, or a tenth of the largest of all translations or
+    rotations; moments that nearly cancel about a point are compared with the largest force at `CANCELS` of the arm of
+    the hull"""
     size = np.abs(X).max(axis=0)
     for part in (slice(0, 3), slice(3, 6)):
         size[part] = np.maximum(size[part], SMALL * np.max(size[part]))

@@ -66,7 +66,7 @@ class ErrorTest(NamedTuple):
         return float((np.abs(errors) * self.point_size[:, None] / np.maximum(size, 1e-300)).max())
 
     def errors(self, exact, low_rank, potentials, velocity, classes=slice(None)):
-        """(c, w, columns) errors of the wave potentials at the test points
+        """Errors of the wave potentials at the test points; shape (c, w, columns)
 
         exact : W (c, w, s) and S_w (c, w, e) from the samples to the test points
         low_rank : W (c, r, q) and S_w (c, r, h) between the interpolation nodes

@@ -90,7 +90,7 @@ def low_rank_waves(geometry, band, gravity, accuracy):
 
 
 def _velocities(geometry, Z):
-    """(c, hull nodes, v) motions of each class, padded with zeros to the same number, then the columns of Z"""
+    """Motions of each class, padded with zeros to the same number, then the columns of Z; shape (c, hull nodes, v)"""
     g, modes = geometry, geometry.modes
     motions = np.zeros((len(g.classes), max(len(g.members(c)) for c in g.classes), g.hull))
     for moving, cls in zip(motions, g.classes, strict=True):
@@ -139,7 +139,8 @@ class Snapshots:
         return Samples(nodes, 1 / probabilities[nodes], int(np.count_nonzero(nodes < self.geometry.hull)))
 
     def probabilities(self, deep, most):
-        """(n,) probability of each node to be a sample: about `deep` samples of the hull at any depth, in addition
+        """Probability of each node to be a sample; shape (n,): about `deep` samples of the hull at any depth, in
+        addition
 
         those of the strip below the surface, where waves vary with the distance from it, and of the lid: all of them,
         or on average `most` if there are more; and the test points.
@@ -153,7 +154,7 @@ class Snapshots:
         return np.concatenate([hull, np.full(lid, min(1.0, most / max(lid, 1)))])
 
     def test_points(self):
-        """(w,) nodes of the hull at which errors are tested: `TEST_POINTS` random nodes and the highest node"""
+        """Nodes of the hull at which errors are tested; shape (w,): `TEST_POINTS` random nodes and the highest node"""
         n, generator = self.geometry.hull, np.random.default_rng(SEED + 1)
         areas = self.root[:n] ** 2
         chosen = generator.choice(n, size=min(TEST_POINTS, n), replace=False, p=areas / areas.sum())
@@ -189,7 +190,8 @@ class Snapshots:
                 layers.append(np.concatenate([s[:, :hull] @ v, s[:, samples]], axis=1) * scale)
 
     def monopole_strengths(self, points, weights, sources, single_layers, accuracy):
-        """(c, h, v + e) factors with which S at `sources` (h,) gives the `single_layers`: M of a class, then N"""
+        """Factors with which S at `sources` (h,) gives the `single_layers`: M of a class, then N; shape (c, h, v +
+        e)"""
         at_sources = [[] for _ in single_layers]
         for _, S, _ in self.blocks(points, sources):
             for s, layers in zip(S, at_sources, strict=True):

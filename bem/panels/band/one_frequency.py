@@ -106,7 +106,7 @@ class BandRun(CompressedRun):
 
     @cached_property
     def velocity(self):
-        """(c, v, columns) coefficients v of the wanted motions and waves; zeros where a class has fewer than v
+        """Coefficients v of the wanted motions and waves; shape (c, v, columns); zeros where a class has fewer than v
         coefficients"""
         v, nodes = self.equations_of_band.integrals.shape[1], self.equations_of_band.low_rank.flux_nodes
         flux, done = self.flux[1], 0
@@ -128,7 +128,7 @@ class BandRun(CompressedRun):
         return np.split(np.concatenate(parts), [len(samples)], axis=1)
 
     def potentials_at_samples(self, solution):
-        """(c, s, columns) φ, and φ' of the lid"""
+        """Potentials φ at the samples, and φ' of the lid; shape (c, s, columns)"""
         equations = self.equations_of_band
         lid = equations.low_rank.error_test.samples.on_lid - self.geometry.hull
         on_hull = real_times_complex(equations.potentials_at_samples[self.wanted], solution.coefficients)

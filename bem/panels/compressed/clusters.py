@@ -60,7 +60,7 @@ class Clusters:
         return found[np.argsort(self.first[found])]
 
     def pairs(self, images, depth):
-        """(far, near), each (·, 3): target, source and image of the blocks, which cover all pairs of panels
+        """Return (far, near) pairs of blocks, each (·, 3) of target, source and image, which cover all pairs of panels
 
         Target and source of a near block are leaves.  images : (i, 2) ±1 of the sources; depth : m
         """
@@ -81,7 +81,7 @@ class Clusters:
         return tuple(np.concatenate(parts) for parts in (far, near))
 
     def _apart(self, t, s, image, depth):
-        """(b,) whether blocks are of low rank, for targets t, sources s (b,) and their images (b, 2)"""
+        """Whether blocks are of low rank, for targets t, sources s (b,) and their images (b, 2); shape (b,)"""
         low, high = self.low[s].copy(), self.high[s].copy()
         for axis in (0, 1):
             turned = image[:, axis] < 0

@@ -7,7 +7,8 @@ OF_CYCLE = 1e-4  # residual at the end of a cycle over that at its start; produc
 
 
 def gmres(equations, precondition, columns, tolerance, most):
-    """(x, residual) of A x = b by iteration, the largest residual relative to the largest entry of its right-hand side.
+    """Solve A x = b by iteration; return (x, the largest residual relative to the largest entry of its right-hand
+    side).
 
     equations : `bem.panels.compressed.operator.CompressedEquations`; columns : `Columns`, whose signs count
     precondition : function of (n, p) and of those signs, about A⁻¹ times the first
@@ -27,7 +28,7 @@ def gmres(equations, precondition, columns, tolerance, most):
 
 
 def _cycle(equations, precondition, columns, sides, wanted):
-    """(y, iterations) with A y near `sides`, entries of the residual about `wanted` (p,) or `OF_CYCLE`"""
+    """Return (y, iterations) with A y near `sides`, entries of the residual about `wanted` (p,) or `OF_CYCLE`"""
     n, p = sides.shape
     basis, H = np.zeros((p, RESTART + 1, n), np.complex64), np.zeros((p, RESTART + 1, RESTART), complex)
     start = np.linalg.norm(sides, axis=0)

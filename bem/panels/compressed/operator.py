@@ -108,7 +108,7 @@ class Tree:
         return Elements(*(a[panels if len(a) == len(self.clusters.order) else nodes] for a in self.elements))
 
     def nodes_of(self, panels):
-        """(nodes,) numbers in the tree"""
+        """Numbers of the nodes in the tree; shape (nodes,)"""
         return (panels[:, None] * self.per_panel + np.arange(self.per_panel)).ravel()
 
 
@@ -120,7 +120,7 @@ class Columns(NamedTuple):
 
     @property
     def images(self):
-        """(images, n, p): the values on all images"""
+        """Values on all mirror images; shape (images, n, p)"""
         return self.values * self.signs[:, None]
 
 
@@ -243,7 +243,8 @@ class CompressedEquations:
         return (a[0].real for a in pairs.blocks(table, depth_values))
 
     def _by_cells(self):
-        """([(near blocks, far targets)] of cells without common nodes, far targets of more than a cell)"""
+        """Sort the blocks: [(near blocks, far targets)] of cells without common nodes, and far targets of more than a
+        cell"""
         cells, more = self.tree.cells(PARTS), []
         first, parts = np.array([cell.start for cell in cells]), [([], []) for _ in cells]
         for kind, blocks in enumerate((self.near, self.far.targets)):

@@ -56,7 +56,7 @@ class Preconditioner:
         return self.factors[key]
 
     def _reduced(self, equations, spans, starts):
-        """(images, f, f) R M P of the blocks of each image"""
+        """Products R M P of the blocks of each image; shape (images, f, f)"""
         from scipy.sparse import csr_matrix
 
         n, f, images = len(equations.tree.nodes), starts[-1], len(equations.tree.geometry.images)

@@ -24,13 +24,14 @@ NEAR, FAR = (1 - 1 / np.sqrt(3)) / 2, (1 + 1 / np.sqrt(3)) / 2  # nodes of a pan
 
 
 def at_nodes(lengths):
-    """(n, 2 m) distances from the edge of the nodes of m panels of `lengths` (n, m)"""
+    """Distances from the edge of the nodes of m panels of `lengths` (n, m); shape (n, 2 m)"""
     start = np.cumsum(lengths, axis=1) - lengths
     return (start[..., None] + lengths[..., None] * [NEAR, FAR]).reshape(len(lengths), 2 * lengths.shape[1])
 
 
 def nodal_errors(lengths, across, mu, gap=np.inf):
-    """(n, 2 m) relative collocation errors of φ = r^μ at the nodes of m panels, `lengths` (n, m) m from the edge.
+    """Relative collocation errors of φ = r^μ at the nodes of m panels, `lengths` (n, m), m, from the edge; shape (n, 2
+    m).
 
     across : (n, m) m, lengths of the panels on the other face; mu : (n,)
     gap : (n,) m of water between the other face and the bed, the edge one of 270° with a side above it; or infinite.

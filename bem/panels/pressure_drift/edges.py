@@ -13,8 +13,8 @@ SIDES = (3, 1), (0, 2)  # indices of the sides of a panel where s is −1 and 1,
 
 
 def sharp_sides(mesh):
-    """(n, 4) exponent μ of the flow at the side from corner i to i + 1 of every panel, 1 where the side is not a sharp
-    edge"""
+    """Exponent μ of the flow at the side from corner i to i + 1 of every panel, 1 where the side is not a sharp edge;
+    shape (n, 4)"""
     hull = mesh.whole()
     out, (one, other) = np.ones(4 * len(hull)), _neighbours(hull)
     a, b = one // 4, other // 4
@@ -47,7 +47,7 @@ class Stencils(NamedTuple):
 
     @property
     def first(self):
-        """(n,) the panel at the edge; without an edge the panel itself"""
+        """The panel at the edge; shape (n,); without an edge the panel itself"""
         return np.where(self.at_edge, self.panels[:, 0], np.arange(len(self.at_edge)))
 
     def replaced(self, where, others):
@@ -64,7 +64,7 @@ class Stencils(NamedTuple):
         return self.replaced(~used, alone._replace(across=across[0], gap=across[1]))._replace(row=self.row)
 
     def same_layout(self, panel):
-        """(n,) whether stencils of other panels (n,) have the same layout; their panels, lengths and angles may
+        """Whether stencils of other panels (n,) have the same layout; shape (n,); their panels, lengths and angles may
         differ"""
         measured = dict.fromkeys(("panels", "mu", "lengths", "across", "gap", "row"), self.at_edge)
         parts = self._replace(**measured)
@@ -85,7 +85,8 @@ def stencils(mesh, exponents, depth=np.inf, steady=lambda stencil: True):
 
 
 def coarsest_at_gap(mesh, depth):
-    """(m, m) length of a panel next to the keel and the gap under the panel, where the ratio of the two is largest
+    """Length of a panel next to the keel and the gap under the panel, where the ratio of the two is largest; shape (m,
+    m)
 
     0 and infinite for a hull without such panels.
     """
@@ -184,14 +185,16 @@ def _with_other_face(mesh, stencil, sides, both, depth):
 
 
 def _alike(own_rows, across):
-    """(n,) whether the panels of each stencil have the same layout across it, so that a product stencil exists"""
+    """Whether the panels of each stencil have the same layout across it, so that a product stencil exists; shape
+    (n,)"""
     out = np.all([across.same_layout(panel) for panel in own_rows.panels.T], axis=0)
     beside = own_rows.panels[across.panels]
     return out & np.all(beside == across.panels[own_rows.panels].transpose(0, 2, 1), axis=(1, 2))
 
 
 def _planes(mesh):
-    """(n, 4) mirror image on which a panel continues beyond each side; 0 without one, or if the hull bends there"""
+    """Mirror image on which a panel continues beyond each side; shape (n, 4); 0 without one, or if the hull bends
+    there"""
     v, out = mesh.vertices, np.zeros((len(mesh), 4), int)
     for image, (x, y) in enumerate(mesh.reflections()):
         if x * y < 0:
@@ -203,7 +206,8 @@ def _planes(mesh):
 
 
 def _continuations(mesh):
-    """(n, 4) panel beyond each side, without an edge between and with corners in the same order; −1 without one"""
+    """Panel beyond each side, without an edge between and with corners in the same order; shape (n, 4); −1 without
+    one"""
     one, other = _neighbours(mesh)
     smooth = np.sum(mesh.normals[one // 4] * mesh.normals[other // 4], axis=1) > np.cos(SHARP)
     same_layout = smooth & (one % 4 == (other + 2) % 4)

@@ -33,7 +33,7 @@ class Points:
         return (vectors * self.mirrors[:, None]).reshape(-1, 3)
 
     def by_class(self, vectors):
-        """(c, f, 3q) parts of vectors (f, p, 3) of each symmetry class, at the points of the meshed part"""
+        """Parts of vectors (f, p, 3) of each symmetry class, at the points of the meshed part; shape (c, f, 3q)"""
         f = len(vectors)
         seen = vectors.reshape(f, self.copies, -1, 3) * (self.mirrors / self.copies)[:, None]
         return np.einsum("ci,fipd->cfpd", self.signs, seen).reshape(len(self.signs), f, -1)
@@ -61,7 +61,7 @@ class Surface(Points):
         self.sharp = np.isfinite(flow.edge[:, 0])
 
     def value(self, run, phi, waves, motion, headings, bent=None):
-        """(f, p) potential and (f, p, 3) its gradient along the surface, of f flows.
+        """Potential (f, p) of f flows, and its gradient (f, p, 3) along the surface.
 
         phi : (f, images, nodes) disturbance; waves : (f,) amplitude of the incident wave; motion : (f, 6) about the
         origin; headings : (f,) rad; run : of the frequency
@@ -89,7 +89,8 @@ class Surface(Points):
         return value, slope.reshape(f, -1, 3) + rest
 
     def _at_edge(self, run, waves, motion, headings, bent):
-        """(f, images, n, 3) m/s, velocity of the incident waves relative to the edge, 0 on panels without edge"""
+        """Velocity of the incident waves relative to the edge, 0 on panels without edge, m/s; shape (f, images, n,
+        3)"""
         edge = self.flow.edge[self.sharp] * self.mirrors[:, None]
         out = np.zeros((len(waves), self.copies, len(self.sharp), 3), complex)
         relative = _incident(run, edge, waves, headings)[1]
@@ -109,17 +110,18 @@ class HullSurfaces:
 
     @cached_property
     def hull_modes(self):
-        """(p, 6)"""
+        """Generalised normals at the points of the hull; shape (p, 6)"""
         return normal_velocities(self.hull.points, self.hull.normals)
 
     @cached_property
     def waterline_modes(self):
-        """(l, 6)"""
+        """Generalised normals at the points of the waterline; shape (l, 6)"""
         return normal_velocities(self.waterline.points, self.waterline.normals)
 
     @cached_property
     def weighted_modes(self):
-        """(6, 3q) m²: generalised normals times area on the meshed part and its images, thrice, for three velocities"""
+        """Generalised normals times area on the meshed part and its images, thrice, for three velocities, m²; shape (6,
+        3q)"""
         part = slice(len(self.hull.weights) // self.hull.copies)
         return np.repeat((self.hull_modes[part] * self.hull.weights[part, None]).T * self.hull.copies, 3, axis=1)
 
@@ -132,19 +134,19 @@ class HullSurfaces:
 
     @cached_property
     def turned(self):
-        """(p, 18) m²: (α_r × n)·e_v dS of unit rotation r and unit motion v"""
+        """Integrals of (α_r × n)·e_v dS for unit rotation r and unit motion v, m²; shape (p, 18)"""
         turned = np.cross(np.eye(3)[:, None], self.hull.normals * self.hull.weights[:, None])
         return np.einsum("rpd,vpd->prv", turned, unit_displacements(self.hull.points)).reshape(-1, 18)
 
     @cached_property
     def strained(self):
-        """(p, 9) m³: n_a x_b dS, x from the origin"""
+        """Integrals of n_a x_b dS, x from the origin, m³; shape (p, 9)"""
         weighted = self.hull.normals * self.hull.weights[:, None]
         return np.einsum("pa,pb->pab", weighted, self.hull.points).reshape(-1, 9)
 
 
 def unit_displacements(x):
-    """(6, p, 3) of points (p, 3) by unit motions about the origin"""
+    """Displacements of points (p, 3) by unit motions about the origin; shape (6, p, 3)"""
     moves = np.eye(3)[:, None] + np.zeros((3, len(x), 3))
     return np.concatenate([moves, np.cross(np.eye(3)[:, None], x)])
 
@@ -180,7 +182,7 @@ class HullFlow:
 
     @cached_property
     def parts(self):
-        """(c, 2, f, 3q) real and imaginary part of the velocity of each symmetry class, `Points.by_class`"""
+        """Real and imaginary part of the velocity of each symmetry class, `Points.by_class`; shape (c, 2, f, 3q)"""
         velocity = self.hull.by_class(self.velocity)
         return np.stack([velocity.real, velocity.imag], axis=1)
 
@@ -242,5 +244,5 @@ def _incident(run, at, waves, headings):
 
 
 def _on_images(run, parts):
-    """(images, nodes) φ without the incident waves, from its symmetry classes"""
+    """Potential φ without the incident waves on each image, from its symmetry classes; shape (images, nodes)"""
     return sum(np.multiply.outer(run.geometry.signs(cls), phi) for cls, (phi, _) in parts.items())

@@ -53,13 +53,14 @@ def side_quadrature(mesh, exponents, panels, sides, depth=np.inf):
 
 
 def _steady(stencil):
-    """(n,) whether errors of nodal values grow at most LARGEST times between nodes of `Stencils`, without slivers"""
+    """Whether errors of nodal values grow at most LARGEST times between nodes of `Stencils`, without slivers; shape
+    (n,)"""
     growth = np.abs(_line_rule(stencil).shape).sum(axis=-1).max(axis=1)
     return (growth < LARGEST) & (_missed(stencil).max(axis=1) < SLIVER)
 
 
 def _missed(stencil):
-    """(n, NODES) `edge_flow.nodal_errors`, 0 away from edges"""
+    """`edge_flow.nodal_errors`, 0 away from edges; shape (n, NODES)"""
     at_edge, out = stencil.at_edge, np.zeros((len(stencil.own), NODES))
     measures = stencil.lengths, stencil.across, stencil.mu, stencil.gap
     out[at_edge] = nodal_errors(*(part[at_edge] for part in measures))
@@ -127,7 +128,8 @@ def _powers(r, mu):
 
 
 def _factors(stencil, lengths):
-    """(n, NODES, NODES) from nodal values to coefficients of the powers, zero beyond the existing nodes"""
+    """Factors from nodal values to coefficients of the powers; shape (n, NODES, NODES); zero beyond the existing
+    nodes"""
     missed, out = _missed(stencil), np.zeros((len(lengths), NODES, NODES))
     for panels in (1, 2, 3):
         here, m = stencil.count == panels, 2 * panels
@@ -141,7 +143,7 @@ def _factors(stencil, lengths):
 
 
 def _nodes(s, t):
-    """(n, NODES²) indices of the nodes of the product stencils, and their images"""
+    """Indices of the nodes of the product stencils, and their images; shape (n, NODES²)"""
     (panel_s, at_s, image_s), (_, at_t, image_t) = _through(s), _through(t)
     panel_t = t.row.repeat(2, axis=1)
     panel = np.where(t.count[:, None, None] > 1, panel_t[panel_s], panel_s[:, :, None])
@@ -157,7 +159,8 @@ def _through(stencil):
 
 
 def _edge(v, s, t):
-    """(n, 3) m, the point of the edge nearest to the panel's middle, or the corner of two edges; NaN without edge"""
+    """The point of the edge nearest to the panel's middle, or the corner of two edges, m; shape (n, 3); NaN without
+    edge"""
     corner = np.where(t.at_edge & (t.count > 1), t.row[s.first, 0], s.first)
     S, T = (np.where(stencil.at_edge, stencil.end, 0)[:, None] for stencil in (s, t))
     shape = (1 + np.array([-1, 1, 1, -1]) * S) * (1 + np.array([-1, -1, 1, 1]) * T) / 4

@@ -24,7 +24,7 @@ LONGEST_PER_GAP = 1.5
 
 
 def pressure_drift(run, motions):
-    """(m, 3) mean surge, sway and yaw of the pressure on the hull, about the rotation centre; N/m², N m/m².
+    """Mean surge, sway and yaw of the pressure on the hull, about the rotation centre; shape (m, 3); N/m², N m/m².
 
     run : `bem.panels.one_frequency.PanelRun` of a mesh with four nodes a panel; motions : (m, 6) about the origin
     raises : ValueError for constant panels and for zero draft
@@ -37,7 +37,8 @@ def pressure_drift(run, motions):
 
 
 def pressure_pairs(surfaces, flow, problem, second=np.conj):
-    """(f, f, 6) complex T of all pairs of the f waves of a `hull_flow.HullFlow`, about the origin; N/m², N m/m²
+    """Complex transfer functions T of all pairs of the f waves of a `hull_flow.HullFlow`, about the origin; shape (f,
+    f, 6); N/m², N m/m²
 
     second : function of the second wave's amplitudes: their conjugates, or for sum frequencies the amplitudes
     """
@@ -55,7 +56,7 @@ def pressure_pairs(surfaces, flow, problem, second=np.conj):
 
 
 def carried_flow(surfaces, flow):
-    """(f, 6, 6) ∬ e_m·∇φ n_c dS with the displacement e_m of unit motion m about the origin"""
+    """Integrals ∬ e_m·∇φ n_c dS with the displacement e_m of unit motion m about the origin; shape (f, 6, 6)"""
     out = np.zeros((len(flow.omega), 6, 6), complex)
     for (m, c), carried, parts in zip(surfaces.hull.products, surfaces.carried, flow.parts, strict=True):
         real, imaginary = parts @ carried.T

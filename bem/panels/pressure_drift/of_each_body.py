@@ -23,8 +23,8 @@ MEAN = [0, 1, 5]  # surge, sway and yaw
 
 
 def drift_of_each(run, moving):
-    """(m, bodies, 3) N/m², N m/m²: mean surge, sway and yaw drift of each body, about the point of the body in its own
-    axes.
+    """Mean surge, sway and yaw drift of each body, about the point of the body in its own axes, N/m², N m/m²; shape (m,
+    bodies, 3).
 
     run : `bem.panels.one_frequency.PanelRun` of several bodies; moving : whether bodies that are not fixed float freely
     """
@@ -48,7 +48,8 @@ def drift_of_each(run, moving):
 
 
 def _bent_load(run, surface, motions, own, number):
-    """(m, 6) mean load on a body that may bend, about the origin; motions : (m, n) of all; own : (m, 6) of this one"""
+    """Mean load on a body that may bend, about the origin; shape (m, 6); motions : (m, n) of all; own : (m, 6) of this
+    one"""
     rigid, problem, line = 6 * len(run.problem.bodies), run.problem, surface.waterline
     shapes = [(mode, motions[:, d]) for d, mode in enumerate(problem.modes, rigid) if number in mode.moves]
 
@@ -77,8 +78,8 @@ def _bent_load(run, surface, motions, own, number):
 
 
 def own_motions(run, moving):
-    """(m, 6N) motions of all bodies in the waves of a run, each about its own point in its own axes; 0 for motions that
-    are fixed"""
+    """Motions of all bodies in the waves of a run, each about its own point in its own axes; shape (m, 6N); 0 for
+    motions that are fixed"""
     out = np.zeros((len(run.headings), run.count), complex)
     if moving:
         out[:, run.problem.moving] = run.rao
@@ -86,7 +87,8 @@ def own_motions(run, moving):
 
 
 def first_order_loads(run, motions):
-    """(m, 6N) first-order load of water and weight on all bodies, each about the point of the body in its own axes"""
+    """First-order load of water and weight on all bodies, each about the point of the body in its own axes; shape (m,
+    6N)"""
     T, own = run.problem.transform, run.problem.moving
     load = run.excitation @ T.T + motions @ (run.omega**2 * T @ run.radiation @ T.T).T
     if np.any(motions):

@@ -7,7 +7,7 @@ import numpy as np
 
 
 def products(one, two, second=np.conj):
-    """(f, f, …) T of the product of two quantities (f, a) and (f, b): ¼(aᵢ b̄ⱼ + āⱼ bᵢ), (f, f, a, b)
+    """Transfer function T of the product of two quantities (f, a) and (f, b), ¼(aᵢ b̄ⱼ + āⱼ bᵢ); shape (f, f, a, b)
 
     second : as of `bem.panels.pressure_drift.mean_drift.pressure_pairs`, here and below
     """
@@ -16,7 +16,8 @@ def products(one, two, second=np.conj):
 
 
 def rotated_pairs(load, motion, second=np.conj):
-    """(f, f, 6) T of loads (f, 6) that turn with the motions (f, 6), both about the rotation centre"""
+    """Transfer function T of loads (f, 6) that turn with the motions (f, 6), both about the rotation centre; shape (f,
+    f, 6)"""
     turned = products(motion, load, second)
     force = _cross(turned[..., 3:, :3])
     moment = _cross(turned[..., 3:, 3:]) + _cross(turned[..., :3, :3])
@@ -24,6 +25,6 @@ def rotated_pairs(load, motion, second=np.conj):
 
 
 def _cross(ab):
-    """(…, 3) a × b of products (…, 3, 3)"""
+    """Cross product a × b from products (…, 3, 3) of the components; shape (…, 3)"""
     pairs = ((1, 2), (2, 0), (0, 1))
     return np.stack([ab[..., a, b] - ab[..., b, a] for a, b in pairs], axis=-1)

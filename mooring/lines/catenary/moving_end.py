@@ -40,7 +40,8 @@ KEPT = 6  # numbers kept of each line: its State, H or t, and for a line on the 
 
 @kernel(inline=True)
 def tension_near(kept, x, height, length, weight, flexibility, friction):
-    """(H, wS) of a line that lies partly on the bed, from the tangent kept of a nearby position, which is updated.
+    """Return (H, wS) of a line that lies partly on the bed, from the tangent kept of a nearby position, which is
+    updated.
 
     nan where Newton's method does not converge at once
 
@@ -134,7 +135,7 @@ def tensions_near(kept, lines, ends, n):
 
 @kernel(inline=True)
 def pull_anew(before, near, x, height, length, weight, flexibility, friction):
-    """(State, H, V, H or t) of a line that is not slack: partly on the bed, or free with `near`, its t or 0"""
+    """Return (State, H, V, H or t) of a line that is not slack: partly on the bed, or free with `near`, its t or 0"""
     if before == GROUNDED or not leaves_bed(x, height, length, weight, flexibility):
         H = grounded_tension(x, 0.0, height, length, weight, flexibility, friction)
         hanging = free_length(H, height, weight, flexibility)
@@ -152,7 +153,7 @@ def pull_anew(before, near, x, height, length, weight, flexibility, friction):
 
 @kernel(inline=True)
 def pull(kept, x, height, length, weight, flexibility, friction):
-    """(H, V) N, towards the anchor and down, on an end `height` above the anchor on the bed and x away from it.
+    """Forces (H, V), N, towards the anchor and down, on an end `height` above the anchor on the bed and x away from it.
 
     kept : (KEPT,) from an earlier call for this line, zeros before the first; updated for the next
     nan beyond the reach of the line, or with the end below the bed
@@ -177,7 +178,7 @@ def pull(kept, x, height, length, weight, flexibility, friction):
 
 @kernel(inline=True)
 def pull_of_any(kept, row, x, low, high, bed, length, weight, flexibility, friction):
-    """(H, V) on the end at z = `high` of a line whose other end, at z = `low`, is fixed on the bed or above it.
+    """Forces (H, V) on the end at z = `high` of a line whose other end, at z = `low`, is fixed on the bed or above it.
 
     row : (ROW,) room for results; `pull` applies where the fixed end is an anchor on the bed of a line that sinks
     """

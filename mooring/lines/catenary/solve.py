@@ -45,12 +45,12 @@ class LineSolution(NamedTuple):
 
     @property
     def tension_fairlead(self):
-        """(...,) N"""
+        """Tension at the fairlead, N; shape (...,)"""
         return np.hypot(self.horizontal_fairlead, self.vertical_fairlead)
 
     @property
     def tension_anchor(self):
-        """(...,) N"""
+        """Tension at the anchor, N; shape (...,)"""
         return np.hypot(self.horizontal_anchor, self.vertical_anchor)
 
 

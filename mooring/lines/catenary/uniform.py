@@ -121,7 +121,7 @@ def solve_uniform_lines(lines, bed):
 
 @kernel()
 def spans_at_tension(lines, H):
-    """(n, 2) span and length on the bed of lines with H given instead of their x.
+    """Span and length on the bed of lines with H given instead of their x; shape (n, 2).
 
     The span is nan where a line is too short to hang, the length where the bed rises above the fairlead.
     """
@@ -140,7 +140,7 @@ def spans_at_tension(lines, H):
 
 @kernel()
 def points_along(row, line, s):
-    """(m, 2) x and z from the anchor at unstretched lengths s (m,) of a solved line."""
+    """Points x and z from the anchor at unstretched lengths s (m,) of a solved line; shape (m, 2)."""
     x, _, length, weight, flexibility, friction, slope = line
     H, lying, side = row[0], row[4], 1.0
     if H < 0:

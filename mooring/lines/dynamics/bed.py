@@ -47,12 +47,13 @@ class ElasticBed:
 
     @property
     def normal(self):
-        """(3,) upward unit vector"""
+        """Normal of the bed, a unit vector upwards; shape (3,)"""
         s = np.sin(self.slope)
         return np.array([-s * np.cos(self.uphill), -s * np.sin(self.uphill), np.cos(self.slope)])
 
     def profile(self, z):
-        """(m, 4) m, along the course: begin of a row's range, height there, slope, and curvature; empty for a plane.
+        """Rows of the bed along the course: begin of a row's range, m, height there, slope, and curvature; shape (m,
+        4); empty for a plane.
 
         z : m, of the anchor, which the bed is `below`
         """

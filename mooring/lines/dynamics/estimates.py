@@ -89,7 +89,8 @@ def _plain(case):
 
 
 def _off(difference, of, line):
-    """(2,) differences as shares of `of`, N; 0 for rounding, as of a fairlead that lies on the bed"""
+    """Differences of two forces as shares of `of`, N; shape (2,); 0 for rounding, as of a fairlead that lies on the
+    bed"""
     none = of <= NONE * max(np.abs(line.system.weight).max(), of.max())
     return np.where(none, 0.0, np.abs(difference) / np.where(none, 1.0, of))
 
@@ -99,7 +100,7 @@ def _largest(result):
 
 
 def _largest_of_parts(result, edges):
-    """(2, PARTS) N, at the fairlead and of all elements"""
+    """Largest tension of each of the PARTS, at the fairlead and of all elements, N; shape (2, PARTS)"""
     found = np.empty((2, edges.size - 1))
     for row, values in enumerate((result.tension_fairlead, result.largest_tension)):
         ends = np.interp(edges, result.time, values)

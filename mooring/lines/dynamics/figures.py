@@ -137,7 +137,8 @@ def time_below(t, values, level):
 
 
 def quasi_static(line, course, window, current):
-    """(m, 2) N at fairlead and anchor, of the line at rest in `current` with its fairlead fixed at places (m, 3)
+    """Tensions at fairlead and anchor, N, of the line at rest in `current` with its fairlead fixed at places (m, 3);
+    shape (m, 2)
 
     The places are those of one cycle, or of the whole window; nan if the line has no static shape.
     """

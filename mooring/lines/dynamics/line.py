@@ -65,7 +65,8 @@ class DynamicSegment:
 
     @cached_property
     def elongation(self):
-        """(k, 4): strain from which a row holds; tension there, its slope and its integral, all over `stiffness`"""
+        """Rows of a curve: strain from which a row holds; tension there, its slope and its integral, all over
+        `stiffness`; shape (k, 4)"""
         if np.ndim(self.axial_stiffness) == 0:
             return np.array([[0.0, 0.0, 1.0, 0.0]])
         strain, tension = self._points
@@ -205,7 +206,7 @@ class DynamicLine:
 
     @cached_property
     def nodes(self):
-        """(N + 1,) m, unstretched distance from the anchor"""
+        """Unstretched distance of the nodes from the anchor, m; shape (N + 1,)"""
         return np.concatenate([[0.0], np.cumsum(self._each(lambda s: s.size))])
 
     def with_elements(self, factor):
@@ -302,7 +303,8 @@ class DynamicLine:
         return any(s.bending_stiffness > 0 for s in self.segments)
 
     def _flexure(self):
-        """(N + 1,) N m, of the nodes between two elements with bending stiffness; (0,) without any"""
+        """Bending stiffness of the nodes between two elements that have one, N m; shape (N + 1,), or (0,) without
+        any"""
         if not self.bends:
             return np.zeros(0)
         EI = self._each(lambda s: s.bending_stiffness)
@@ -317,7 +319,7 @@ class DynamicLine:
         return np.concatenate(rows), np.concatenate(tables)
 
     def _each(self, value):
-        """(N,) a property of each element's segment"""
+        """Value of a property for each element, of its segment; shape (N,)"""
         return np.concatenate([np.full(s.elements, value(s), float) for s in self.segments])
 
     def _bodies(self):
@@ -334,5 +336,5 @@ class DynamicLine:
 
 
 def _to_nodes(half):
-    """(N + 1,) sum of the halves on both sides of each node"""
+    """Sum of the halves on both sides of each node; shape (N + 1,)"""
     return np.concatenate([half, [0.0]]) + np.concatenate([[0.0], half])

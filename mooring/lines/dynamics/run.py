@@ -40,12 +40,12 @@ class Energies(NamedTuple):
 
     @property
     def lost(self):
-        """(n,) J"""
+        """Energy lost since the start, J; shape (n,)"""
         return self.drag + self.water_inertia + self.structural + self.bed + self.friction
 
     @property
     def supplied(self):
-        """(n,) J, work at the ends as the sum of losses and storage
+        """Work done at the ends, the sum of losses and storage, J; shape (n,)
 
         In slow motion a line exchanges a thousand times the energy that it loses.  The loss is a sum without signs and
         the stored energy is least in equilibrium, so that this is of second order in the error of the state.
@@ -54,7 +54,7 @@ class Energies(NamedTuple):
 
     @property
     def stored(self):
-        """(n,) J, negative if less than at the start"""
+        """Energy stored, J; shape (n,); negative if less than at the start"""
         total = self.kinetic + self.elastic + self.potential + self.bed_elastic
         return total - total[0]
 
@@ -96,12 +96,12 @@ class Result:
 
     @cached_property
     def tension_fairlead(self):
-        """(n,) N"""
+        """Tension at the fairlead, N; shape (n,)"""
         return np.linalg.norm(self.force_fairlead, axis=1)
 
     @cached_property
     def tension_anchor(self):
-        """(n,) N"""
+        """Tension at the anchor, N; shape (n,)"""
         return np.linalg.norm(self.force_anchor, axis=1)
 
 

@@ -72,7 +72,8 @@ def _settled(system, water, q, slip):
 
 
 def _mobilised(system, q):
-    """(N + 1, 3) m, slip of nodes at rest at q: from the highest one on the bed down, as far as there is tension."""
+    """Slip of nodes at rest at q, m; shape (N + 1, 3): from the highest one on the bed down, as far as there is
+    tension."""
     along = np.diff(q, axis=0)
     length = np.linalg.norm(along, axis=1)
     tension = lumped.elastic_tension(system, q)

@@ -54,7 +54,7 @@ class Strength:
         return max(found, key=lambda used: used.share)
 
     def _tensions(self, line, result):
-        """(segment, (n,) N) of every end and element"""
+        """Return (segment, tension (n,), N) of every end and element"""
         yield 0, result.tension_anchor
         yield len(self.breaking) - 1, result.tension_fairlead
         if self.uniform:

@@ -78,7 +78,7 @@ class FairleadMotion:
         return 0.0 if self.knots is None else self.knots[0]
 
     def at(self, t):
-        """(3, 3): position m, velocity m/s and acceleration m/s² at time t"""
+        """Position, m, velocity, m/s, and acceleration, m/s², at time t; shape (3, 3)"""
         from .lumped.surroundings import fairlead_at
 
         found = np.zeros((3, 3))

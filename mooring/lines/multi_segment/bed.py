@@ -86,7 +86,7 @@ class Bed:
 
     @cached_property
     def slopes(self):
-        """(k − 1,) of the facets"""
+        """Slopes of the facets of the bed; shape (k − 1,)"""
         return np.diff(self.points[:, 1]) / np.diff(self.points[:, 0])
 
     @property

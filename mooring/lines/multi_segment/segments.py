@@ -37,7 +37,8 @@ class Segment:
 
     @property
     def strain_table(self):
-        """(k, 3): tension from which a piece applies, its λ and 1/EA in strain = λ − 1 + T/EA."""
+        """Rows of a strain table: tension from which a row applies, and its λ and 1/EA in strain = λ − 1 + T/EA; shape
+        (k, 3)."""
         stiffness = self.axial_stiffness
         if np.ndim(stiffness) == 0:
             if not stiffness > 0:

@@ -47,17 +47,18 @@ class StaticSolution:
 
     @property
     def tension_fairlead(self):
-        """(...,) N"""
+        """Tension at the fairlead, N; shape (...,)"""
         return np.hypot(self.horizontal_fairlead, self.vertical_fairlead)
 
     @property
     def tension_anchor(self):
-        """(...,) N"""
+        """Tension at the anchor, N; shape (...,)"""
         return np.hypot(self.horizontal_anchor, self.vertical_anchor)
 
     @property
     def anchor_uplift(self):
-        """(...,) rad, angle of the pull on the anchor above the bed at the anchor; 0 where the line lies on the bed"""
+        """Angle of the pull on the anchor above the bed at the anchor, rad; shape (...,); 0 where the line lies on the
+        bed"""
         up = np.arctan2(self.vertical_anchor, self.horizontal_anchor)
         beta = self.line.anchor_slope
         lifted = (self.tension_anchor > 0) & (up > beta + 1e-9)
@@ -65,7 +66,7 @@ class StaticSolution:
 
     @property
     def anchor_holds(self):
-        """(...,) whether the uplift is within the line's `uplift_limit`"""
+        """Whether the uplift is within the line's `uplift_limit`; shape (...,)"""
         return self.anchor_uplift <= self.line.uplift_limit
 
     @cached_property
@@ -85,7 +86,7 @@ class StaticSolution:
 
     @property
     def grounded(self):
-        """(k, 2) m from the anchor: begin and end of the parts on the bed, from the anchor up"""
+        """Begin and end, m from the anchor, of the parts on the bed, from the anchor up; shape (k, 2)"""
         p = self._one[(self._one[:, 0] == 1) & (self._one[:, 2] > 0)]
         spans = []
         for top, length in p[:, 1:3]:
@@ -126,7 +127,8 @@ class StaticSolution:
         return np.column_stack([s, self.at(s)])
 
     def places(self, count):
-        """(count,) m from the anchor, even, except those moved to a joint, a lift-off point or, last, a body"""
+        """Places along the line, m from the anchor; shape (count,); even, except those moved to a joint, a lift-off
+        point or, last, a body"""
         even = np.linspace(0.0, self.line.length, count)
         s, bodies = even.copy(), [load.position for load in self.line.loads]
         for end in (
@@ -139,7 +141,7 @@ class StaticSolution:
         return np.sort(s)
 
     def at(self, s):
-        """(k, 3) x, z (m) and tension (N) at unstretched lengths s (k,) m from the anchor"""
+        """Coordinates x and z, m, and tension, N, at unstretched lengths s (k,), m, from the anchor; shape (k, 3)"""
         p = self._one
         top = p[:, 1]
         index = np.clip(np.searchsorted(-top, -s, side="right") - 1, 0, len(p) - 1)
@@ -147,7 +149,7 @@ class StaticSolution:
 
     @property
     def segment_tensions(self):
-        """(k,) N, the largest tension in each segment, from the anchor up"""
+        """The largest tension in each segment, from the anchor up, N; shape (k,)"""
         on_bed, top, length, _, _, first, second, weight = self._one[:, :8].T
         on_bed = on_bed == 1
         upper = np.where(on_bed, first, np.hypot(first, second))

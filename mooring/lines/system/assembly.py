@@ -108,7 +108,7 @@ def add_float(force, K, points, owner, column, floats):
 
 @kernel()
 def uniform_rows(points, ends, flipped, lines, bed):
-    """(n, ROW) forces and derivatives of the uniform lines, each from the end at which friction arrives last.
+    """Forces and derivatives of the uniform lines, each from the end at which friction arrives last; shape (n, ROW).
 
     A row of `lines` without a length is filled elsewhere.
     """

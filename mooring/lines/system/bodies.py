@@ -6,7 +6,7 @@ import numpy as np
 
 
 def rotation(roll, pitch, yaw):
-    """(3, 3) R = Rz(yaw) Ry(pitch) Rx(roll), rad"""
+    """Rotation R = Rz(yaw) Ry(pitch) Rx(roll), angles in rad; shape (3, 3)"""
     (a, b, c), (d, e, f) = np.cos([roll, pitch, yaw]), np.sin([roll, pitch, yaw])
     return np.array(
         [
@@ -18,13 +18,13 @@ def rotation(roll, pitch, yaw):
 
 
 def angles(R):
-    """(3,) roll, pitch, yaw in rad of R = Rz Ry Rx, pitch within ±π/2"""
+    """Roll, pitch, yaw in rad of R = Rz Ry Rx, pitch within ±π/2; shape (3,)"""
     pitch = np.arctan2(-R[2, 0], np.hypot(R[0, 0], R[1, 0]))
     return np.array([np.arctan2(R[2, 1], R[2, 2]), pitch, np.arctan2(R[1, 0], R[0, 0])])
 
 
 def cross_matrix(a):
-    """(3, 3) S with S v = a × v"""
+    """Matrix S with S v = a × v; shape (3, 3)"""
     x, y, z = a
     return np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
 
@@ -48,7 +48,7 @@ def rotated(R, turn):
 
 
 def axes_in_space(headings):
-    """(6N, 6N) whose columns are the axes of motions of bodies of headings (N,) rad, in space axes"""
+    """Matrix whose columns are the axes of motions of bodies of headings (N,), rad, in space axes; shape (6N, 6N)"""
     turn = np.zeros((6 * len(headings), 6 * len(headings)))
     for i, heading in enumerate(headings):
         turn[6 * i : 6 * i + 6, 6 * i : 6 * i + 6] = np.kron(np.eye(2), rotation(0.0, 0.0, heading))
@@ -56,7 +56,8 @@ def axes_in_space(headings):
 
 
 def places_along(headings):
-    """(6N, 6N) whose columns are the changes of position by motions of bodies of headings (N,) rad, along their axes
+    """Matrix whose columns are the changes of position by motions of bodies of headings (N,), rad, along their axes;
+    shape (6N, 6N)
 
     x, y of positions are along those of space; roll and pitch are already about the axes of the body.
     """

@@ -31,7 +31,7 @@ class Composite(NamedTuple):
 
     @property
     def buoys(self):
-        """(k,) m from the origin"""
+        """Places of the buoys, m from the origin; shape (k,)"""
         return np.array([load.position for load in self.line.loads if load.weight < 0])
 
 
@@ -91,7 +91,8 @@ def solution(one, A, B):
 
 
 def points_along(one, found, A, B, s):
-    """(k, 3) m in space at unstretched lengths s (k,) m from end a of a solved Composite with its origin at A."""
+    """Points in space, m, at unstretched lengths s (k,), m, from end a of a solved Composite with its origin at A;
+    shape (k, 3)."""
     span = np.hypot(*(B - A)[:2])
     outward = (B - A)[:2] / span if span > 0 else np.array([1.0, 0.0])
     x, z, _ = found.at(one.line.length - s if one.flipped else s).T

@@ -50,18 +50,18 @@ class SystemEquilibrium:
 
     @property
     def position(self):
-        """(b, 6) m and rad: origins of the bodies, then roll, pitch and yaw"""
+        """Origin, m, then roll, pitch and yaw, rad, of each body; shape (b, 6)"""
         attitude = np.array([angles(R) for R in self.pose.turn]).reshape(-1, 3)
         return np.hstack([self.pose.place, attitude])
 
     @property
     def tension(self):
-        """(n,) N, the larger of both ends of each line"""
+        """The larger of both ends of each line, N; shape (n,)"""
         return np.maximum(self.lines.tension_a, self.lines.tension_b)
 
 
 def freedom(system):
-    """(N,) degrees of freedom on which forces may act."""
+    """Numbers of the degrees of freedom on which forces may act; shape (N,)."""
     bodies = [[name in body.freedom for name in DOFS] for body in system.bodies]
     return np.concatenate([np.array(bodies, bool).ravel(), np.ones(3 * len(system.free_points), bool)])
 
@@ -125,7 +125,7 @@ def _next_radius(radius, step, before):
 
 
 def _units(system):
-    """(N,) moments are compared as forces at the outermost fairlead of the body."""
+    """Units in which the motions are compared, moments as forces at the outermost fairlead of the body; shape (N,)."""
     unit = np.ones(6 * len(system.bodies) + 3 * len(system.free_points))
     if not system.bodies:
         return unit
@@ -175,7 +175,7 @@ class _Indefinite:
         self.values, self.along = np.abs(values), self.vectors.T @ residual[chosen]
 
     def within(self, radius):
-        """(k,) m, of at most `radius`"""
+        """Places along the line, m, of at most `radius` from its end; shape (k,)"""
         high = np.linalg.norm(self.along) / radius
         if high == 0.0:
             return np.zeros(len(self.along))

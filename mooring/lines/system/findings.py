@@ -17,7 +17,8 @@ NEARER = "give the line its axial stiffness or more length, or move its ends nea
 
 
 def strains(system, tension):
-    """(n,) strain of the softest segment of each line at tension (n,) N; 0 for a table, which contains the strain"""
+    """Strain of the softest segment of each line at tension (n,) N; 0 for a table, which contains the strain; shape
+    (n,)"""
     stiffness = [
         min((part.axial_stiffness for part in _parts(line) if not np.ndim(part.axial_stiffness)), default=np.inf)
         for line in system.lines
@@ -83,7 +84,7 @@ def warn_of_friction(system, lines):
 
 
 def unheld(lines):
-    """(n,) of LineForces: whether a part without tension lies on a bed steeper than friction holds.
+    """Whether a part of each line without tension lies on a bed steeper than friction holds; shape (n,) of LineForces.
 
     Such a part is assumed to remain in place; in reality it slides to the nearest hollow, and pulls there.
     """

@@ -131,7 +131,7 @@ class System:
 
     @cached_property
     def breaking_load(self):
-        """(n,) N, of a line of segments the least"""
+        """Breaking load of each line, N, of a line of segments the least; shape (n,)"""
         return np.array([line.breaking_load for line in self.lines])
 
     @cached_property
@@ -194,7 +194,7 @@ class System:
 
     @cached_property
     def anchored_ends(self):
-        """(n,) which end of each line is an anchor on the bed: "a", "b", or "" for neither or both"""
+        """Which end of each line is an anchor on the bed; shape (n,): "a", "b", or "" for neither or both"""
         anchors = {point.name: point.position[2] for point in self.points if isinstance(point, Anchor)}
         on_bed = {name for name, z in anchors.items() if abs(z + self.depth) <= ON_BED}
         found = []
@@ -273,8 +273,8 @@ class System:
 
     @cached_property
     def body_loads(self):
-        """(b, 6) N and N m, steady; (b, 6, 6) hydrostatic stiffness, 0 for a body without hydrostatic stiffness; (b,)
-        m, z at rest"""
+        """Steady load, N and N m, shape (b, 6); hydrostatic stiffness, shape (b, 6, 6), 0 for a body without it; and z
+        at rest, m, shape (b,)"""
         springs = [body.hydrostatic_stiffness for body in self.bodies]
         springs = [np.zeros((6, 6)) if spring is None else np.array(spring, float) for spring in springs]
         loads = np.array([body.load for body in self.bodies], float)

@@ -68,7 +68,7 @@ def add_loads(force, K, loads, springs, height, place, turn):
 
 
 def hydrostatic_load(stiffness, sinkage, R):
-    """(6,) force and moment in space axes and its (6, 6) stiffness: see `add_hydrostatics`."""
+    """Force and moment in space axes, shape (6,), and their stiffness, shape (6, 6): see `add_hydrostatics`."""
     force, K = np.zeros(6), np.zeros((6, 6))
     add_hydrostatics(force, K, 0, np.asarray(stiffness, float), float(sinkage), np.asarray(R, float))
     return force, K

@@ -20,19 +20,19 @@ def line_shapes(state, points=80):
 
 
 def composite_points(state, number, s):
-    """(k, 3) m in space at unstretched lengths s (k,) m from end a of a line of segments."""
+    """Points in space, m, at unstretched lengths s (k,), m, from end a of a line of segments; shape (k, 3)."""
     one = next(one for one in state.system.composites if one.number == number)
     ends = state.points[state.system.arrays.ends[number]]
     return points_along(one, state.lines.solutions[number], *(ends[::-1] if one.flipped else ends), s)
 
 
 def loads_on_lines(state):
-    """(k, 3) m in space: the sinkers and buoys on lines of segments"""
+    """Places in space of the sinkers and buoys on lines of segments, m; shape (k, 3)"""
     return _places(state, lambda line: [load.position for load in line.loads])
 
 
 def joints_of_lines(state):
-    """(k, 3) m in space: where the segments of lines meet"""
+    """Places in space where the segments of lines meet, m; shape (k, 3)"""
     return _places(state, lambda line: np.cumsum([segment.length for segment in line.segments])[:-1])
 
 

@@ -78,7 +78,7 @@ class Surfacing:
 
 
 def surfacing(system):
-    """(k,) Surfacing of every UniformLine with a weight in air, in the order of the lines"""
+    """Surfacing of every UniformLine with a weight in air, in the order of the lines; shape (k,)"""
     return tuple(
         Surfacing(i, line, end == "b", bool(end), -float(system.depth))
         for i, (line, end) in enumerate(zip(system.lines, system.anchored_ends, strict=True))
@@ -108,14 +108,14 @@ def fill_surfacing(row, one, A, B):
 
 
 def _forces(found):
-    """(4,) N as in a row: horizontal at the origin and the other end, downward pulls on both"""
+    """Forces of a row, N: horizontal at the origin and the other end, downward pulls on both; shape (4,)"""
     return np.array(
         [found.horizontal_anchor, found.horizontal_fairlead, -found.vertical_anchor, found.vertical_fairlead], float
     )
 
 
 def surfacing_shape(one, A, B, count):
-    """(count, 3) m in space, from end a to end b of a line with its origin at A"""
+    """Points in space from end a to end b of a line with its origin at A, m; shape (count, 3)"""
     away = (B - A)[:2]
     span = np.hypot(*away)
     found, _ = one.between(span, A[2], B[2])

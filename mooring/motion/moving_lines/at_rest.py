@@ -46,7 +46,7 @@ def moving_work(moving, states, samples, lines, sampled):
 
 
 def state_pull(moving, i, state: State):
-    """(3,) N of line i on its fairlead at rest"""
+    """Pull of line i on its fairlead at rest, N; shape (3,)"""
     pull = np.zeros(3)
     pull_at_rest(moving.systems[i], workspace(moving.systems[i]), *state[1:5], pull)
     return pull

@@ -22,7 +22,7 @@ ON_JOINT = 1e-6  # m
 
 
 def moving_of(moored, settings, sea=None, surface=True):
-    """(`MovingLines`, States at rest) of the lines in `settings.dynamic_lines`; None for none
+    """Return (`MovingLines`, States at rest) of the lines in `settings.dynamic_lines`; None for none
 
     moored : `simulation.moored_body.Moored`; sea : `sea.LineSea`, None for still water
     surface : False for lines that count as submerged everywhere, as their static shapes do
@@ -74,7 +74,7 @@ def moving_of(moored, settings, sea=None, surface=True):
 
 
 def ends_of(line, system):
-    """(Anchor, Fairlead) of a line of a System"""
+    """Return (Anchor, Fairlead) of a line of a System"""
     ends = [point for name in (line.a, line.b) for point in system.points if point.name == name]
     return tuple(ends if isinstance(ends[0], Anchor) else ends[::-1])
 

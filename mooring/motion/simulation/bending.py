@@ -36,8 +36,8 @@ def check_bending(body, free):
 
 
 def rest_bent(body, berth, others, start, unit, free):
-    """(n,) places in space and amplitudes of shapes at rest, and (n, n) stiffness at these places, along the axes of
-    the bodies
+    """Places in space and amplitudes of shapes at rest, shape (n,), and stiffness there along the axes of the bodies,
+    shape (n, n)
 
     berth : `contacts.Berth`; others : function of the place, (n,) N of lines, water and springs; unit : (n,) m, rad
     free : numbers of the motions that are not held; bodies come to rest in all of theirs

@@ -73,7 +73,7 @@ def shapes_of(reader, groups, spring):
 
 
 def of_each(matrix):
-    """(N, 6, 6) of a matrix (6N, 6N), without the coupling of bodies"""
+    """Parts (N, 6, 6) of a matrix (6N, 6N) for each body alone, without the coupling of bodies"""
     return np.array([matrix[i : i + 6, i : i + 6] for i in range(0, len(matrix), 6)])
 
 

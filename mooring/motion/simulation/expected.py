@@ -10,7 +10,8 @@ STILL = 0.1  # m, scale of a body without waves
 
 
 def expected_motion(moored, components):
-    """(N + G, 12) standard deviations of motions and velocities of the linear bodies, and of groups of their shapes
+    """Standard deviations of motions and velocities of the linear bodies, and of groups of their shapes; shape (N + G,
+    12)
 
     None is below a share of the largest, of a shape below a share of the largest of shapes.
 
@@ -44,8 +45,8 @@ def expected_motion(moored, components):
 
 
 def units_of(reader):
-    """(n,) m or rad, comparable amplitudes of the motions of a Reader: 1 m, or 1 m over the radius of gyration; shapes
-    that rotate have the value of roll"""
+    """Amplitudes that are comparable for the motions of a Reader, m or rad; shape (n,): 1 m, or 1 m over the radius of
+    gyration; shapes that rotate have the value of roll"""
     inertia = np.diag(reader.inertia)[: reader.rigid].reshape(-1, 6)
     radius = np.sqrt(inertia[:, 3:] / inertia[:, :1])
     unit = np.concatenate([np.ones_like(radius), 1 / radius], axis=1).ravel()
@@ -53,6 +54,6 @@ def units_of(reader):
 
 
 def _in_sixes(values, groups):
-    """(N + G, 6) of values of all motions, 1 of motions that are none"""
+    """Values of all motions in rows of six, 1 for motions that do not exist; shape (N + G, 6)"""
     out = groups.padded(values).reshape(-1, 6)
     return np.where(groups.padded(np.ones_like(values)).reshape(-1, 6) > 0, out, 1.0)

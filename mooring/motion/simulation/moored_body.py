@@ -79,7 +79,7 @@ class Moored:
 
     @cached_property
     def dynamic_stiffness(self):
-        """(q, n, n) complex force per motion of the linear body on its lines, at the frequencies of `waves`"""
+        """Complex force per motion of the linear body on its lines, at the frequencies of `waves`; shape (q, n, n)"""
         K, omega = self.stiffness - self.reader.stiffness, self.waves.omega
         more = driven(self.reader).damping - self.reader.damping
         body = self.reader.restrained(stiffness=0.5 * (K + K.T), damping=self.damping + more)
@@ -192,7 +192,8 @@ def _of_tables(system, tables):
 
 
 def _rest(system, body, spring):
-    """(6N,) places at rest from those given, in space, and (6N, 6N) stiffness there, along the axes of the bodies
+    """Places at rest from those given, in space, shape (6N,), and stiffness there along the axes of the bodies, shape
+    (6N, 6N)
 
     Bodies that bend are as if they did not.
     """
@@ -231,7 +232,7 @@ def _but_berth(system, tables, body, spring):
 
 
 def _rest_together(links, berth, system, tables, body, spring, start):
-    """(n,) places at rest of bodies with hinges, and (n, n) stiffness there"""
+    """Places at rest of bodies with hinges, shape (n,), and stiffness there, shape (n, n)"""
     headings, others = body.axes_at_rest[:, 5], _but_berth(system, tables, body, spring)
 
     def forces(place):

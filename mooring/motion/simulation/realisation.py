@@ -105,12 +105,12 @@ def realisation_of(moored, settings, seed, begun, course):
 
 
 def motion_of(course, at_rest):
-    """(n, 6N + f) motion from the places at rest (N, 6), of a Course"""
+    """Motion from the places at rest (N, 6), of a Course; shape (n, 6N + f)"""
     return np.hstack([along_axes(course.samples[:, :, :6], at_rest), course.bent])
 
 
 def along_axes(poses, at_rest):
-    """(n, k N) of poses (n, N, k), with x, y in space and the heading last, along the axes at rest"""
+    """Poses (n, N, k), with x, y in space and the heading last, along the axes at rest; shape (n, k N)"""
     out = np.array(poses)
     for i, heading in enumerate(at_rest[:, 5]):
         if heading != 0.0:
@@ -122,7 +122,7 @@ def along_axes(poses, at_rest):
 
 
 def poses_of(motion, at_rest):
-    """(N, 6) m, rad in space of motions (n,) from the places at rest (N, 6), along their axes there"""
+    """Poses in space, m, rad, of motions (n,) from the places at rest (N, 6), along their axes there; shape (N, 6)"""
     poses = at_rest + np.reshape(motion, (-1, 6))
     for pose, heading, (x, y) in zip(poses, at_rest[:, 5], np.reshape(motion, (-1, 6))[:, :2], strict=True):
         if heading != 0.0:
@@ -132,7 +132,7 @@ def poses_of(motion, at_rest):
 
 
 def _elevation(table, clocked, reader):
-    """(n,) m at the origin, of a `WaveTable` at times (n,) s from its begin"""
+    """Elevation at the origin, of a `WaveTable` at times (n,), s, from its begin, m; shape (n,)"""
     if not len(table.omega):
         return np.zeros(len(clocked))
     from ...environment.wave_records import real_sum
@@ -160,7 +160,7 @@ class Doubt(NamedTuple):
     spread: np.ndarray
 
     def share(self, error):
-        """(n,) errors (n,) over the standard deviations, 0 for motions that are zero"""
+        """Errors (n,) over the standard deviations, 0 for motions that are zero; shape (n,)"""
         return np.where(self.spread > MOTIONLESS, error / np.maximum(self.spread, MOTIONLESS), 0.0)
 
     @property

@@ -97,7 +97,7 @@ def _sea_of_lines(components, table, weather, settings, reader):
 
 
 def _current_at_lines(weather):
-    """(2,) m/s, None for none"""
+    """Current at the lines, m/s; shape (2,); None for none"""
     if weather.on_hull is not None:
         return weather.on_hull.water.velocity
     if weather.current is None:
@@ -193,14 +193,16 @@ def _followed(moored, settings, begun, progress):
 
 
 def begin(moored, offset=(0.0,)):
-    """(N, 6) m, rad: displacements in space and headings of bodies at rest, an offset (n,) along their axes added"""
+    """Displacements in space, m, and headings, rad, of bodies at rest, an offset (n,) along their axes added; shape (N,
+    6)"""
     reader = moored.reader
     turned = reader.axes_at_rest * [0, 0, 0, 0, 0, 1]
     return moored.start[: reader.rigid].reshape(-1, 6) + poses_of(of_all(offset, reader)[0], turned)
 
 
 def of_all(values, reader):
-    """(N, 6) of bodies and (f,) of shapes, of numbers for each motion of a Reader, or of (6,) zeros for none.
+    """Numbers of bodies, shape (N, 6), and of shapes, shape (f,), from one number for each motion of a Reader, or (6,)
+    zeros for none.
 
     raises : SimulationError for other shapes
     """

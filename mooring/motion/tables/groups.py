@@ -48,7 +48,8 @@ def groups_of(reader):
 
 
 def moved_by_shapes(reader, body, points):
-    """(n, f, 3) m per unit of each shape of a Reader at points (n, 3) m of one of the bodies that move
+    """Displacement per unit of each shape of a Reader at points (n, 3), m, of one of the bodies that move, m; shape (n,
+    f, 3)
 
     body : its number among the moving bodies; points and displacements along its axes, from its rotation centre
     """

@@ -25,7 +25,8 @@ def zeros_in_lines(shape):
 
 
 def harmonics(omega, step, count):
-    """(c, 2, m) cos ωt and sin ωt at `count` or a few more steps from 0 s, then zeros up to a whole number of BLOCKs
+    """Values of cos ωt and sin ωt at `count` or a few more steps from 0 s, then zeros up to a whole number of BLOCKs;
+    shape (c, 2, m)
 
     omega : (c,) rad/s; step : s
     """

@@ -41,7 +41,7 @@ def between_samples(samples, place, weights, out):
 
 
 def ring_table(values):
-    """(n + 3, k) of values (n, k) at n equal steps of a circle, extended so that four neighbours always exist."""
+    """Values (n, k) at n equal steps of a circle, extended so that four neighbours always exist; shape (n + 3, k)"""
     values = np.asarray(values, float)
     return np.concatenate([values[-1:], values, values[:2]])
 

@@ -127,7 +127,7 @@ class Breakwater:
 
     @property
     def levels(self):
-        """(name, rise) of the water levels, the mean one first"""
+        """Return (name, rise) of the water levels, the mean one first"""
         tide = self.water.tide
         return [("mean", 0.0), ("low", -tide), ("high", tide)] if tide else [("mean", 0.0)]
 
@@ -148,7 +148,7 @@ class Breakwater:
 
     @property
     def design(self):
-        """(holding, theory) for the tensions: as chosen, else the first holding with lines"""
+        """Return (holding, theory) for the tensions: as chosen, else the first holding with lines"""
         held = [holding for holding in self.holdings if holding in ("taut", "elastic")]
         return self.chosen[0] or (held or self.holdings)[0], self.chosen[1]
 

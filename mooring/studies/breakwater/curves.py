@@ -86,7 +86,7 @@ def _with_loss(breakwater, made, holding, rise, omega, amplitude):
 
 
 def sections(breakwater, wetted, rise, omega, obliquity=0.0):
-    """(n,) `Section` of the wetted part at frequencies (n,) rad/s; obliquity : (n,) rad.
+    """`Section` of the wetted part at frequencies (n,) rad/s; shape (n,); obliquity : (n,) rad.
 
     Raises BreakwaterError.
     """

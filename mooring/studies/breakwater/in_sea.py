@@ -79,7 +79,7 @@ def response_in_sea(breakwater, holding, theory, rise, omega, amplitude, ways):
 
 
 def ways_of(breakwater, omega, count=WAYS, any_section=False):
-    """(d, m) rad, angles to the normal of waves of equal energy in the sea at frequencies (m,) rad/s.
+    """Angles to the normal of waves of equal energy in the sea at frequencies (m,), rad/s, rad; shape (d, m).
 
     Raises BreakwaterError.
     """

@@ -172,7 +172,7 @@ def _field(reader, moved, omega, betas, half, middles):
 
 
 def _far_field(reader, moved, omega, betas):
-    """(b, t) H of one unit, its motions included"""
+    """Kochin functions H of one unit, its motions included; shape (b, t)"""
     if not len(betas):
         return np.zeros((0, len(reader.between.theta)))
     return far_field(reader, None if moved is None else moved.motions([omega], betas)[0], omega, betas)

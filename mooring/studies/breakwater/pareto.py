@@ -119,8 +119,8 @@ def _better(one, other):
 
 
 def objectives(changed, values, few):
-    """(greatest tension, N/m; height behind, m, or K_T) of a breakwater of these values, None where the breakwater does
-    not hold"""
+    """Return (greatest tension, N/m; height behind, m, or K_T) of a breakwater of these values, None where the
+    breakwater does not hold"""
     try:
         made = changed(**values)
         period = made.waves.period

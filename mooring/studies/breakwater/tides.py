@@ -48,7 +48,7 @@ class Snapping(NamedTuple):
 
 
 def highest(breakwater, period):
-    """(n,) m, the highest unbroken wave at a period, (n,) s (Miche)"""
+    """Height of the highest unbroken wave at periods (n,), s (Miche), m; shape (n,)"""
     depth = breakwater.depth(0.0)
     k = wavenumber(2 * np.pi / period, depth, breakwater.water.gravity)
     return BREAKING * 2 * np.pi / k * np.tanh(k * depth)

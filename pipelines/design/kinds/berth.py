@@ -88,7 +88,7 @@ def _at_rest(made, db, hull, start):
 
 
 def _mean_place(file):
-    """(3,) m, m, rad: mean of surge, sway and yaw over all runs"""
+    """Mean of surge, sway and yaw over all runs, m, m, rad; shape (3,)"""
     from ...simulate.file import summary_of
 
     return np.array([summary_of(file, name)["mean"] for name in PLANE])

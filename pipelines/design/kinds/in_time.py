@@ -114,7 +114,7 @@ def _run(study, database, path):
 
 
 def _largest_motions(file):
-    """(6,) m, rad: largest motions of all runs from their means, of the larger side"""
+    """Largest motions of all runs from their means, of the larger side, m, rad; shape (6,)"""
     from hakobune.bem import DOFS
 
     from ...simulate.file import summary_of
@@ -135,8 +135,8 @@ def _largest_excursion(file, motion):
 
 
 def _moved(study, database, motion, tension, factor):
-    """(3, n) N: static tension of each line and rope, its horizontal pull on the anchor or bollard and its upward pull
-    there, with the body at `factor` times its displacement from the mean at the largest tension of the line, the
+    """Static tension of each line and rope, its horizontal pull on the anchor or bollard and its upward pull there, N;
+    shape (3, n), with the body at `factor` times its displacement from the mean at the largest tension of the line, the
     largest over the runs
 
     motion : (runs, t, 6); tension : (runs, t, n)

@@ -36,7 +36,8 @@ class Numbers(NamedTuple):
 
 
 def strength(breaking, largest, used):
-    """(n,) N: breaking loads (n,), reduced where the utilisation exceeds that of the largest pull on the body (n,), N
+    """Breaking loads (n,), N, reduced where the utilisation exceeds that of the largest pull on the body (n,), N; shape
+    (n,)
 
     used : (n,) largest utilisation of any segment; below a buoy the tension of a line exceeds its pull on the body
     """

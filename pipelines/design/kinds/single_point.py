@@ -198,7 +198,7 @@ def _numbers(study, best, stable, cycle, ran, hawsers, line_names, warnings):
 
 
 def _alone(best):
-    """(n,) N: tensions without a pull on the buoy"""
+    """Tensions without a pull on the buoy, N; shape (n,)"""
     from hakobune.mooring.lines.system.equilibrium import rest
 
     return rest(best.point.system).lines.tension_b

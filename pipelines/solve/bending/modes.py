@@ -20,7 +20,7 @@ RIGID = 1e-6  # difference of a shape without strain from rigid motions, over it
 
 
 def modes_of(scene, hulls):
-    """(`bem.modes.Mode`, …) of a scene; hulls : PanelMesh of each body, in its own coordinates"""
+    """Return a `bem.modes.Mode` for each mode of a scene; hulls : PanelMesh of each body, in its own coordinates"""
     out = []
     for number, table in enumerate(scene.modes or ()):
         i, where = owner(scene, table), ()
@@ -123,7 +123,7 @@ def _shapes(key, scene, table, hull):
 
 
 def _matrices(scene, number, hulls, modes):
-    """(6 + m, 6 + m) restoring of water and weight, and mass, of one body in its own coordinates"""
+    """Restoring of water and weight, and mass, of one body in its own coordinates; shape (6 + m, 6 + m)"""
     hull, water = hulls[number], scene.water
     motions = [_rigid(d, _center(scene, number)) for d in range(6)]
     motions += [partial(mode.in_body, _body(scene, number)) for mode in modes]
@@ -161,7 +161,8 @@ def _with_own_mass(scene, modes, mass, rigid):
 
 
 def _masses(scene, number, hulls, modes):
-    """(p, 3) m and (p,) kg, of the body: along a beam, or those of the file, for several bodies those closest to it"""
+    """Points (p, 3), m, and masses (p,), kg, of the body: along a beam, or those of the file, for several bodies those
+    closest to it"""
     body, first, hull = scene.bodies[number], modes[0].shape, hulls[number]
     if isinstance(first, Table) and (first.masses is None or not modes[0].on):
         return first.points, first.masses

@@ -10,7 +10,7 @@ from ...scene.scene import SceneError
 
 
 def damping_lids_of(scene, mesh):
-    """(`DampingLid`, …) of a scene.  Raises SceneError for a lid on a hull, or a missing moonpool."""
+    """Return a `DampingLid` for each lid of a scene.  Raises SceneError for a lid on a hull, or a missing moonpool."""
     out = []
     for number, table in enumerate(scene.damping_lids or ()):
         key, given = f"damping_lids[{number}]", table.corners is not None

@@ -61,7 +61,8 @@ def _message(water, own, sizes, scene):
 
 
 def peak(gap, draft, width, depth, near, gravity):
-    """(rad/s, m per m) of the largest rise of the water between two equal rectangles, None if they cannot be solved
+    """Frequency, rad/s, and size, m per m, of the largest rise of the water between two equal rectangles, None if they
+    cannot be solved
 
     gap, draft, width, depth : m; near : rad/s, by a formula
     """

@@ -73,7 +73,7 @@ class _Failed(Exception):
 
 
 def _question(job):
-    """(input of the script, panels on the whole hull)"""
+    """Return (input of the script, panels on the whole hull)"""
     case = CASES[job.case]
     passes, more = (1, 0.0) if job.empty_cache else (PASSES, MORE)
     common = {"omega": case.omega, "passes": passes, "more_s": more, "seconds": SECONDS}

@@ -38,12 +38,12 @@ class Results(NamedTuple):
     drift: np.ndarray | None
 
     def coefficient(self, name):
-        """(n,) of A11, B24, …"""
+        """Coefficient A11, B24, … at each frequency; shape (n,)"""
         matrix = self.added_mass if name[0] == "A" else self.damping
         return matrix[:, int(name[1]) - 1, int(name[2]) - 1]
 
     def driven(self, kind):
-        """(m, 6) whether waves of a heading drive a mode at all; kind : forces or motions"""
+        """Whether waves of a heading drive a mode at all; shape (m, 6); kind : forces or motions"""
         largest = np.abs(getattr(self, kind)).max(axis=0)
         return largest > QUIET * largest.max(axis=0)
 
@@ -88,7 +88,7 @@ def in_report_units(case, db):
 
 
 def unit_of_added_mass(db):
-    """(6, 6) ρ∇ of a box, kg, with half its beam or length for each rotation"""
+    """Displaced mass ρ∇ of a box, kg, with half its beam or length for each rotation; shape (6, 6)"""
     L, B = db.dimensions["length"], db.dimensions["beam"]
     arm = np.array([1, 1, 1, B / 2, L / 2, L / 2])
     return db.density * db.displaced_volume * np.outer(arm, arm)

@@ -60,7 +60,8 @@ def make(name, one, folder, xi=None, fresh=False):
 
 
 def solved(cases, folder, fresh=False):
-    """(`Results` of cases, without those in which a frequency failed; a line for each of these), a database for each.
+    """Return the `Results` of cases, without those in which a frequency failed; a line for each of these; and a
+    database for each.
 
     folder : Path, made if it is not there; fresh : replace databases that are there
     raises : KeyboardInterrupt with everything stored that was solved; ValueError for a database of another scene

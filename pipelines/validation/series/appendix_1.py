@@ -215,18 +215,19 @@ def computed(row, variant, body, seeds):
 
 
 def _units(model):
-    """(10,) SI at the size of the prototype of a unit of each column"""
+    """Unit of each column in SI at the size of the prototype; shape (10,)"""
     size = MODELS[model].scale
     return np.array([*[size / 100] * 3, *[np.pi / 180] * 3, *[KGF * size**3] * len(LINES)])
 
 
 def ratios(found, variant, quantity, incidence):
-    """(n,) computed over measured σ of the tests of an incidence"""
+    """Computed over measured σ of the tests of an incidence; shape (n,)"""
     return np.array([one["over_printed"] for one in _of(found, variant, quantity, incidence)])
 
 
 def sinker_ratios(found, variant, quantity, incidence):
-    """(n, 2) σ with the sinker over σ of the chain at the same gain of the wavemaker: computed, measured"""
+    """Standard deviation with the sinker over that of the chain at the same gain of the wavemaker, computed and
+    measured; shape (n, 2)"""
     own = {(one["line"], one["gain"]): one for one in _of(found, variant, quantity, incidence)}
     pairs = [(own["sinker", gain], one) for (line, gain), one in own.items()
              if line == "chain" and ("sinker", gain) in own]  # fmt: skip

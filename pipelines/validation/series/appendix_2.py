@@ -190,7 +190,7 @@ def summary(found):
 
 
 def _pairs(found, column, per_height=None):
-    """(n, 2) computed and measured, where both are known; times a factor over the height where one is given"""
+    """Computed and measured, where both are known; shape (n, 2); times a factor over the height where one is given"""
     both = [[one[column], one[f"measured_{column}"]] for one in found]
     sizes = [
         1.0 if per_height is None else per_height / one["height_cm"] if one["height_cm"] else np.nan for one in found

@@ -53,7 +53,7 @@ def charts():
 
 
 def curve(scope=SCOPE, bed=None, load=0.0, stiffness=np.inf, anchor=False):
-    """(n,) T/wL over SHARES at the fairlead, or at the anchor; load at half the length and EA over wL"""
+    """Tension T/wL over SHARES at the fairlead, or at the anchor; shape (n,); load at half the length and EA over wL"""
     length = scope * HEIGHT
     total = WEIGHT * length
     loads = [PointLoad(0.5 * length, load * total)] if load else []

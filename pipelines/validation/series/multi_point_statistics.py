@@ -81,7 +81,7 @@ def _study(kind, part, period, hours):
 
 
 def _moved_as_printed(db, kind, system, sea):
-    """(n, lines) N with the body moved as printed: means, σ; phases of the free body in a Sea"""
+    """Tensions with the body moved as printed, means and σ, N; shape (n, lines); phases of the free body in a Sea"""
     rows = printed_rows(kind)
     mean, sigma = (np.array([rows[q][key] for q in QUANTITIES]) for key in ("mean", "sigma"))
     reader, t = db.reader.floating(), np.arange(0.0, 3600.0, STEP)

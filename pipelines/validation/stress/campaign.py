@@ -44,7 +44,7 @@ class Row(NamedTuple):
 
     @property
     def worst(self):
-        """(violation, law) of the largest; NaN where nothing was solved"""
+        """Return (violation, law) of the largest; NaN where nothing was solved"""
         found = {name: getattr(self, name) for name in LAWS if getattr(self, name) >= 0}
         return max(((value, name) for name, value in found.items()), default=(np.nan, ""))
 

@@ -26,7 +26,7 @@ USELESS = 0.3  # an estimated error above which a result is of little use
 
 
 def run(questions, output, executor):
-    """(Result, whether Ctrl-C ended it) of questions, the arguments of `row_of`; it is written to `output`"""
+    """Return (Result, whether Ctrl-C ended it) of questions, the arguments of `row_of`; it is written to `output`"""
     told(f"{len(questions)} scenes take", SECONDS * len(questions) / executor.count)
     rows, start = [], time.perf_counter()
     printed = start

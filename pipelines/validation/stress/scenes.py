@@ -71,7 +71,7 @@ class StressScene:
         }
 
     def neighbours(self, step):
-        """(name, the scenes on both sides) for every parameter moved by ± `step`, relative; headings in rad"""
+        """Return (name, the scenes on both sides) for every parameter moved by ± `step`, relative; headings in rad"""
         gap, turn = self.depth - self.draft, math.degrees(step)
         yield "omega", [replace(self, omega=self.omega * (1 + s)) for s in (-step, step)]
         drafts = [self.draft * (1 + s) for s in (-step, step)]

@@ -60,13 +60,13 @@ def scaled(method, panels, prepared, omega, result):
 
 
 def radiation_sizes(Z, displacing):
-    """(6, 6) √|Zᵢᵢ Zⱼⱼ|, infinite for modes that move no water"""
+    """Scales √|Zᵢᵢ Zⱼⱼ|, infinite for modes that move no water; shape (6, 6)"""
     size = np.where(displacing, np.sqrt(np.abs(np.diag(Z))), np.inf)
     return np.outer(size, size)
 
 
 def excitation_sizes(excitation, diffraction, prepared):
-    """(6,) as `bem.checks.excitation_scale`"""
+    """Scales as in `bem.checks.excitation_scale`; shape (6,)"""
     size = np.maximum(np.abs(excitation), np.abs(diffraction)).max(axis=0)
     force = 0.2 * size[:3].max()
     least = np.repeat([force, max(0.2 * size[3:].max(), 0.5 * force * prepared.radius)], len(DOFS) // 2)

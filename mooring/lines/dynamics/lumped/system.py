@@ -110,7 +110,7 @@ class State(NamedTuple):
 
 
 def above_bed(system, q):
-    """(n,) m, height of points q (n, 3) over the bed, along its normal"""
+    """Height of points q (n, 3) over the bed, along its normal, m; shape (n,)"""
     profile = system.bed_profile
     if len(profile) == 0:
         return q @ system.bed_normal - system.bed_level
@@ -121,7 +121,7 @@ def above_bed(system, q):
 
 
 def elastic_tension(system, q):
-    """(N,) N, of the elements between nodes at q (N + 1, 3) m, without damping"""
+    """Elastic tension, without damping, of the elements between nodes at q (N + 1, 3), m, N; shape (N,)"""
     strain = np.maximum(np.linalg.norm(np.diff(q, axis=0), axis=1) / system.length - 1, 0.0)
     begins = system.elongation[:, 0]
     places = zip(system.elongation_rows, strain, strict=True)

@@ -64,7 +64,7 @@ def width(n):
 
 
 def to_rows(points):
-    """(3, w) of points (n, 3)"""
+    """Points (n, 3) as rows of one length w; shape (3, w)"""
     rows = np.zeros((3, width(len(points))))
     rows[:, : len(points)] = points.T
     return rows

@@ -52,7 +52,7 @@ def write_project(folder, job, omegas):
 
 
 def in_a_child(folder):
-    """(wall s, processor s, MB at most) of one call, from the start of its process; what it prints is dropped"""
+    """Return (wall s, processor s, MB at most) of one call, from the start of its process; what it prints is dropped"""
     begun, child = time.time(), os.fork()
     if child == 0:
         with open(os.devnull, "w") as nowhere:
