@@ -264,8 +264,8 @@ def case(one, links):
 
 
 def motion_rows(verdict):
-    """(name of a case, its six largest motions from the mean, m and degrees) for each case with motions, and for each of
-    several bodies"""
+    """(name of a case, its six largest motions from the mean, m and degrees) for each case with motions, and for each
+    of several bodies"""
     for one in verdict.ran:
         if one.numbers is not None:
             found = one.numbers.motions if one.runs is None else one.runs["motions"]

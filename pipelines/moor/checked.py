@@ -40,7 +40,7 @@ class Body(NamedTuple):
     stored: frozenset
     has_inertia: bool
     bodies: tuple = ()
-    boxes: dict = {}
+    boxes: dict | None = None
 
     @property
     def sizes(self):

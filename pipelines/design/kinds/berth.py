@@ -94,7 +94,9 @@ def _mean_place(file):
     """(3,) m, m, rad: mean of surge, sway and yaw over all runs; of several bodies (N, 3)"""
     from ...simulate.file import bodies_of, summary_of
 
-    of_each = [[summary_of(file, f"{body} {name}".strip())["mean"] for name in PLANE] for body in bodies_of(file) or [""]]
+    of_each = [
+        [summary_of(file, f"{body} {name}".strip())["mean"] for name in PLANE] for body in bodies_of(file) or [""]
+    ]
     return np.array(of_each if bodies_of(file) else of_each[0])
 
 

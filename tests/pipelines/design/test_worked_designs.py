@@ -71,7 +71,7 @@ def quick(monkeypatch):
 @pytest.fixture(autouse=True)
 def with_one_picture(monkeypatch):
     """The page with one plan and without the curves of the body, which take seconds"""
-    monkeypatch.setattr("hakobune.pipelines.design.report.body_picture", lambda database, folder: "")
+    monkeypatch.setattr("hakobune.pipelines.design.report.body_pictures", lambda database, folder: [])
     monkeypatch.setattr("hakobune.pipelines.design.report_pictures.MOST_PLANS", 1)
 
 
