@@ -30,7 +30,7 @@ from ..database.reader import Reader, reader, without_rows
 from ..kernels.in_memory import in_memory
 from ..kernels.threads import blas_threads
 from ..modes import words_of
-from .kept_fits import kept_fit
+from .kept_fits import NoFit, kept_fit
 from .passive_fit import MOVABLE, MOVED, passive_fit
 from .rational import balanced, fitted
 from .sensitivity import sensitivity
@@ -349,18 +349,25 @@ def _groups(coupled):
 
 
 def _kept(omega, wanted, size, group, tolerance, answered, words):
-    """`_fitted`, computed now or before"""
-    return kept_fit(
-        __file__,
-        lambda: _fitted(omega, wanted, size, group, tolerance, answered, words),
-        omega, wanted, size, tolerance, answered,
-    )  # fmt: skip
+    """`_fitted`, computed now or before.  Raises FitError where it has no fit."""
+    arrays = omega, wanted, size, tolerance, answered
+    try:
+        return kept_fit(__file__, lambda: _fitted(omega, wanted, size, group, tolerance, answered), *arrays)
+    except NoFit as fault:
+        best = fault.best
+    raise FitError(
+        f"the memory of {', '.join(words[i] for i in group)} has an error of {best:.2g} with the best system that was "
+        f"tried, and the tolerance is {tolerance:g}; give a larger tolerance, or solve the database to a smaller "
+        f"tolerance",
+        best / (MOVABLE if len(group) <= MOVED else COARSER),
+    )
 
 
-def _fitted(omega, wanted, size, group, tolerance, answered, words):
+def _fitted(omega, wanted, size, group, tolerance, answered):
     """`Passive` of coupled motions, in units of `size`, with the fewest states found within tolerance
 
     answered : (q, m) `sensitivity` of the motions
+    raises : NoFit
     """
     wanted, s = wanted.conj() / np.outer(size, size), 1j * omega
     nearer = np.sqrt(np.clip(ANSWERED * len(group) * answered, 1.0, NEARER if len(group) <= MOVED else 1.0))
@@ -385,12 +392,7 @@ def _fitted(omega, wanted, size, group, tolerance, answered, words):
                     nearest = min(nearest, error)
                     if tried == PATIENCE:
                         break
-    raise FitError(
-        f"the memory of {', '.join(words[i] for i in group)} has an error of {best:.2g} with the best system that was "
-        f"tried, and the tolerance is {tolerance:g}; give a larger tolerance, or solve the database to a smaller "
-        f"tolerance",
-        best / (MOVABLE if len(group) <= MOVED else COARSER),
-    )
+    raise NoFit(best)
 
 
 def _joined(parts, groups, size):
