@@ -6,7 +6,7 @@ fit is more accurate than the tolerance where the body is sensitive to its error
 
 import numpy as np
 
-from .kept_fits import kept_fit
+from .kept_fits import NoFit, kept_fit
 from .passive_fit import MOVABLE, MOVED, passive_fit
 from .rational import balanced, fitted
 
@@ -34,15 +34,21 @@ def fewest_states(omega, wanted, size, group, tolerance, answered, words):
     answered : (q, m) `sensitivity` of the motions; words : names of all motions
     Computed now, or kept from an earlier call.  raises : FitError
     """
-    return kept_fit(
-        __file__,
-        lambda: _fitted(omega, wanted, size, group, tolerance, answered, words),
-        omega, wanted, size, tolerance, answered,
-    )  # fmt: skip
+    arrays = omega, wanted, size, tolerance, answered
+    try:
+        return kept_fit(__file__, lambda: _fitted(omega, wanted, size, group, tolerance, answered), *arrays)
+    except NoFit as fault:
+        best = fault.best
+    raise FitError(
+        f"the memory of {', '.join(words[i] for i in group)} has an error of {best:.2g} with the best system that was "
+        f"tried, and the tolerance is {tolerance:g}; give a larger tolerance, or solve the database to a smaller "
+        f"tolerance",
+        best / (MOVABLE if len(group) <= MOVED else COARSER),
+    )
 
 
-def _fitted(omega, wanted, size, group, tolerance, answered, words):
-    """`fewest_states`, computed now"""
+def _fitted(omega, wanted, size, group, tolerance, answered):
+    """`fewest_states`, computed now.  Raises NoFit."""
     wanted, s = wanted.conj() / np.outer(size, size), 1j * omega
     nearer = np.sqrt(np.clip(ANSWERED * len(group) * answered, 1.0, NEARER if len(group) <= MOVED else 1.0))
     best, most = np.inf, MOST[0] + MOST[1] * len(group)
@@ -66,9 +72,4 @@ def _fitted(omega, wanted, size, group, tolerance, answered, words):
                     nearest = min(nearest, error)
                     if tried == PATIENCE:
                         break
-    raise FitError(
-        f"the memory of {', '.join(words[i] for i in group)} has an error of {best:.2g} with the best system that was "
-        f"tried, and the tolerance is {tolerance:g}; give a larger tolerance, or solve the database to a smaller "
-        f"tolerance",
-        best / (MOVABLE if len(group) <= MOVED else COARSER),
-    )
+    raise NoFit(best)

@@ -20,18 +20,47 @@ from .passive_fit import Passive
 MOST = 256  # files, of some 20 to 200 kB; the oldest are deleted
 
 
+class NoFit(Exception):
+    """No system is within tolerance; best : the smallest error that was found"""
+
+    def __init__(self, best):
+        super().__init__(best)
+        self.best = float(best)
+
+
 def kept_fit(source, make, *arrays):
-    """`Passive` from make(), or from an earlier call with the same arrays; source : the file of its code"""
+    """`Passive` from make(), or from an earlier call with the same arrays; source : the file of its code
+
+    raises : NoFit, of make() now or earlier: a search in vain takes as long as a fit
+    """
     file = _file(source, arrays)
+    found = _read(file)
+    if found is None:
+        try:
+            found = make()
+        except NoFit as fault:
+            found = fault.best
+        _put(file, {"best": found} if isinstance(found, float) else found._asdict())
+    if isinstance(found, float):
+        raise NoFit(found)
+    return found
+
+
+def _read(file):
+    """`Passive` of a file, or the smallest error of a search in vain; None without a whole file"""
     with suppress(OSError, ValueError, KeyError, EOFError, BadZipFile), np.load(file, allow_pickle=False) as stored:
+        if "best" in stored:
+            return float(stored["best"])
         return Passive(*(stored[name] for name in Passive._fields))
-    made = make()
+    return None
+
+
+def _put(file, arrays):
     data = io.BytesIO()
-    np.savez(data, **made._asdict())
+    np.savez(data, **arrays)
     with suppress(OSError):  # folder without write access, which the kernels also report
         put_file(file, data.getvalue())
         _drop_oldest(file.parent)
-    return made
 
 
 def _file(source, arrays):

@@ -50,7 +50,8 @@ class Case(NamedTuple):
 
     state : normal or abnormal; lines : intact, one lost or transient; analysis : quasi-static or dynamic
     tensions : {motion factor: Tensions}; 1 for computed motions, other factors by some rules
-    motions : {motion: amplitude in m or degrees}, largest; others : {quantity: value} of the whole case
+    motions : {motion: amplitude in m or degrees}, largest, of several bodies {motion: {body: amplitude}}
+    others : {quantity: value} of the whole case
     parts : {quantity: {part: value}}, such as strains of fenders, or None
     partial : whether it is judged only by its available quantities, such as an earthquake, which has no ropes
     """
@@ -143,13 +144,28 @@ def _use(criterion, case):
             Use(case.name, *pair, criterion.utilisation(pair[1])) for pair in case.parts[criterion.quantity].items()
         ]
         return max(uses, key=lambda use: use.utilisation)
+    if isinstance(case.motions.get(criterion.quantity), dict):
+        return _of_bodies(criterion, case, case.motions[criterion.quantity])
     if criterion.quantity in case.motions:
-        value = case.motions[criterion.quantity] * (2.0 if criterion.statistic == "peak to peak" else 1.0)
+        value = case.motions[criterion.quantity] * _times(criterion)
     elif criterion.quantity in case.others:
         value = case.others[criterion.quantity]
     else:
         raise LookupError(criterion.quantity)
     return Use(case.name, criterion.quantity, float(value), criterion.utilisation(float(value)))
+
+
+def _of_bodies(criterion, case, amplitudes):
+    """The largest Use of {body: amplitude}; of one body alone where that is the subject of the criterion"""
+    about = [criterion.subject] if criterion.subject in amplitudes else amplitudes
+    values = {name: float(amplitudes[name] * _times(criterion)) for name in about}
+    uses = [Use(case.name, f"{name} {criterion.quantity}", x, criterion.utilisation(x)) for name, x in values.items()]
+    return max(uses, key=lambda use: use.utilisation)
+
+
+def _times(criterion):
+    """Value of the statistic of a criterion over the amplitude of a motion"""
+    return 2.0 if criterion.statistic == "peak to peak" else 1.0
 
 
 def _spoken_of(criterion, t, values):

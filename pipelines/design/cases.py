@@ -9,11 +9,16 @@ from typing import NamedTuple
 import numpy as np
 from msgspec.structs import replace
 
+from hakobune.bem import DOFS
+from hakobune.bem.hinges import SPACE
+from hakobune.mooring.criteria.verdict import HAWSER
+
 from ..common.quantities import StudyError
 from .tables import MEAN
 
 WEATHER = ("wind", "current", "waves")
 OFF = ("wind_off_deg", "current_off_deg")
+MOTIONS = tuple(dof.lower() for dof in DOFS)
 
 
 class LoadCase(NamedTuple):
@@ -99,6 +104,7 @@ def check_cases(read, scenes):
     anchors at another water level is a result of the case, not an error.
     """
     bodies = _bodies(read, scenes)
+    _check_several(read, bodies[MEAN])
     base = read.kind.base(read.study, bodies[MEAN])
     names = read.kind.lost(base)
     if read.project.anchors is not None:
@@ -121,6 +127,30 @@ def check_cases(read, scenes):
             read.kind.checked(case.study, bodies[case.level], read.folder)
         except ValueError as error:
             raise StudyError(f"{case.name}: {error}") from None
+
+
+def _check_several(read, body):
+    """Raises StudyError for limits on a body that is not there, and for water levels beside what does not float"""
+    several = () if body is None else body.bodies
+    moving = [one.name for one in several if not one.fixed]
+    for i, one in enumerate(read.project.limits):
+        if one.subject not in ("", HAWSER, *moving):
+            raise StudyError(
+                f"limits[{i}].subject is {one.subject!r}; allowed: {', '.join((HAWSER, *moving))}, or left out for all "
+                "others"
+            )
+        if one.subject in moving and one.quantity not in MOTIONS:
+            raise StudyError(
+                f"limits[{i}].subject is {one.subject}, a body, and quantity is {one.quantity!r}; allowed with a body: "
+                f"{', '.join(MOTIONS)}"
+            )
+    still = [one.name for one in several if one.fixed]
+    still += [table["name"] for table in read.study.get("hinges", ()) if SPACE in table.get("bodies", ())]
+    if read.project.levels and still:
+        raise StudyError(
+            f"levels are given, but {still[0]} does not rise with the water, so that its place differs at each level; "
+            "give a project for each level"
+        )
 
 
 def _bodies(read, scenes):

@@ -48,7 +48,6 @@ from hakobune.mooring.criteria.rules import LINES as KNOWN_LINES
 from hakobune.mooring.criteria.rules import OWN, Criterion, of_rule, read_rules, unit_of
 from hakobune.mooring.criteria.rules import STATES as KNOWN_STATES
 from hakobune.mooring.criteria.strength import kind_and_size
-from hakobune.mooring.criteria.verdict import HAWSER
 
 from ..common.quantities import StudyError, positive
 from ..common.typed import read_toml, typed
@@ -197,8 +196,6 @@ def _limit(where, table):
     check_among(f"{where}.state", table.state, KNOWN_STATES)
     check_among(f"{where}.lines", table.lines, KNOWN_LINES)
     check_among(f"{where}.statistic", table.statistic, STATISTICS)
-    if table.subject not in ("", HAWSER):
-        raise StudyError(f"{where}.subject is {table.subject!r}; allowed: {HAWSER}, or left out for all other lines")
     sense = "at most" if table.at_least is None else "at least"
     limit = positive(f"{where}.{sense.replace(' ', '_')}", table.at_most if table.at_least is None else table.at_least)
     unit = unit_of(where, table.quantity, table.unit)

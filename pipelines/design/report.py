@@ -15,7 +15,7 @@ from ..printing.number import fixed
 from . import report_words as words
 from .checklist import checklist
 from .kinds.versions import versions
-from .report_pictures import body_picture, plans, records, use_picture
+from .report_pictures import body_pictures, plans, records, use_picture
 from .report_tables import WORDS, origin, write_tables
 from .tables import MEAN
 from .verdict import FAILS, OPEN, PASSES
@@ -103,13 +103,13 @@ def _of_body(read, paths, folder):
     from hakobune.bem.database import open_database
 
     if paths[MEAN] is None:
-        return {"body": read.kind.body(read.study), "checks": [], "equipment": [], "body_picture": None}
+        return {"body": read.kind.body(read.study), "checks": [], "equipment": [], "body_pictures": []}
     db = open_database(paths[MEAN])
     return {
         "body": _body_words(db),
         "checks": list(_checks(paths)),
         "equipment": [(society, f"{number:.0f}") for society, number in _equipment(read, db)],
-        "body_picture": body_picture(paths[MEAN], folder),
+        "body_pictures": body_pictures(paths[MEAN], folder),
     }
 
 
@@ -123,12 +123,29 @@ def _relative(path, folder):
 
 
 def _body_words(db):
-    sizes = ", ".join(f"{name} {value:g} m" for name, value in db.dimensions.items())
-    (x, y, z), (shortest, longest) = db.center_of_mass, 2 * np.pi / db.omega[[-1, 0]]
+    from hakobune.bem.bodies.one_of_several import each_body
+
+    from ..moor.study import box_of
+
+    if db.bodies:
+        pairs = zip(db.bodies, each_body(db), strict=True)
+        hulls = ". ".join(f"{body.name}: {_hull_words(db, box_of(db, body), one)}" for body, one in pairs)
+    else:
+        hulls = _hull_words(db, db.dimensions, db)
+    shortest, longest = 2 * np.pi / db.omega[[-1, 0]]
     return (
-        f"{sizes or 'A body from a mesh file'}; displacement {_whole(1e-3 * db.density * db.displaced_volume)} t, "
-        f"centre of gravity {x:.4g}, {y:.4g}, {z:.4g} m (z up from the water). {db.mesh.total} panels; "
-        f"{len(db.omega)} periods from {shortest:.3g} to {longest:.3g} s, {len(db.wave_direction)} headings."
+        f"{hulls}. {db.mesh.total} panels; {len(db.omega)} periods from {shortest:.3g} to {longest:.3g} s, "
+        f"{len(db.wave_direction)} headings."
+    )
+
+
+def _hull_words(db, sizes, one):
+    """Sizes, displacement and centre of gravity of one body of a database, of several in coordinates of the scene"""
+    words = ", ".join(f"{name} {value:g} m" for name, value in sizes.items()) or "A body from a mesh file"
+    x, y, z = one.center_of_mass
+    return (
+        f"{words}; displacement {_whole(1e-3 * db.density * one.displaced_volume)} t, centre of gravity {x:.4g}, "
+        f"{y:.4g}, {z:.4g} m (z up from the water)"
     )
 
 
@@ -143,19 +160,20 @@ def _checks(paths):
 
     from ..solve.report import checked
 
+    failed = False
     for level, path in paths.items():
         for one in checked(open_database(path)):
             if not one.passed:
+                failed = True
                 text = f"{level}: {one.name} is {one.largest:.2g} at ω {one.omega:.3g} rad/s; limit {one.limit:g}"
                 yield {"css": "fails", "text": text}
-    text = (
-        "Checks passed: reciprocity, Haskind relation, energy, residual, estimated errors, each against its "
-        "stored limit."
-    )
-    yield {"css": "source", "text": text}
+    text = "reciprocity, Haskind relation, energy, residual, estimated errors, each against its stored limit."
+    yield {"css": "source", "text": f"Checked{' besides' if failed else ', and passed'}: {text}"}
 
 
 def _equipment(read, db):
+    if db.bodies:  # the numbers are those of one hull
+        return ()
     freeboard = read.study.get("hull", {}).get("freeboard")
     return equipment_of_box(db.dimensions, freeboard, db.density * db.mesh.whole().volume)
 

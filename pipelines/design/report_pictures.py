@@ -38,7 +38,7 @@ def _governing(verdict):
 
 
 def records(verdict, folder):
-    """{"name", "data"} of the first governing case in time: its records, and its watch circle coloured by the pull"""
+    """{"name", "data"} of the first governing case in time, of each of several bodies: its records and watch circle"""
     from h5py import File
 
     from ..simulate.pictures import draw_one
@@ -46,24 +46,31 @@ def records(verdict, folder):
     for one in [one for one in _governing(verdict) if one.runs is not None][:1]:
         stem = one.path.stem.removesuffix("_runs")
         runs = one.path.with_name(f"{stem}_runs.h5")
-        for name in ("records", "offsets"):
+        for i, body in enumerate(one.numbers.bodies or [""]):
+            for name in ("records", "offsets"):
 
-            def draw(path, name=name, runs=runs):
-                with File(runs, "r") as file:
-                    draw_one(file, name, path)
+                def draw(path, name=name, runs=runs, i=i):
+                    with File(runs, "r") as file:
+                        draw_one(file, name, path, i)
 
-            place = folder / "pictures" / f"{stem}_{name}.png"
-            yield {"name": f"{one.case.name}, {name}", "data": picture(place, key_of(name, runs), draw)}
+                place = folder / "pictures" / f"{stem}_{name}{f'_{i + 1}' if i else ''}.png"
+                words = ", ".join(filter(None, (one.case.name, body, name)))
+                yield {"name": words, "data": picture(place, key_of(name, runs), draw)}
 
 
-def body_picture(database, folder):
-    """Coefficients, forces and responses of a database"""
+def body_pictures(database, folder):
+    """[{"name", "data"}] coefficients, forces and responses of a database, of each of several bodies"""
+    from hakobune.bem.bodies.one_of_several import each_body
     from hakobune.bem.database import open_database
 
     from ..view.plots import ON_PAPER, plot
 
-    place = folder / "pictures" / "body.png"
-    return picture(place, key_of(Path(database)), lambda path: plot(open_database(database), path, ON_PAPER))
+    key, db, found = key_of(Path(database)), open_database(database), []
+    for i, one in enumerate(each_body(db)):
+        name = one.name if db.bodies else ""
+        place = folder / "pictures" / ("body.png" if i == 0 else f"body_{i + 1}.png")
+        found.append({"name": name, "data": picture(place, key, lambda path, one=one: plot(one, path, ON_PAPER))})
+    return found
 
 
 def use_picture(verdict, folder):

@@ -58,7 +58,7 @@ def case_row(one):
     head = case.name, case.state, case.level, case.incidence, case.lost, case.factor
     if r is None:
         return (*head, *[""] * 9, one.fault)
-    x, y, turn = r.place
+    x, y, turn = farthest(r)[1]
     if not r.names:
         return (*head, x, y, np.degrees(turn), excursion(one), *[""] * 5, "")
     worst = r.names.index(worst_of(one))
@@ -77,12 +77,21 @@ def case_row(one):
     )
 
 
+def farthest(numbers):
+    """Name of the body that steady loads move farthest, "" of one body alone, and its place (3,) m, m, rad"""
+    places = np.reshape(numbers.place, (-1, 3))
+    number = int(np.hypot(*places[:, :2].T).argmax())
+    return numbers.bodies[number] if numbers.bodies else "", places[number]
+
+
 def excursion(one):
     """m, the largest horizontal distance of a Ran from rest: in its runs in time, else by steady offset and motions"""
     if one.runs is not None and "excursion" in one.runs:
         return float(one.runs["excursion"])
     r = one.numbers
-    return float(np.hypot(*r.place[:2]) + (np.hypot(*r.motions[:2]) if len(r.motions) else 0.0))
+    steady = np.hypot(*np.reshape(r.place, (-1, 3))[:, :2].T)
+    moving = np.hypot(*np.reshape(r.motions, (-1, 6))[:, :2].T) if len(r.motions) else 0.0
+    return float((steady + moving).max())
 
 
 def _criterion_rows(verdict):

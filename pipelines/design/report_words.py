@@ -10,7 +10,7 @@ from hakobune.mooring.criteria.rules import read_rules
 from ..common.weather.seas import period_of
 from ..printing.number import fixed
 from .kinds.numbers import Numbers
-from .report_tables import CASE_HEAD, OF_PROJECT, WORDS, case_row
+from .report_tables import CASE_HEAD, OF_PROJECT, WORDS, case_row, farthest
 from .verdict import FAILS, NUMBER, OPEN
 
 COUNTED = ("stable headings",)  # a count without a utilisation: if the criterion is met its use is 0
@@ -249,11 +249,11 @@ def case(one, links):
     row = dict(zip(CASE_HEAD, case_row(one), strict=True))
     cells = []
     if one.numbers is not None and not one.numbers.names:
-        cells = [*_place_words(row), *["–"] * 5]
+        cells = [*_place_words(row, farthest(one.numbers)[0]), *["–"] * 5]
     elif one.numbers is not None:
         share = row["of_breaking_load"]
         cells = [
-            *_place_words(row),
+            *_place_words(row, farthest(one.numbers)[0]),
             f"{row['largest_tension_N'] / 1e3:.4g}",
             row["line"],
             "not given" if np.isnan(share) else percent(share),
@@ -264,17 +264,22 @@ def case(one, links):
 
 
 def motion_rows(verdict):
-    """Return (name of a case, its six largest motions from the mean, m and degrees) for each case with motions"""
+    """Return (name of a case, its six largest motions from the mean, m and degrees) for each case with motions, and for
+    each of several bodies"""
     for one in verdict.ran:
         if one.numbers is not None:
             found = one.numbers.motions if one.runs is None else one.runs["motions"]
-            if len(found):
-                yield one.case.name, [f"{value:.3g}" for value in found * ([1.0] * 3 + [180 / np.pi] * 3)]
+            bodies = one.numbers.bodies or [""]
+            for body, each in zip(bodies, np.reshape(found, (-1, 6)), strict=False):
+                name = f"{one.case.name}: {body}" if body else one.case.name
+                yield name, [f"{value:.3g}" for value in each * ([1.0] * 3 + [180 / np.pi] * 3)]
 
 
-def _place_words(row):
-    """Offset, yaw and excursion of a row of cases, dashes for a method without them"""
-    return [fixed(value) for value in (np.hypot(row["x_m"], row["y_m"]), row["yaw_deg"], row["excursion_m"])]
+def _place_words(row, body=""):
+    """Offset, yaw and excursion of a row of cases, dashes for a method without them; body : name of the one of several
+    that they are of"""
+    words = [fixed(value) for value in (np.hypot(row["x_m"], row["y_m"]), row["yaw_deg"], row["excursion_m"])]
+    return [f"{words[0]} {body}".strip(), *words[1:]]
 
 
 def warnings(verdict):

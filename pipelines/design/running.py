@@ -126,16 +126,22 @@ def judged_case(read, ran, others):
     ran : {factor: Ran}; others : {quantity: value} of the whole project
     """
     case, one = ran[1.0].case, ran[1.0]
-    amplitudes, motions = one.numbers.motions if one.runs is None else one.runs["motions"], {}
-    if len(amplitudes):
-        motions = dict(zip(("surge", "sway", "heave", *ROTATIONS), map(float, amplitudes), strict=True))
-        motions |= {name: float(np.degrees(motions[name])) for name in ROTATIONS}
+    motions = _motions(one.numbers.bodies, one.numbers.motions if one.runs is None else one.runs["motions"])
     if one.runs is None:
         tensions = {factor: _tensions(read, each, each.largest) for factor, each in ran.items() if each.numbers}
     else:
         tensions = {factor: _tensions(read, one, largest) for factor, largest in one.runs["largest"].items()}
     parts = given_parts(read, case, one.numbers) | one.numbers.parts
     return Case(case.name, case.kind, case.lines, "quasi-static", tensions, motions, others, parts, case.apart)
+
+
+def _motions(bodies, amplitudes):
+    """{motion: m or degrees} of amplitudes (6N,) m, rad; of several bodies, by name, {motion: {body: m or degrees}}"""
+    if not len(amplitudes):
+        return {}
+    each = np.reshape(amplitudes, (-1, 6)) * [1.0, 1.0, 1.0, *3 * [180 / np.pi]]
+    columns = dict(zip(("surge", "sway", "heave", *ROTATIONS), each.T.tolist(), strict=True))
+    return {name: dict(zip(bodies, of, strict=True)) if bodies else of[0] for name, of in columns.items()}
 
 
 def given_parts(read, case, numbers):

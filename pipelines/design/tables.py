@@ -98,7 +98,8 @@ class LimitTable(Table):
     unit : unit of the limit, a check: a unit other than that of the quantity is refused
     state : states it applies to: normal, abnormal or any
     lines : conditions of the lines it applies to: intact, one lost or any
-    subject : "hawser" for the tensions of hawsers; by default those of all other lines
+    subject : "hawser" for the tensions of hawsers; by default those of all other lines; or the name of a body for
+        its motions, by default those of all bodies
     statistic : statistic that is limited: largest, or for motions amplitude or peak to peak
     source : origin of the limit, as "the owner"
     """

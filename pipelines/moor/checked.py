@@ -7,11 +7,13 @@ import numpy as np
 
 from hakobune.bem.database.between_frequencies import DRIFT, KOCHIN, RADIATION, BetweenError
 from hakobune.bem.database.between_headings import Ring, ring
+from hakobune.bem.modes import words_of
 from hakobune.mooring.response.seas import check_coverage
 
 from ..common.quantities import StudyError
 from .quay import method_of
 
+OF_EACH = "body_drift_force"  # mean drift of each of several bodies
 SYMMETRY = {"box": "xy", "buoy": "xy", "ship": "y"}  # planes of the shapes of a scene
 
 
@@ -23,6 +25,7 @@ class Body(NamedTuple):
     omega : (n,) rad/s, the first and last are its band; wall : m, y, or None
     ring : `Ring` of the solved waves, None for a mesh file of unknown symmetry
     stored : names of the solved quantities; has_inertia : whether its radii of gyration are known
+    bodies : `bem.modes.Body` of each of several, () for one; boxes : {name: {"length", "beam", "draft"} m} of several
     """
 
     name: str
@@ -36,36 +39,60 @@ class Body(NamedTuple):
     ring: Ring | None
     stored: frozenset
     has_inertia: bool
+    bodies: tuple = ()
+    boxes: dict | None = None
 
     @property
     def sizes(self):
         """Dimensions that are known before the hull is meshed, m; they replace `sizes` of a database"""
         return self.dimensions
 
+    @property
+    def words(self):
+        """Names of the motions, as of a database"""
+        return words_of(self.bodies)
+
 
 def body_of_database(db):
-    """Body of an open database"""
+    """Body, or several bodies, of an open database.  Raises DatabaseError for one that bends."""
+    from .study import box_of
+
+    db.require_rigid()
+    reader = db.bodies_reader
     water = db.density, db.gravity, db.water_depth
-    waves = db.reader.omega, db.wall, db.reader.ring, frozenset(db.reader.between.quantities)
-    return Body(db.path, db.dimensions, db.rotation_center, *water, *waves, db.inertia_matrix is not None)
+    waves = reader.omega, db.wall, reader.ring, frozenset(reader.between.quantities)
+    boxes = {one.name: box_of(db, one) for one in db.bodies}
+    known = db.inertia_matrix is not None
+    return Body(db.path, db.dimensions, db.rotation_center, *water, *waves, known, tuple(db.bodies), boxes)
 
 
 def body_of_scene(name, scene):
-    """Body of a Scene.  Raises StudyError for several bodies."""
-    if len(scene.bodies) > 1:
-        names = ", ".join(body.name for body in scene.bodies)
-        raise StudyError(
-            f"{name} has {len(scene.bodies)} bodies, {names}; allowed here: one body; hakobune moor, response and "
-            "simulate take several"
-        )
-    water, shape, planes = scene.water, scene.body.shape, SYMMETRY.get(scene.body.shape)
+    """Body, or several bodies, of a Scene.  Raises StudyError for one of several whose size is not known."""
+    from ..scene.places import bodies_of
+
+    water, shape = scene.water, scene.body.shape
+    planes = None if scene.several else SYMMETRY.get(shape)
     of_water = water.density, water.gravity, water.depth
     if planes is not None:
         planes = planes if scene.wall is None else planes.replace("y", "")
         planes = ring(scene.headings(), (), planes, shape == "buoy" and scene.wall is None, wall=scene.wall)
     center = np.array(scene.rotation_center)
     waves = scene.omegas(), scene.wall, planes, frozenset(scene.names())
-    return Body(name, scene.dimensions, center, *of_water, *waves, scene.motions_known)
+    boxes = {one.name: _box(name, one, scene.alone(i).dimensions) for i, one in enumerate(scene.bodies) if one.name}
+    known = scene.motions_known
+    return Body(name, scene.dimensions, center, *of_water, *waves, known, bodies_of(scene), boxes)
+
+
+def _box(scene, body, sizes):
+    """{"length", "beam", "draft"} m of one of several bodies of a scene with `sizes`.  Raises StudyError."""
+    if "radius" in sizes:
+        return {"length": 2 * sizes["radius"], "beam": 2 * sizes["radius"], "draft": sizes["draft"]}
+    if "length" not in sizes:
+        raise StudyError(
+            f"{scene}: the size of {body.name} is known once its mesh file is solved; solve the scene first and give "
+            "project.database in place of project.scene"
+        )
+    return {key: sizes[key] for key in ("length", "beam", "draft")}
 
 
 def check_stored(body, in_waves):
@@ -73,8 +100,9 @@ def check_stored(body, in_waves):
     if not body.has_inertia:
         raise StudyError(f"{body.name}: the radii of gyration are missing; give gyration (m) and solve the body again")
     lacking = [name for name in (*RADIATION, "excitation_force") if name not in body.stored]
-    if in_waves and DRIFT[1] not in body.stored and not set(KOCHIN) <= body.stored:
-        lacking.append(DRIFT[1])
+    drift = OF_EACH if body.bodies else DRIFT[1]
+    if in_waves and drift not in body.stored and (body.bodies or not set(KOCHIN) <= body.stored):
+        lacking.append(drift)
     if lacking:
         raise StudyError(
             f"{body.name}: its want does not include {', '.join(lacking)}; give radiation, diffraction, motions and "
@@ -114,10 +142,12 @@ def check_period(waves, omega):
 
 
 def check_weather(study, body):
-    """ExposedBox of a `Study` on a Body.  Raises ValueError for a hull, weather or quay that does not match."""
+    """ExposedBox of a `Study` on a Body, of several {name: ExposedBox}.  Raises ValueError for a hull, weather or quay
+    that does not match."""
     study.check_depth(body.water_depth, body.name)
-    hull = study.hull_of(body.dimensions)
-    study.check_streams(hull, body.density)
+    hull = study.hulls_of(body) if body.bodies else study.hull_of(body.dimensions)
+    for one in hull.values() if body.bodies else (hull,):
+        study.check_streams(one, body.density)
     check_stored(body, study.waves is not None)
     check_waves(body, study.conditions())
     if study.quay is not None:

@@ -291,7 +291,12 @@ class Study(Table):
 
 
 def box_of(db, body):
-    """{"length", "beam", "draft"} m of the box about the origin around one of several bodies, a `bem.modes.Body`"""
+    """{"length", "beam", "draft"} m of the box about the origin around one of several bodies, a `bem.modes.Body`
+
+    db : Database, or a `moor.checked.Body` of hulls that are not solved yet
+    """
+    if hasattr(db, "boxes"):
+        return db.boxes[body.name]
     points = body_named(db, body.name).mesh.whole().points - (*body.place, 0.0)
     length, beam = 2 * np.abs(points @ body.axes)[:, :2].max(axis=0)
     return {"length": float(length), "beam": float(beam), "draft": float(-points[:, 2].min())}

@@ -24,13 +24,14 @@ def draw(file, output):
     kept = np.flatnonzero(whole_rows(file)[: len(file["kept_seed"])])
     if not len(kept):
         return []
-    made, bodies = [], bodies_of(file) or ("",)
-    for i, body in enumerate(bodies):
+    made = []
+    for motions in _motions(file):
+        body = motions.before.strip()
         for name, picture in (
             ("records", _records), ("spectra", _spectra), ("offsets", _offsets), ("extremes", _extremes)
         ):  # fmt: skip
             path = output.with_name("_".join(filter(None, (output.stem, body, name))) + ".png")
-            picture(file, kept, path, Motions(i, f"{body} ".lstrip()))
+            picture(file, kept, path, motions)
             made.append(path.name)
     return made
 
@@ -51,12 +52,18 @@ class Motions(NamedTuple):
         return file["motion"][kept][..., 6 * self.body : 6 * self.body + 6]
 
 
-def draw_one(file, name, path):
-    """Draw "records" or "offsets" of a file to `path`.  Raises ValueError without a complete record."""
+def _motions(file):
+    """[Motions] of each body of a file"""
+    return [Motions(i, f"{body} ".lstrip()) for i, body in enumerate(bodies_of(file) or ("",))]
+
+
+def draw_one(file, name, path, body=0):
+    """Draw "records" or "offsets" of a file to `path`, of several bodies those of number `body`.  Raises ValueError
+    without a complete record."""
     kept = np.flatnonzero(whole_rows(file)[: len(file["kept_seed"])])
     if not len(kept):
         raise ValueError("no record of a run is kept")
-    {"records": _records, "offsets": _offsets}[name](file, kept, path, Motions(0, ""))
+    {"records": _records, "offsets": _offsets}[name](file, kept, path, _motions(file)[body])
 
 
 def _figure(rows, columns, size, between=0.12, title=0.6, **more):
@@ -97,8 +104,7 @@ def _worst(file):
     names = file["quantity"].asstr()[()]
     chosen = [i for i, name in enumerate(names) if name.startswith(f"{kind} ")]
     if not chosen:
-        bodies = bodies_of(file) or ("",)
-        motions = [one for i, name in enumerate(bodies) for one in Motions(i, f"{name} ".lstrip()).named]
+        motions = [one for of_body in _motions(file) for one in of_body.named]
         at = int(np.argmax(_travel(file, len(motions))))
         return Worst("motion", at, *motions[at])
     largest = file["statistics"][()][whole_rows(file)][:, chosen, STATISTICS.index("largest")]

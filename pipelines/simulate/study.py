@@ -144,9 +144,9 @@ def check_names(settings, names):
             raise StudyError(f"simulation.{key}: there is no line {name!r}; allowed: {known}")
 
 
-def check_run(study, omega, names, folder):
+def check_run(study, omega, names, folder, words=ONE_BODY):
     """Raises ValueError for a `Study` that cannot be run in time; as `plan_of` and `check_names`"""
-    check_names(plan_of(study, omega, folder=folder).settings, names)
+    check_names(plan_of(study, omega, folder=folder, words=words).settings, names)
 
 
 def force_files(study, folder):

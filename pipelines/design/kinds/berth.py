@@ -9,7 +9,7 @@ import numpy as np
 
 from hakobune.mooring.fenders.fender import FenderError
 
-from .in_time import make_study_of
+from .in_time import at_place, make_study_of
 from .needs import DOLPHIN, OF_ALLOWABLE, OF_ENERGY, SLOW, TOTAL
 from .numbers import Numbers, types_of
 
@@ -20,23 +20,23 @@ PLANE = ("surge", "sway", "yaw")
 def berth_numbers(study, database, path, runs):
     """`Numbers` of a load case, from the file of its runs; runs : as `in_time.simulated` gives them"""
     from hakobune.bem.database import open_database
-    from hakobune.mooring.motion.contacts import courses
+    from hakobune.mooring.motion.contacts import contact_forces
 
     from ...simulate.berth import findings_on_fenders, findings_on_periods
-    from ...simulate.file import opened
+    from ...simulate.file import bodies_of, opened
 
     db, made = open_database(database), make_study_of(path.with_name(path.name.replace("_runs.h5", ".toml")))
-    hull = made.hull_of(db.sizes)
-    berth = made.berth(hull, db.rotation_center)
+    hull = made.hulls_of(db)
+    berth = made.berth_of(db, hull)
     with opened(path) as file:
         names = tuple(file["line"].asstr()[()])
         anchor, fairlead = file["anchor"][()], file["fairlead"][()]
         start, place = file.attrs["place_at_rest"], _mean_place(file)
-        parts = _of_fenders(file, made, berth)
-        warnings = (*runs["findings"], _periods(file), *_steady_of_few(file), *findings_on_periods(file),
+        parts, bodies = _of_fenders(file, made, berth) | runs["parts"], bodies_of(file)
+        warnings = (*runs["findings"], *_periods(file), *_steady_of_few(file), *findings_on_periods(file),
                     *findings_on_fenders(file),
                     *filter(None, [str(file.attrs.get("design_spectrum", ""))]))  # fmt: skip
-    at_rest = courses(berth, start[None])[1][0][len(berth.fenders) :]
+    at_rest = contact_forces(berth, start)[len(berth.fenders) :]
     held = _at_rest(made, db, hull, start)
     length = [*(one.length for one in held.system.lines)] if held is not None else []
     return Numbers(
@@ -55,13 +55,17 @@ def berth_numbers(study, database, path, runs):
         motions=runs["motions"],
         parts=parts,
         warnings=tuple(dict.fromkeys(warnings)),
+        bodies=bodies,
     )
 
 
 def _periods(file):
+    """Remark on the natural periods at a berth, which are known for one body"""
+    if "natural_period" not in file.attrs:
+        return
     known = [(n, T) for n, T in zip(PLANE, file.attrs["natural_period"], strict=True) if np.isfinite(T)]
     words = ", ".join(f"{name} {T:.3g} s" for name, T in known)
-    return f"natural periods of small motions at the berth: {words or 'none, since nothing holds the body at rest'}"
+    yield f"natural periods of small motions at the berth: {words or 'none, since nothing holds the body at rest'}"
 
 
 def _steady_of_few(file):
@@ -76,22 +80,24 @@ def _steady_of_few(file):
 
 
 def _at_rest(made, db, hull, start):
-    """SystemEquilibrium of the lines with the body at rest at the berth, None without lines"""
-    from hakobune.mooring.lines.system.equilibrium import held_at, rest
+    """SystemEquilibrium of the lines with the bodies at rest at the berth, None without lines
 
-    system = made.system(hull, db.rotation_center, db.density, db.gravity)
+    start : (6N,) displacements in space
+    """
+    system = made.system_of(db, hull)
     if system is None:
         return None
-    (body,) = system.bodies
-    pose = tuple(float(a + b) for a, b in zip(body.position, start, strict=True))
-    return rest(held_at(system, {body.name: pose}))
+    return at_place(system, np.array([one.position for one in system.bodies]) + np.reshape(start, (-1, 6)))
 
 
 def _mean_place(file):
-    """Mean of surge, sway and yaw over all runs, m, m, rad; shape (3,)"""
-    from ...simulate.file import summary_of
+    """Mean of surge, sway and yaw over all runs, m, m, rad; shape (3,); of several bodies (N, 3)"""
+    from ...simulate.file import bodies_of, summary_of
 
-    return np.array([summary_of(file, name)["mean"] for name in PLANE])
+    of_each = [
+        [summary_of(file, f"{body} {name}".strip())["mean"] for name in PLANE] for body in bodies_of(file) or [""]
+    ]
+    return np.array(of_each if bodies_of(file) else of_each[0])
 
 
 def _of_fenders(file, made, berth):

@@ -41,7 +41,7 @@ def draw_berth(made, db, numbers, path):
         axes.plot(*zip(anchor[:2], fairlead[:2], strict=True), color=colours.to_rgba(min(share, 2.0)), lw=2)
         axes.plot(*anchor[:2], "k^", ms=4)
     for rows, edge, inward in ((above, high, -1), (below, low, 1)):
-        _write(axes, rows, edge + inward * 0.12 / scale, inward * ROW / scale)
+        write_rows(axes, rows, edge + inward * 0.12 / scale, inward * ROW / scale)
     _draw_fenders(axes, fenders, strain, colours, hull, scale)
     axes.plot(*corners.T, color="0.6", ls="--", label="as drawn")
     x, y, turn = numbers.place
@@ -64,7 +64,7 @@ def _draw_fenders(axes, fenders, strain, colours, hull, scale):
     places = np.array([one.face[:2] for _, one in across]).reshape(-1, 2)
     for side, rows in zip(SIDES, _by_side([text for text, _ in across], places, places[:, 1], scale), strict=True):
         inner = 0.5 * hull.beam - (0.07 + ROW * len(rows)) / scale
-        _write(axes, rows, side * inner, side * ROW / scale)
+        write_rows(axes, rows, side * inner, side * ROW / scale)
     for text, one in zip(told, fenders, strict=True):
         if abs(one.normal[1]) <= abs(one.normal[0]):
             x, y = one.face[:2]
@@ -75,10 +75,10 @@ def _draw_fenders(axes, fenders, strain, colours, hull, scale):
 def _by_side(words, places, y, scale):
     """Rows of the names at y ≥ 0, and of those below; scale : inches a metre"""
     pairs = list(zip(words, places, y, strict=True))
-    return [_in_rows([(text, place) for text, place, at in pairs if (at >= 0) == (side > 0)], scale) for side in SIDES]
+    return [in_rows([(text, place) for text, place, at in pairs if (at >= 0) == (side > 0)], scale) for side in SIDES]
 
 
-def _in_rows(words, scale):
+def in_rows(words, scale):
     """[[(text, (2,) m)] of each row], from left to right, without overlaps in a row"""
     rows, ends = [], []  # ends : of each row, m along x of the end of its last name
     for text, place in sorted(words, key=lambda one: one[1][0]):
@@ -92,8 +92,8 @@ def _in_rows(words, scale):
     return rows
 
 
-def _write(axes, rows, edge, step):
-    """Names of `_in_rows` with a line to what they name; the last row at y = `edge` m, each before it `step` m on"""
+def write_rows(axes, rows, edge, step):
+    """Names of `in_rows` with a line to what they name; the last row at y = `edge` m, each before it `step` m on"""
     for i, row in enumerate(rows):
         for text, (x, y) in row:
             axes.annotate(

@@ -12,8 +12,10 @@ from pathlib import Path
 import numpy as np
 
 from hakobune.mooring.criteria.fatigue import Cycles, rainflow_cycles
+from hakobune.mooring.motion.simulation.realisation import poses_of
 
-from .numbers import strength
+from .needs import GAP
+from .numbers import held_by_hinges, strength
 from .stored import kept, key_of
 
 
@@ -24,11 +26,11 @@ def simulated(study, database, path, factors):
     study : path of its TOML file, with [simulation]; database, path : of the database, and of the file of the runs
     factors : of the dynamic displacement
     returns : {"mean", "breaking" (n,) N of the lines and ropes, "largest": {factor: (n,) N}, "horizontal", "uplift":
-        (n,) N at the anchor at the same time, "cycles": of `cycles_of`, "motions": (6,) m, rad, largest from their
-        means, "excursion": m, largest horizontal distance from rest, "findings"}
+        (n,) N at the anchor at the same time, "cycles": of `cycles_of`, "motions": (6N,) m, rad, largest from their
+        means, "excursion": m, largest horizontal distance from rest, "parts": of gaps and hinges, "findings"}
     raises : ValueError, one line, for a case that cannot be run
     """
-    texts = study.read_text(encoding="utf-8"), repr(factors), "excursion"
+    texts = study.read_text(encoding="utf-8"), repr(factors), "excursion, parts"
     place = path.with_name(f"{path.stem}_extremes.json")
     found = kept(
         place, lambda: key_of(*texts, Path(database), path), lambda: _plain(_simulated(study, database, path, factors))
@@ -48,6 +50,7 @@ READ = {  # JSON values that are no arrays
     "largest": lambda pairs: {factor: np.array(values) for factor, values in pairs},
     "cycles": lambda pairs: [(time, Cycles(*map(np.array, parts))) for time, parts in pairs],
     "excursion": float,
+    "parts": dict,
     "findings": tuple,
 }
 
@@ -64,7 +67,7 @@ def _simulated(study, database, path, factors):
     with opened(path) as file:
         rows = [summary_of(file, f"tension {name}") for name in file["line"].asstr()[()]]
         motion, tension = file["motion"][()].astype(float), file["tension"][()].astype(float)
-        excursion = _largest_excursion(file, motion)
+        excursion, parts = _largest_excursion(file, motion), _between(file)
         motions, step = _largest_motions(file), float(np.diff(file["time"][:2])[0])
         found = (*told(file), *stored_findings(file), *overloads(file, 1.0), *on_anchors(file),
                  *rare_findings(file))  # fmt: skip
@@ -85,6 +88,7 @@ def _simulated(study, database, path, factors):
         "cycles": cycles_of(tension, step),
         "motions": motions,
         "excursion": excursion,
+        "parts": parts,
         "findings": tuple(dict.fromkeys(found)),
     }
 
@@ -114,24 +118,33 @@ def _run(study, database, path):
 
 
 def _largest_motions(file):
-    """Largest motions of all runs from their means, of the larger side, m, rad; shape (6,)"""
-    from hakobune.bem import DOFS
+    """Largest motions of all runs from their means, of the larger side, m, rad; shape (6N,)"""
+    from ...simulate.file import summary_of, words_of
 
+    rows = [summary_of(file, name) for name in words_of(file)]
+    return np.array([max(row["largest"] - row["mean"], row["mean"] - row["smallest"]) for row in rows])
+
+
+def _between(file):
+    """{quantity: {part: value}} between several bodies: the smallest gap of two hulls, m, and what hinges hold, kN and
+    kN m; empty for one body"""
     from ...simulate.file import summary_of
 
-    out = []
-    for name in DOFS:
-        row = summary_of(file, name.lower())
-        out.append(max(row["largest"] - row["mean"], row["mean"] - row["smallest"]))
-    return np.array(out)
+    names = file["quantity"].asstr()[()]
+    gaps = {name.removeprefix("gap "): summary_of(file, name)["smallest"] for name in names if name.startswith("gap ")}
+    hinges = list(file["hinge"].asstr()[()]) if "hinge" in file else []
+    rows = [summary_of(file, name) for name in hinges]
+    held = held_by_hinges(hinges, [max(abs(row["largest"]), abs(row["smallest"])) for row in rows])
+    return held | ({GAP: gaps} if gaps else {})
 
 
 def _largest_excursion(file, motion):
-    """m, of the records motion (runs, t, 6), and no less than the largest surge or sway of runs that are not kept"""
-    from ...simulate.file import summary_of
+    """m, of the records motion (runs, t, 6N), and no less than the largest surge or sway of runs that are not kept"""
+    from ...simulate.file import summary_of, words_of
 
-    along = [abs(summary_of(file, name)[side]) for name in ("surge", "sway") for side in ("largest", "smallest")]
-    return float(max(np.hypot(motion[..., 0], motion[..., 1]).max(initial=0.0), *along))
+    level = [name for name in words_of(file) if name.endswith(("surge", "sway"))]
+    along = [abs(summary_of(file, name)[side]) for name in level for side in ("largest", "smallest")]
+    return float(max(np.hypot(motion[..., 0::6], motion[..., 1::6]).max(initial=0.0), *along))
 
 
 def _moved(study, database, motion, tension, factor):
@@ -139,20 +152,20 @@ def _moved(study, database, motion, tension, factor):
     shape (3, n), with the body at `factor` times its displacement from the mean at the largest tension of the line, the
     largest over the runs
 
-    motion : (runs, t, 6); tension : (runs, t, n)
+    motion : (runs, t, 6N); tension : (runs, t, n)
     """
     from hakobune.bem.database import open_database
 
     db, made = open_database(database), make_study_of(study)
-    hull = made.hull_of(db.sizes)
-    system = made.system(hull, db.rotation_center, db.density, db.gravity)
-    berth, out = made.berth(hull, db.rotation_center), np.zeros((3, tension.shape[-1]))
+    hull = made.hulls_of(db)
+    system, berth = made.system_of(db, hull), made.berth_of(db, hull)
+    out = np.zeros((3, tension.shape[-1]))
     count = 0 if system is None else len(system.lines)
     for moved, pulled in zip(motion, tension, strict=True):
         mean = moved.mean(axis=0)
         for line in range(out.shape[1]):
             place = mean + factor * (moved[pulled[:, line].argmax()] - mean)
-            held = _held_line(system, line, place) if line < count else _held_rope(berth, db, line - count, place)
+            held = _held_line(system, line, place) if line < count else _held_rope(berth, line - count, place)
             out[:, line] = np.maximum(out[:, line], held)
     return out
 
@@ -165,23 +178,38 @@ def make_study_of(path):
 
 
 def _held_line(system, line, place):
-    """N: tension, pull along and up at the anchor of a line, with the body displaced to `place` (6,)"""
-    from hakobune.mooring.lines.system.equilibrium import held_at, rest
-
-    (body,) = system.bodies
-    pose = tuple(float(a + b) for a, b in zip(body.position, place, strict=True))
-    lines = rest(held_at(system, {body.name: pose})).lines
+    """N: tension, pull along and up at the anchor of a line, with the bodies in motion `place` (6N,)"""
+    lines = at_place(system, poses_of(place, np.array([one.position for one in system.bodies]))).lines
     return lines.tension_b[line], lines.horizontal_a[line], -lines.vertical_a[line]
 
 
-def _held_rope(berth, db, rope, place):
+def _held_rope(berth, rope, place):
     """Like `_held_line`, for a rope, which is straight"""
-    from hakobune.mooring.lines.system.bodies import rotation
     from hakobune.mooring.motion.contacts import contact_forces
 
-    tension = contact_forces(berth, place)[len(berth.fenders) + rope]
-    one, center = berth.ropes[rope], np.asarray(db.rotation_center, float)
-    turned = rotation(*place[3:]) @ (one.fairlead - center)
-    way = center + place[:3] + turned - one.bollard
+    at_rest = np.zeros((len(berth.heading), 6))
+    at_rest[:, :3], at_rest[:, 5] = berth.arrays.place, berth.heading
+    poses, number = poses_of(place, at_rest), len(berth.fenders) + rope
+    tension, one = contact_forces(berth, (poses - at_rest).ravel())[number], berth.ropes[rope]
+    fairlead, bollard = (
+        _carried(point, at_rest[body], poses[body]) if body >= 0 else point
+        for point, body in ((one.fairlead, berth.arrays.body[number]), (one.bollard, berth.arrays.other[number]))
+    )
+    way = fairlead - bollard
     along, up = np.hypot(*way[:2]) / np.linalg.norm(way), way[2] / np.linalg.norm(way)
     return tension, tension * along, tension * up
+
+
+def at_place(system, poses):
+    """SystemEquilibrium of lines with the bodies held at poses (N, 6) in space"""
+    from hakobune.mooring.lines.system.equilibrium import held_at, rest
+
+    places = {one.name: tuple(map(float, pose)) for one, pose in zip(system.bodies, poses, strict=True)}
+    return rest(held_at(system, places))
+
+
+def _carried(point, at_rest, pose):
+    """(3,) m, a point of space on a body at rest, with the body moved to a pose (6,)"""
+    from hakobune.mooring.lines.system.bodies import rotation
+
+    return pose[:3] + rotation(*pose[3:]) @ rotation(*at_rest[3:]).T @ (point - at_rest[:3])

@@ -1,4 +1,5 @@
-"""A body on lines, or at a berth: `hakobune moor`, and `hakobune simulate` where the project has [simulation].
+"""A body on lines or at a berth, or several bodies moored to each other: `hakobune moor`, and `hakobune simulate` where
+the project has [simulation].
 
 The layout of the lines is determined once, in the water of the study.  At a higher water level, or with a lost line,
 anchors, bollards and lengths are unchanged: every case gives its lines by fairlead and anchor.  Ropes of a berth are
@@ -16,7 +17,7 @@ import tomli_w
 from hakobune.bem import DOFS
 from hakobune.meshing.whole_files import write_whole
 from hakobune.mooring.lines.system.hawser import Hawser
-from hakobune.mooring.studies.conditions import alone
+from hakobune.mooring.studies.conditions import afloat
 from hakobune.mooring.studies.multi_point_findings import IN_TIME as FINDINGS_IN_TIME
 from hakobune.mooring.studies.places import check_places
 
@@ -24,8 +25,8 @@ from ...common.quantities import StudyError
 from ...common.weather.streams import OF_HULL, STREAMS, with_hull
 from ...moor.checked import check_weather
 from ...moor.study import make_study, read_raw
-from .needs import COEFFICIENT, DOLPHIN, OF_FENDERS, Need, of_lines
-from .numbers import Numbers, strength, types_of
+from .needs import COEFFICIENT, DOLPHIN, GAP, HINGE_FORCE, HINGE_MOMENT, OF_FENDERS, Need, of_lines
+from .numbers import Numbers, held_by_hinges, strength, types_of
 from .stored import numbers_of
 
 NAME, DATABASE, MOVED = "mooring study", "needed", True
@@ -57,7 +58,7 @@ IN_TIME_SOURCES = (
     "motions, horizontal and uplift of NAME_runs_extremes.json; offset and yaw are under steady forces, in NAME.h5."
 )
 BERTH_SOURCES = "Tensions, strains and motions are in the summary of its run file; offsets are the means."
-KEPT = ("hull", "types", "anchors", "fender", "dolphin", "rope", "harbour", "quay")
+KEPT = ("hull", "hulls", "types", "anchors", "fender", "dolphin", "rope", "hinges", "harbour", "quay")
 
 
 def read(path):
@@ -100,7 +101,7 @@ def at(base, depth, weather):
     study |= {where: with_hull(study[where], of_hull[where]) for where in STREAMS if where in study}
     for key, place in STILL:
         for table in study.get(key, ()) if rise else ():
-            if place in table:
+            if place in table and "to" not in table:  # on another body it rises with the water
                 x, y, z = table[place]
                 table[place] = [x, y, z - rise]
     return study
@@ -110,11 +111,13 @@ def checked(study, body, folder):
     """Raises ValueError for an invalid load case, except for lines that do not reach at its level."""
     made = make_study(study)
     hull = check_weather(made, body)
-    made.berth(hull, body.rotation_center)
+    made.berth_of(body, hull)
+    for i, one in enumerate(made.hinges):
+        one.link(f"hinges[{i}]", body)
     if made.simulation is not None:
         from ...simulate.study import check_run
 
-        check_run(made, body.omega, lost({"lines": study["lines"]}), folder)
+        check_run(made, body.omega, lost({"lines": study["lines"]}), folder, body.words)
 
 
 def words(project, raw):
@@ -131,13 +134,17 @@ def needs(raw):
     fenders = raw.get("fender", ())
     yielding = [one for one in (*fenders, *raw.get("dolphin", ())) if {"yield_force", "dolphin_yield"} & set(one)]
     found += [Need("fenders (fender)", OF_FENDERS)] if fenders else []
+    found += [Need("hinges (hinges)", (HINGE_FORCE, HINGE_MOMENT))] if raw.get("hinges") else []
     return found + ([Need("dolphins that yield (dolphin)", (DOLPHIN,))] if fenders and yielding else [])
 
 
 def finds(raw):
-    """Motions, and quantities of fenders and earthquakes"""
-    motions = tuple(dof.lower() for dof in DOFS)
-    return (*motions, *OF_FENDERS, DOLPHIN, COEFFICIENT) if raw.get("fender") else motions
+    """Motions, and quantities of fenders, earthquakes, hinges and hulls side by side"""
+    found = tuple(dof.lower() for dof in DOFS)
+    found += (*OF_FENDERS, DOLPHIN, COEFFICIENT) if raw.get("fender") else ()
+    found += (HINGE_FORCE, HINGE_MOMENT) if raw.get("hinges") else ()
+    named = any(table.get("body") for key in (*HELD, "spreads", "fender") for table in raw.get(key, ()))
+    return (*found, GAP) if named or raw.get("hulls") else found
 
 
 def lost(study):
@@ -160,19 +167,19 @@ def without(study, name):
 def laid_lines(raw, db):
     """Raw tables of the lines of a study, each with name, fairlead and anchor"""
     typed = make_study(raw)
-    hull = typed.hull_of(db.sizes)
-    system = typed.system(hull, db.rotation_center, db.density, db.gravity)
+    hull = typed.hulls_of(db)
+    system = typed.system_of(db, hull)
     if system is None:
         return []
-    check_places(system, (alone(db, hull, system.bodies[0].name),))
-    points = {point.name: point for point in system.points}
-    center = np.asarray(db.rotation_center, float)
+    hulls = afloat(db, hull, system.bodies[0].name)
+    check_places(system, hulls)
+    points, centers = {point.name: point for point in system.points}, {one.name: one.rotation_center for one in hulls}
     laid = []
     for line, table in zip(system.lines, line_tables(raw), strict=True):
-        fairlead = center + points[line.b].position
+        fairlead = centers[points[line.b].body] + points[line.b].position
         rest = {key: value for key, value in table.items() if key not in LAYING and key != "fairlead"}
         end = "bollard" if "bollard" in table else "anchor"
-        place = [float(x) for x in points[line.a].position[: 3 if end == "bollard" else 2]]
+        place = [float(x) for x in table.get("bollard", points[line.a].position[:2])]
         length = {"length": line.length} if isinstance(line, Hawser) else {}
         laid.append({"name": line.name, "fairlead": fairlead.tolist(), end: place, **rest, **length})
     return laid
@@ -200,7 +207,8 @@ def run(study, database, path, factors):
         return stored, None
     runs = simulated(path.with_suffix(".toml"), database, runs_path, factors)
     beside = (f"simplified method: {text}" for text in stored.warnings if FINDINGS_IN_TIME not in text)
-    return stored._replace(breaking=runs["breaking"], warnings=(*runs["findings"], *beside)), runs
+    found = {"breaking": runs["breaking"], "warnings": (*runs["findings"], *beside)}
+    return stored._replace(**found, parts=stored.parts | runs["parts"]), runs
 
 
 def write_study(path, text):
@@ -217,8 +225,9 @@ def draw(study, database, numbers, path):
     db, made = open_database(database), make_study(study)
     if made.at_berth:
         from .berth_plan import draw_berth
+        from .side_plan import draw_between
 
-        draw_berth(made, db, numbers, path)
+        (draw_between if db.bodies else draw_berth)(made, db, numbers, path)
         return
     from ...moor.plan_picture import draw_plan
     from ...moor.result import studied
@@ -272,9 +281,17 @@ def _stored(path, study, text, database):
             breaking=strength(found["line.breaking_load"], found["tension.largest"], found["tension.used"]),
             horizontal=found["anchor.largest_horizontal"],
             uplift=found["anchor.largest_vertical"],
-            place=np.array([found[f"pose.{name}"] for name in ("x", "y", "yaw")]),
+            place=np.transpose([found[f"pose.{name}"] for name in ("x", "y", "yaw")]),
             motions=found["motion.amplitude"],
-            parts={},
+            parts=_of_hinges(found),
             warnings=found.told,
+            bodies=tuple(found.labels["body"].values.tolist()) if "body" in found.labels else (),
         )
     return None
+
+
+def _of_hinges(found):
+    """{quantity: {hinge and axis: kN or kN m}} of the result of a mooring with hinges, else empty"""
+    if "hinge.largest" not in found:
+        return {}
+    return held_by_hinges(found.labels["hinge"].values.tolist(), found["hinge.largest"])

@@ -13,6 +13,7 @@ OF_FENDERS = OF_ALLOWABLE, OF_ENERGY, TOTAL, SLOW
 DOLPHIN = "design load of a dolphin / fender reaction"
 SCOPE = "line length / (5 depths + tidal range)"
 COEFFICIENT = "horizontal seismic coefficient"
+GAP, HINGE_FORCE, HINGE_MOMENT = "gap between hulls", "hinge force", "hinge moment"  # between several bodies
 LOADS = tuple(quantity for quantity in OF_TENSIONS if quantity not in (PRETENSION, HOLDING))
 
 

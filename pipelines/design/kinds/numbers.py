@@ -4,6 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from .needs import HINGE_FORCE, HINGE_MOMENT
+
 
 class Numbers(NamedTuple):
     """n lines, ropes or hawsers, SI.
@@ -11,8 +13,8 @@ class Numbers(NamedTuple):
     types : names of the types that each is made of; fairlead, anchor : (n, 3) m, at rest
     pretension, static, largest, breaking : (n,) N, at rest, under steady loads, largest, inf if unknown
     horizontal, uplift : (n,) N, largest at the anchor
-    place : (3,) m, m, rad, under steady loads, nan for a method without it
-    motions : (6,) m, rad, largest, () if there are none
+    place : (3,) m, m, rad, under steady loads, of several bodies (N, 3), nan for a method without it
+    motions : (6,) m, rad, largest, of several bodies (6N,), () if there are none; bodies : names of several
     parts : {quantity: {part: value}}, other than tensions and motions; hawsers : names of the hawsers
     warnings : findings, one line each
     """
@@ -33,6 +35,7 @@ class Numbers(NamedTuple):
     parts: dict
     hawsers: tuple = ()
     warnings: tuple = ()
+    bodies: tuple = ()
 
 
 def strength(breaking, largest, used):
@@ -43,6 +46,19 @@ def strength(breaking, largest, used):
     """
     held = np.divide(largest, used, out=np.full(len(used), np.inf), where=np.isfinite(used) & (used > 0))
     return np.where(held < breaking * (1 - 1e-9), held, breaking)
+
+
+def held_by_hinges(names, largest):
+    """{quantity: {name: kN or kN m}} of forces and moments of hinges, N and N m, along and about their axes
+
+    names : each of a hinge and an axis, as "bow force x"; others, as travel, are left out
+    """
+    found = {}
+    for name, value in zip(names, largest, strict=True):
+        for word, quantity in (("force", HINGE_FORCE), ("moment", HINGE_MOMENT)):
+            if name.split()[-2:-1] == [word]:
+                found.setdefault(quantity, {})[name] = abs(float(value)) / 1e3
+    return found
 
 
 def types_of(table):

@@ -86,6 +86,12 @@ def checked(study, body, folder):
     """Raises ValueError for an invalid load case."""
     from ...single_point.checked import checked as check_study
 
+    if body is not None and body.bodies:
+        names = ", ".join(one.name for one in body.bodies)
+        raise StudyError(
+            f"{body.name} has {len(body.bodies)} bodies, {names}; allowed with a single-point study: one body; "
+            "hakobune simulate takes a ship at a buoy as two bodies, with its hawser as a line between them"
+        )
     check_study(make_study(study), body)
 
 

@@ -91,5 +91,5 @@ def read_numbers(words):
     for name in ("fairlead", "anchor"):
         found[name] = found[name].reshape(-1, 3)
     types = tuple(tuple(one) for one in found.pop("types"))
-    flat = {name: tuple(found.pop(name)) for name in ("names", "hawsers", "warnings")}
+    flat = {name: tuple(found.pop(name)) for name in ("names", "hawsers", "warnings", "bodies")}
     return Numbers(types=types, **flat, **found)

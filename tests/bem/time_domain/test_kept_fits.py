@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from hakobune.bem.time_domain import kept_fits
-from hakobune.bem.time_domain.kept_fits import kept_fit
+from hakobune.bem.time_domain.kept_fits import NoFit, kept_fit
 from hakobune.bem.time_domain.passive_fit import Passive
 
 ASKED = np.linspace(0.1, 2.0, 7), np.eye(2) * (1 + 0.3j), 1e-3
@@ -53,3 +53,18 @@ def test_a_damaged_file_is_made_again_and_old_ones_go(fits, tmp_path, monkeypatc
 def test_where_nothing_can_be_kept_fits_are_made(fits, tmp_path):
     (tmp_path / "fits").write_text("")
     assert fits(*ASKED)[1] == 1 and fits(*ASKED)[1] == 2
+
+
+def test_a_search_in_vain_is_kept_with_the_error_it_came_to(tmp_path, monkeypatch):
+    monkeypatch.setattr(kept_fits, "cache_folder", lambda *_: tmp_path)
+    tried = []
+
+    def make():
+        tried.append(1)
+        raise NoFit(0.0123)
+
+    for _ in range(2):
+        with pytest.raises(NoFit) as fault:
+            kept_fit(__file__, make, *ASKED)
+        assert fault.value.best == 0.0123
+    assert len(tried) == 1

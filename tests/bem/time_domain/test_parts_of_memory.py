@@ -181,6 +181,13 @@ def test_water_that_rings_is_told_what_helps():
     assert module._ringing(SimpleNamespace(between=SimpleNamespace(ringing=[]))) == ""
 
 
+def fit_now(*asked):
+    """Fit of a group of motions, not one that is kept"""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(fewest_states, "kept_fit", lambda source, make, *arrays: make())
+        return fewest_states.fewest_states(*asked)
+
+
 def test_a_memory_that_no_system_meets_is_told_with_its_best(monkeypatch):
     """A transform without causality: white noise over the frequencies"""
     monkeypatch.setattr(fewest_states, "POLES", (8,))
@@ -189,7 +196,7 @@ def test_a_memory_that_no_system_meets_is_told_with_its_best(monkeypatch):
     with pytest.raises(
         ValueError, match=r"the memory of b has an error of .*, and the tolerance is 1e-05; give a larger"
     ):
-        fewest_states._fitted(omega, wanted, np.ones(1), (1,), 1e-5, np.zeros((40, 1)), ("a", "b"))
+        fit_now(omega, wanted, np.ones(1), (1,), 1e-5, np.zeros((40, 1)), ("a", "b"))
 
 
 def test_the_best_of_what_was_tried_is_told(monkeypatch):
@@ -200,11 +207,11 @@ def test_the_best_of_what_was_tried_is_told(monkeypatch):
     with pytest.raises(
         ValueError, match=r"the memory of sway has an error of 0\.2 with the best system that was tried, and the"
     ) as one:
-        fewest_states._fitted(np.arange(1.0, 5), wanted, np.ones(1), (1,), 0.01, none, ("surge", "sway"))
+        fit_now(np.arange(1.0, 5), wanted, np.ones(1), (1,), 0.01, none, ("surge", "sway"))
     assert one.value.within == pytest.approx(0.2 / 8)  # beyond eight times a tolerance no modes are moved
     offs, many = iter([0.5, 0.2, 0.3]), np.ones((4, 4, 4), complex)
     with pytest.raises(fewest_states.FitError) as one:
-        fewest_states._fitted(np.arange(1.0, 5), many, np.ones(4), (0, 1, 2, 3), 0.01, np.zeros((4, 4)), "abcd")
+        fit_now(np.arange(1.0, 5), many, np.ones(4), (0, 1, 2, 3), 0.01, np.zeros((4, 4)), "abcd")
     assert one.value.within == pytest.approx(0.1)  # of four motions none are moved at all
     tried = []
 
@@ -221,12 +228,10 @@ def test_the_best_of_what_was_tried_is_told(monkeypatch):
     monkeypatch.setattr(fewest_states, "passive_fit", lambda a, b, s, H, most, weight: (most, errors[tried[-1]]))
     monkeypatch.setattr(fewest_states, "POLES", (8,))
     with pytest.raises(ValueError, match=r"an error of 0\.15 with"):
-        fewest_states._fitted(np.arange(1.0, 5), wanted, np.ones(1), (1,), 0.01, none, ("surge", "sway"))
+        fit_now(np.arange(1.0, 5), wanted, np.ones(1), (1,), 0.01, none, ("surge", "sway"))
     assert tried == [6, 7]  # as many as values above the tolerance, and more
     errors[7] = 0.01
-    assert fewest_states._fitted(np.arange(1.0, 5), wanted, np.ones(1), (1,), 0.01, none, ("a", "b")) == pytest.approx(
-        0.0099
-    )
+    assert fit_now(np.arange(1.0, 5), wanted, np.ones(1), (1,), 0.01, none, ("a", "b")) == pytest.approx(0.0099)
 
 
 def test_more_states_are_not_tried_where_six_fits_in_a_row_came_no_nearer(monkeypatch):
@@ -250,5 +255,5 @@ def test_more_states_are_not_tried_where_six_fits_in_a_row_came_no_nearer(monkey
     fewest = int(np.sum(values > 0.03))
     assert fewest == 30
     with pytest.raises(fewest_states.FitError, match=r"an error of 0\.2 with the best"):
-        fewest_states._fitted(np.arange(1.0, 5), wanted, np.ones(1), (0,), 0.03, np.zeros((4, 1)), ("surge",))
+        fit_now(np.arange(1.0, 5), wanted, np.ones(1), (0,), 0.03, np.zeros((4, 1)), ("surge",))
     assert tried == 2 * list(range(30, 34 + fewest_states.PATIENCE))

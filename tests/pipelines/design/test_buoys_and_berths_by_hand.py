@@ -129,7 +129,7 @@ def case(monkeypatch):
     db = SimpleNamespace(sizes="sizes", rotation_center="center", density=1025.0, gravity=9.8)
     chain, rope = SimpleNamespace(length=200.0), SimpleNamespace(length=40.0, breaking_load=5e5)
     there = SimpleNamespace(fenders=["f"], ropes=[rope])
-    made = SimpleNamespace(hull_of=lambda sizes: ("hull", sizes), berth=lambda hull, center: there)
+    made = SimpleNamespace(hulls_of=lambda db: ("hull", db.sizes), berth_of=lambda db, hull: there)
     held = SimpleNamespace(system=SimpleNamespace(lines=[chain]), lines=SimpleNamespace(tension_b=np.array([7e4])))
     monkeypatch.setattr("hakobune.bem.database.open_database", lambda path: db)
     monkeypatch.setattr(berth, "make_study_of", lambda path: asked.update(study=path) or made)
@@ -141,8 +141,9 @@ def case(monkeypatch):
     monkeypatch.setattr("hakobune.pipelines.simulate.berth.findings_on_periods", lambda file: ["slow"])
     monkeypatch.setattr("hakobune.pipelines.simulate.berth.findings_on_fenders", lambda file: ["soft", "seen"])
     pulls = np.array([1e3, 2e3])  # of the fender, then of the rope
-    monkeypatch.setattr("hakobune.mooring.motion.contacts.courses",
-                        lambda berth, poses: asked.update(poses=poses) or (None, [pulls]))  # fmt: skip
+    monkeypatch.setattr("hakobune.mooring.motion.contacts.contact_forces",
+                        lambda berth, place: asked.update(place=place) or pulls)  # fmt: skip
+    monkeypatch.setattr("hakobune.pipelines.simulate.file.bodies_of", lambda file: ())
     monkeypatch.setattr(berth, "_at_rest", lambda *given: asked.update(rest=given) or held)
     return SimpleNamespace(asked=asked, made=made, db=db)
 
@@ -151,7 +152,7 @@ def runs():
     both = {name: np.array([value, value + 1.0]) for name, value in
             (("mean", 10.0), ("breaking", 20.0), ("horizontal", 30.0), ("uplift", 40.0))}  # fmt: skip
     largest = {1.0: np.array([50.0, 51.0]), 1.5: np.array([99.0, 99.0])}
-    return both | {"largest": largest, "motions": np.arange(6.0), "findings": ("seen", "waves")}
+    return both | {"largest": largest, "motions": np.arange(6.0), "parts": {}, "findings": ("seen", "waves")}
 
 
 def test_numbers_of_a_berth_are_of_its_lines_and_then_of_its_ropes(case):
@@ -165,7 +166,7 @@ def test_numbers_of_a_berth_are_of_its_lines_and_then_of_its_ropes(case):
     assert found.place.tolist() == [1.0, 2.0, 0.3] and found.parts == {"strain": {"f": 0.2}}
     assert found.anchor[0].tolist() == [1.0] * 3 and found.fairlead[0].tolist() == [2.0] * 3
     start = [0.5, -1.0, 0, 0, 0, 0.1]
-    assert case.asked["poses"].tolist() == [start]
+    assert case.asked["place"].tolist() == start and found.bodies == ()
     study, db, hull, at = case.asked["rest"]
     assert (study, db, hull) == (case.made, case.db, ("hull", "sizes")) and at.tolist() == start
     periods = "natural periods of small motions at the berth: surge 60 s, yaw 45.7 s"
@@ -187,7 +188,9 @@ def test_steady_strains_of_all_runs_need_no_remark(kept, count, said):
 
 def test_a_body_that_nothing_holds_has_no_period():
     file = SimpleNamespace(attrs={"natural_period": [np.nan] * 3})
-    assert berth._periods(file).endswith("at the berth: none, since nothing holds the body at rest")
+    (line,) = berth._periods(file)
+    assert line.endswith("at the berth: none, since nothing holds the body at rest")
+    assert not list(berth._periods(SimpleNamespace(attrs={})))  # several bodies
 
 
 def test_lines_at_a_berth_are_held_where_the_body_rests_there(monkeypatch):
@@ -195,16 +198,16 @@ def test_lines_at_a_berth_are_held_where_the_body_rests_there(monkeypatch):
     held = []
     body = SimpleNamespace(name="ship", position=(1.0, 2.0, 3.0, 0.0, 0.0, 0.5))
     system = SimpleNamespace(bodies=[body])
-    made = SimpleNamespace(system=lambda *given: held.append(given) or system)
+    made = SimpleNamespace(system_of=lambda *given: held.append(given) or system)
     equilibrium = "hakobune.mooring.lines.system.equilibrium"
     monkeypatch.setattr(f"{equilibrium}.held_at", lambda system, poses: held.append(poses) or system)
     monkeypatch.setattr(f"{equilibrium}.rest", lambda system: ("rest", system))
-    db = SimpleNamespace(rotation_center="center", density=1025.0, gravity=9.8)
+    db = "db"
     start = np.array([0.5, -1.0, 0.25, 0.0, 0.0, 0.1])
     assert berth._at_rest(made, db, "hull", start) == ("rest", system)
     asked, poses = held
-    assert asked == ("hull", "center", 1025.0, 9.8) and poses["ship"] == pytest.approx((1.5, 1.0, 3.25, 0, 0, 0.6))
-    made.system = lambda *given: None
+    assert asked == ("db", "hull") and poses["ship"] == pytest.approx((1.5, 1.0, 3.25, 0, 0, 0.6))
+    made.system_of = lambda *given: None
     assert berth._at_rest(made, db, "hull", start) is None
 
 
@@ -212,5 +215,10 @@ def test_a_case_of_a_buoy_is_checked_with_its_body(monkeypatch):
     asked = []
     monkeypatch.setattr(single_point, "make_study", lambda study: f"made {study}")
     monkeypatch.setattr("hakobune.pipelines.single_point.checked.checked", lambda *given: asked.append(given))
-    single_point.checked("study", "body", "folder")
-    assert asked == [("made study", "body")]
+    body = SimpleNamespace(name="two.h5", bodies=())
+    single_point.checked("study", body, "folder")
+    single_point.checked("study", None, "folder")
+    assert asked == [("made study", body), ("made study", None)]
+    body.bodies = SimpleNamespace(name="tanker"), SimpleNamespace(name="buoy")
+    with pytest.raises(StudyError, match=r"two.h5 has 2 bodies, tanker, buoy; allowed with a single-point study: one "):
+        single_point.checked("study", body, "folder")

@@ -84,7 +84,7 @@ def one_plan():
 def without_pictures(request, monkeypatch):
     """Where the page is not looked at: its pictures take most of the time"""
     if "first" not in request.fixturenames:
-        for name in ("body_picture", "use_picture"):
+        for name in ("body_pictures", "use_picture"):
             monkeypatch.setattr(f"hakobune.pipelines.design.report.{name}", lambda *given: "")
         monkeypatch.setattr("hakobune.pipelines.design.report.plans", lambda *given: ())
 

@@ -15,6 +15,7 @@ from hakobune.pipelines.cli import main
 from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.design.kinds import mooring
 from hakobune.pipelines.design.project import read_project
+from hakobune.pipelines.moor import checked as moor_checked
 from hakobune.pipelines.moor.checked import body_of_scene
 from hakobune.pipelines.scene.scene import make_scene
 from hakobune.pipelines.solve.run import solve
@@ -497,15 +498,24 @@ def test_a_quay_stands_in_the_load_cases_of_its_berth():
     """It stands still where the water rises"""
     box = SCENE["bodies"][0]
     sizes = {name: box[name] for name in ("length", "beam", "draft")}
-    body = SimpleNamespace(dimensions=sizes, sizes=sizes, rotation_center=np.zeros(3), density=1025.0, gravity=9.80665)
+    water = {"density": 1025.0, "gravity": 9.80665}
+    body = SimpleNamespace(dimensions=sizes, sizes=sizes, rotation_center=np.zeros(3), bodies=(), **water)
     base = mooring.base({**BERTH, "quay": {"y": 30.0}}, body)
     assert mooring.at(base, 21.5, {})["quay"] == {"y": 30.0}
 
 
-def test_a_scene_of_several_bodies_has_no_design():
+def test_a_scene_of_several_bodies_gives_their_sizes_unless_a_mesh_has_them():
     box = {"shape": "box", "length": 20.0, "beam": 6.0, "draft": 2.0}
     bodies = [{**box, "name": "ship", "place": [0.0, 5.0, 0.0]}, {**box, "name": "barge", "place": [0.0, -5.0, 0.0]}]
     scene = make_scene({"water": {"depth": 12.0}, "bodies": bodies, "waves": {"periods": [6.0], "headings_deg": [0.0]}})
-    with pytest.raises(StudyError) as error:
-        body_of_scene("two.toml", scene)
-    assert str(error.value).startswith("two.toml has 2 bodies, ship, barge; allowed here: one body; hakobune moor,")
+    body = body_of_scene("two.toml", scene)
+    assert [(one.name, one.place) for one in body.bodies] == [("ship", (0.0, 5.0)), ("barge", (0.0, -5.0))]
+    sizes = {"length": 20.0, "beam": 6.0, "draft": 2.0}
+    assert body.boxes == {"ship": sizes, "barge": sizes}
+    assert body.words[::6] == ("ship surge", "barge surge") and body.ring is None
+    buoy = {"name": "buoy", "shape": "buoy", "radius": 2.0, "draft": 3.0, "place": [0.0, -5.0, 0.0]}
+    assert moor_checked._box("two.toml", SimpleNamespace(name="buoy"), buoy) == {"length": 4, "beam": 4, "draft": 3}
+    with pytest.raises(
+        StudyError, match=r"two.toml: the size of hull is known once its mesh file is solved; solve the"
+    ):
+        moor_checked._box("two.toml", SimpleNamespace(name="hull"), {})

@@ -296,9 +296,9 @@ def test_how_far_the_cases_are_stands_on_a_terminal_and_in_a_log(terminal, tmp_p
 
 def test_natural_periods_and_records_at_a_berth_are_told():
     file = SimpleNamespace(attrs={"natural_period": [12.345, math.inf, 60.0]})
-    assert berth._periods(file) == "natural periods of small motions at the berth: surge 12.3 s, yaw 60 s"
+    assert "".join(berth._periods(file)) == "natural periods of small motions at the berth: surge 12.3 s, yaw 60 s"
     file.attrs["natural_period"] = [math.inf] * 3
-    assert berth._periods(file).endswith("none, since nothing holds the body at rest")
+    assert "".join(berth._periods(file)).endswith("none, since nothing holds the body at rest")
     for kept, told in ((3, []), (2, ["steady strains come from the 2 of 3 runs"])):
         said = list(berth._steady_of_few({"deflection": [0] * kept, "seed": [0] * 3}))
         assert [line[: len(words)] for line, words in zip(said, told, strict=True)] == told
@@ -323,13 +323,14 @@ def test_lines_are_held_where_the_body_is_displaced_to(monkeypatch):
     """Tension, pull along and up at the anchor: what the line pulls down at its lower end pulls the anchor up"""
     held, place = Held(monkeypatch), (0.1, 0.2, 0.3, 0.0, 0.0, 0.05)
     assert in_time._held_line(held.system, 1, place) == (7.0, 4.0, 2.0)
-    assert held.poses[0]["ship"] == pytest.approx((1.1, 2.2, 3.3, 0.0, 0.0, 0.55))
-    db = SimpleNamespace(rotation_center=0, density=0, gravity=0)
-    made = SimpleNamespace(system=lambda *_: held.system)
-    assert berth._at_rest(made, db, None, place).of == "held"
-    assert held.poses[1]["ship"] == pytest.approx((1.1, 2.2, 3.3, 0.0, 0.0, 0.55))
-    made.system = lambda *_: None
-    assert berth._at_rest(made, db, None, place) is None
+    c, s = math.cos(0.5), math.sin(0.5)  # surge and sway are along the axes of a body that heads to 0.5 rad
+    at = (1.0 + 0.1 * c - 0.2 * s, 2.0 + 0.1 * s + 0.2 * c, 3.3, 0.0, 0.0, 0.55)
+    assert held.poses[0]["ship"] == pytest.approx(at)
+    made = SimpleNamespace(system_of=lambda *_: held.system)
+    assert berth._at_rest(made, None, None, place).of == "held"
+    assert held.poses[1]["ship"] == pytest.approx((1.1, 2.2, 3.3, 0.0, 0.0, 0.55))  # along those of space
+    made.system_of = lambda *_: None
+    assert berth._at_rest(made, None, None, place) is None
 
 
 @pytest.mark.parametrize("factor", [1.0, 2.0])
@@ -337,14 +338,13 @@ def test_the_body_is_moved_from_its_mean_to_where_each_line_pulls_most(factor, m
     """Surge 0, 3, 0 m and 1, 0, −1 m in two runs: from the mean 1 to 3 m, from 0 to ±1 m, by the factor"""
     seen = []
     made = SimpleNamespace(
-        hull_of=lambda sizes: None, system=lambda *_: SimpleNamespace(lines=["a"]), berth=lambda *_: "berth"
+        hulls_of=lambda db: None, system_of=lambda *_: SimpleNamespace(lines=["a"]), berth_of=lambda *_: "berth"
     )
-    db = SimpleNamespace(sizes=0, rotation_center=0, density=0, gravity=0)
-    monkeypatch.setattr("hakobune.bem.database.open_database", lambda path: db)
+    monkeypatch.setattr("hakobune.bem.database.open_database", lambda path: "db")
     monkeypatch.setattr(in_time, "make_study_of", lambda path: made)
     monkeypatch.setattr(in_time, "_held_line", lambda system, line, at: (10 * at[0], 20 * at[0], 0.0))
     monkeypatch.setattr(
-        in_time, "_held_rope", lambda berth, db, rope, at: seen.append((berth, rope, at[0])) or (at[0], 0.0, at[0])
+        in_time, "_held_rope", lambda berth, rope, at: seen.append((berth, rope, at[0])) or (at[0], 0.0, at[0])
     )
     motion = np.zeros((2, 3, 6))
     motion[0, :, 0], motion[1, :, 0] = [0.0, 3.0, 0.0], [1.0, 0.0, -1.0]
@@ -499,7 +499,7 @@ def test_a_single_point_is_solved_without_maps_and_its_files_lie_beside_the_case
 @pytest.mark.parametrize("at_berth, simulated", [(True, True), (False, True), (False, False)])
 def test_a_moored_body_is_run_by_the_method_of_its_study(at_berth, simulated, monkeypatch, tmp_path):
     """Findings of the simplified method stand behind those of runs in time, but for what time changes"""
-    runs = {"breaking": np.array([3.0, 4.0]), "findings": ("of time",)}
+    runs = {"breaking": np.array([3.0, 4.0]), "findings": ("of time",), "parts": {"gap between hulls": {"a b": 2.0}}}
     asked = []
     monkeypatch.setattr(in_time, "simulated", lambda *given: asked.append(given) or runs)
     monkeypatch.setattr(mooring, "make_study", lambda raw: SimpleNamespace(at_berth=at_berth))
@@ -516,25 +516,26 @@ def test_a_moored_body_is_run_by_the_method_of_its_study(at_berth, simulated, mo
         assert found.warnings == ("c_runs.h5",) and ran is runs and (tmp_path / "c.toml").is_file()
     elif simulated:
         assert found.warnings == ("of time", "simplified method: of statics") and found.breaking.tolist() == [3, 4]
-        assert ran is runs
+        assert ran is runs and found.parts["gap between hulls"] == {"a b": 2.0}
     else:
         assert found is stored and ran is None and not asked
 
 
-@pytest.mark.parametrize("at_berth", [True, False])
-def test_a_moored_body_is_drawn_with_what_its_lines_use(at_berth, monkeypatch):
-    drawn = []
-    monkeypatch.setattr("hakobune.bem.database.open_database", lambda path: "db")
+@pytest.mark.parametrize(("at_berth", "bodies"), [(True, ()), (True, (1, 2)), (False, ())])
+def test_a_moored_body_is_drawn_with_what_its_lines_use(at_berth, bodies, monkeypatch):
+    drawn, db, kinds = [], SimpleNamespace(bodies=bodies), "hakobune.pipelines.design.kinds"
+    monkeypatch.setattr("hakobune.bem.database.open_database", lambda path: db)
     monkeypatch.setattr(mooring, "make_study", lambda raw: SimpleNamespace(at_berth=at_berth))
-    monkeypatch.setattr("hakobune.pipelines.design.kinds.berth_plan.draw_berth", lambda *given: drawn.append(given))
+    monkeypatch.setattr(f"{kinds}.berth_plan.draw_berth", lambda *given: drawn.append(("one", *given)))
+    monkeypatch.setattr(f"{kinds}.side_plan.draw_between", lambda *given: drawn.append(("more", *given)))
     monkeypatch.setattr("hakobune.pipelines.moor.plan_picture.draw_plan", lambda *given: drawn.append(given))
     monkeypatch.setattr("hakobune.pipelines.moor.result.studied", lambda made, db: ("found", None))
     one = numbers(largest=np.array([1.0, 2.0]), breaking=np.array([4.0, np.inf]))
     mooring.draw({}, "path", one, "p.png")
     if at_berth:
-        assert drawn[0][1:] == ("db", one, "p.png")
+        assert drawn[0][0] == ("more" if bodies else "one") and drawn[0][2:] == (db, one, "p.png")
     else:
-        assert drawn[0][:3] == ("found", "db", "p.png") and drawn[0][3][0] == 0.25 and np.isnan(drawn[0][3][1])
+        assert drawn[0][:3] == ("found", db, "p.png") and drawn[0][3][0] == 0.25 and np.isnan(drawn[0][3][1])
 
 
 def test_a_page_is_drawn_again_where_any_file_of_the_code_changes(tmp_path, monkeypatch):
@@ -558,13 +559,13 @@ def test_a_rope_pulls_at_its_bollard_along_the_straight_way(monkeypatch):
     """Of fenders 1, 2 and ropes 30, 70 N the second rope; from its bollard 3 m ahead, 4 m aside, 12 m up: 5/13 along"""
     monkeypatch.setattr("hakobune.mooring.motion.contacts.contact_forces", lambda berth, place: [1.0, 2.0, 30.0, 70.0])
     rope = SimpleNamespace(fairlead=np.array([10.0, 1.0, 2.0]), bollard=np.array([7.5, -2.75, -9.5]))
-    held = SimpleNamespace(fenders=[1, 2], ropes=[None, rope])
-    db = SimpleNamespace(rotation_center=(10.0, 1.0, 2.0))
-    tension, along, up = in_time._held_rope(held, db, 1, np.array([0.5, 0.25, 0.5, 0.0, 0.0, 0.0]))
+    arrays = SimpleNamespace(place=np.array([[10.0, 1.0, 2.0]]), body=[0] * 4, other=[-1] * 4)
+    held = SimpleNamespace(fenders=[1, 2], ropes=[None, rope], arrays=arrays, heading=np.zeros(1))
+    tension, along, up = in_time._held_rope(held, 1, np.array([0.5, 0.25, 0.5, 0.0, 0.0, 0.0]))
     assert (tension, along, up) == pytest.approx((70.0, 70 * 5 / 13, 70 * 12 / 13))
     turned = SimpleNamespace(fairlead=np.array([11.0, 1.0, 2.0]), bollard=np.array([10.0, -2.0, 2.0]))
     held.ropes = [turned, None]
-    tension, along, up = in_time._held_rope(held, db, 0, np.array([0, 0, 0, 0, 0, math.pi / 2]))
+    tension, along, up = in_time._held_rope(held, 0, np.array([0, 0, 0, 0, 0, math.pi / 2]))
     assert (tension, along, up) == pytest.approx((30.0, 30.0, 0.0))
 
 

@@ -103,7 +103,7 @@ def test_motions_are_the_larger_side_from_their_means():
     for i in range(6):
         row = dict.fromkeys(SUMMARY, 0.0) | {"mean": 1.0, "largest": 3.0 + i, "smallest": -2.0 - 3 * i}
         rows.append(list(row.values()))
-    file = {"quantity": {()}, "summary": SimpleArray(rows)}
+    file = {"quantity": {()}, "summary": SimpleArray(rows), "dof": names}
     file["quantity"] = SimpleNamespace(asstr=lambda: np.array(names))
     assert in_time._largest_motions(file) == pytest.approx([max(2.0 + i, 3.0 + 3 * i) for i in range(6)])
 

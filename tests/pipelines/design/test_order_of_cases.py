@@ -160,9 +160,9 @@ def test_colours_go_to_what_is_used_most_at_most_twice(pictures, tmp_path, strai
 def test_names_in_a_row_do_not_lie_over_each_other():
     """Names of ten letters are 0.6 inches long: at 1 inch a metre those 0.7 m apart share a row, those 0.6 m do not"""
     words = [("a" * 10, np.array([x, 0.0])) for x in (1.4, 0.0, 0.7)]
-    assert [[place[0] for _, place in row] for row in berth_plan._in_rows(words, 1.0)] == [[0.0, 0.7, 1.4]]
+    assert [[place[0] for _, place in row] for row in berth_plan.in_rows(words, 1.0)] == [[0.0, 0.7, 1.4]]
     close = [("a" * 10, np.array([x, 0.0])) for x in (0.0, 0.6, 1.2)]
-    assert [[place[0] for _, place in row] for row in berth_plan._in_rows(close, 1.0)] == [[0.0, 1.2], [0.6]]
+    assert [[place[0] for _, place in row] for row in berth_plan.in_rows(close, 1.0)] == [[0.0, 1.2], [0.6]]
     above, below = berth_plan._by_side(["p", "s", "m"], np.zeros((3, 2)), [1.0, -1.0, 0.0], 1.0)
     assert [text for row in above for text, _ in row] == ["p", "m"] or len(above) == 2
     assert [text for row in below for text, _ in row] == ["s"]

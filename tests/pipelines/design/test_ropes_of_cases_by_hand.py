@@ -15,10 +15,31 @@ def test_a_rope_pulls_along_and_up_at_its_bollard_from_where_its_fairlead_is(mon
     """
     monkeypatch.setattr("hakobune.mooring.motion.contacts.contact_forces", lambda berth, place: [1.0, 2.0, 130.0, 7.0])
     rope = SimpleNamespace(fairlead=np.array([10.0, 4.0, 6.0]), bollard=np.array([4.0, 4.0, -6.0]))
-    berth = SimpleNamespace(fenders=[None, None], ropes=[rope, None])
+    arrays = SimpleNamespace(place=np.array([[10.0, 0.0, 0.0]]), body=[0] * 4, other=[-1] * 4)
+    berth = SimpleNamespace(fenders=[None, None], ropes=[rope, None], arrays=arrays, heading=np.zeros(1))
     place = np.array([1.0, 0.0, 0.0, 0.0, 0.0, np.pi / 2])
-    found = in_time._held_rope(berth, SimpleNamespace(rotation_center=(10.0, 0.0, 0.0)), 0, place)
-    assert found == pytest.approx((130.0, 50.0, 120.0))
+    assert in_time._held_rope(berth, 0, place) == pytest.approx((130.0, 50.0, 120.0))
+
+
+def test_a_rope_between_two_hulls_pulls_along_the_way_between_its_ends(monkeypatch):
+    """A barge at (0, −8) m that heads astern surges by 2 m, to (−2, −8); the ship at the origin sways by 1 m and yaws
+    by 90°
+
+    The fairlead, 3 m ahead of the barge and 1 m up, comes from (−3, −8, 1) to (−5, −8, 1) m; the bollard, 4 m ahead of
+    the ship, from (4, 0, 1) to (0, 5, 1) m: 5 m along x and 13 m along y between them, all of it level.
+    """
+    asked = []
+    monkeypatch.setattr("hakobune.mooring.motion.contacts.contact_forces",
+                        lambda berth, place: asked.append(place) or [7.0])  # fmt: skip
+    rope = SimpleNamespace(fairlead=np.array([-3.0, -8.0, 1.0]), bollard=np.array([4.0, 0.0, 1.0]))
+    arrays = SimpleNamespace(place=np.array([[0.0, 0.0, 0.0], [0.0, -8.0, 0.0]]), body=[1], other=[0])
+    berth = SimpleNamespace(fenders=[], ropes=[rope], arrays=arrays, heading=np.array([0.0, np.pi]))
+    place = np.zeros(12)
+    place[[1, 5, 6]] = 1.0, np.pi / 2, 2.0
+    assert in_time._held_rope(berth, 0, place) == pytest.approx((7.0, 7.0, 0.0))
+    moved = np.zeros(12)
+    moved[[1, 5, 6]] = 1.0, np.pi / 2, -2.0  # along the axes of space
+    assert asked[0] == pytest.approx(moved, abs=1e-12)
 
 
 @pytest.mark.parametrize(

@@ -23,7 +23,7 @@ def numbers(**more):
     own = {
         "names": ("a", "b"), "place": np.array([3.0, 4.0, np.pi / 6]), "motions": np.array([0.6, 0.8, 9.0, 0, 0, 0]),
         "breaking": np.array([10e6, 4e6]), "largest": np.array([5e6, 3e6]), "horizontal": np.array([2e6, 1e6]),
-        "uplift": np.array([-1e5, 3e5]), "parts": {},
+        "uplift": np.array([-1e5, 3e5]), "parts": {}, "bodies": (),
     }  # fmt: skip
     made = namedtuple("Numbers", own)
     return made(**own | more)
@@ -38,6 +38,11 @@ def test_a_row_of_a_case_has_the_worst_line_and_the_largest_pulls_at_anchors():
         "horizontal_at_anchor_N": 2e6, "uplift_at_anchor_N": 3e5, "fault": "",
     }  # fmt: skip
     assert row == wanted
+    two = {"place": np.array([[0.0, 1.0, 0.0], [-3.0, 4.0, 0.1]]), "motions": np.zeros(12), "bodies": ("ship", "barge")}
+    two["motions"][:2] = 9.0, 12.0
+    row = report_tables.case_row(running.Ran(CASE, None, numbers(**two)))
+    assert row[6:10] == pytest.approx((-3.0, 4.0, np.degrees(0.1), 1.0 + 15.0))  # of the barge; the ship moves farthest
+    assert report_tables.farthest(numbers(**two))[0] == "barge"
     free = numbers(breaking=np.array([np.inf, np.inf]))
     row = dict(zip(report_tables.CASE_HEAD, report_tables.case_row(running.Ran(CASE, None, free)), strict=True))
     assert row["line"] == "a" and np.isnan(row["of_breaking_load"])
@@ -277,6 +282,7 @@ def test_tensions_at_a_multiple_of_the_motions_grow_as_statics_says_and_never_be
     monkeypatch.setattr(in_time, "_moved", held)
     monkeypatch.setattr(in_time, "_largest_excursion", lambda file, motion: 7.0)
     monkeypatch.setattr(in_time, "_largest_motions", lambda file: np.arange(6.0))
+    monkeypatch.setattr(in_time, "_between", lambda file: {"gap between hulls": {"a b": 1.5}})
     monkeypatch.setattr(f"{where}file.opened", lambda path: nullcontext(file))
     monkeypatch.setattr(f"{where}file.summary_of", lambda file, name: rows[name])
     monkeypatch.setattr(f"{where}file.told", lambda file: ["told", "twice"])
@@ -289,6 +295,7 @@ def test_tensions_at_a_multiple_of_the_motions_grow_as_statics_says_and_never_be
     assert found["largest"][1.0].tolist() == [30.0, 10.0] and found["largest"][1.5].tolist() == [45.0, 10.0]
     assert found["largest"][0.5].tolist() == [15.0, 8.0]
     assert found["horizontal"].tolist() == [24.0, 32.0] and found["uplift"].tolist() == [3.0, 4.0]
+    assert found["parts"] == {"gap between hulls": {"a b": 1.5}}
     assert found["findings"] == ("told", "twice", "over 1", "rare") and found["cycles"][0][0] == 1.0
     monkeypatch.setattr(in_time, "_run", lambda *_: SimpleNamespace(interrupted=False, failures=[(3, "it capsizes")]))
     with pytest.raises(ValueError, match="seed 3: it capsizes"):

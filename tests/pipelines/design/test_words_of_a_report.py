@@ -29,7 +29,7 @@ def test_a_body_is_told_in_tonnes_metres_and_seconds():
     db = SimpleNamespace(
         dimensions={"length": 100.0, "beam": 50.0, "draft": 10.0}, density=1025.0, displaced_volume=50_000.0,
         center_of_mass=(1.0, -2.0, 0.5), omega=np.array([0.25, 0.3, 0.5]) * np.pi, wave_direction=np.zeros(5),
-        mesh=SimpleNamespace(total=244),
+        mesh=SimpleNamespace(total=244), bodies=(),
     )  # fmt: skip
     assert _body_words(db) == (
         "length 100 m, beam 50 m, draft 10 m; displacement 51 250 t, centre of gravity 1, -2, 0.5 m (z up from the "

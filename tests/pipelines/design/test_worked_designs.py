@@ -71,7 +71,7 @@ def quick(monkeypatch):
 @pytest.fixture(autouse=True)
 def with_one_picture(monkeypatch):
     """The page with one plan and without the curves of the body, which take seconds"""
-    monkeypatch.setattr("hakobune.pipelines.design.report.body_picture", lambda database, folder: "")
+    monkeypatch.setattr("hakobune.pipelines.design.report.body_pictures", lambda database, folder: [])
     monkeypatch.setattr("hakobune.pipelines.design.report_pictures.MOST_PLANS", 1)
 
 
@@ -136,12 +136,12 @@ def test_a_berth_at_high_water_has_its_bollards_and_fenders_lower_on_the_hull(ta
 
 
 def test_names_in_the_plan_of_a_berth_lie_over_none_of_their_row():
-    from hakobune.pipelines.design.kinds.berth_plan import LETTER, _in_rows
+    from hakobune.pipelines.design.kinds.berth_plan import LETTER, in_rows
 
     rng = np.random.default_rng(1)
     for scale in (0.01, 0.03, 0.2):
         words = [("x" * rng.integers(3, 20), rng.uniform(-150, 150, 2)) for _ in range(24)]
-        rows = _in_rows(words, scale)
+        rows = in_rows(words, scale)
         assert sorted(text for row in rows for text, _ in row) == sorted(text for text, _ in words)
         for row in rows:
             half = np.array([0.5 * LETTER * len(text) / scale for text, _ in row])
