@@ -57,7 +57,7 @@ def test_two_planes_of_a_round_body_have_one_system_but_for_signs(monkeypatch):
         into, out = np.arange(6.0).reshape(2, 3) + len(asked), np.ones((2, 3))
         return Passive(np.zeros(3), np.zeros(0), into, out, np.eye(3), np.eye(3, 2))
 
-    monkeypatch.setattr(module, "_kept", fitted)
+    monkeypatch.setattr(module, "fewest_states", fitted)
     groups, omega, equal = ((0, 4), (1, 3), (2,)), np.arange(5.0), np.ones((5, 6))
     one, other, _ = module._parts(omega, wanted, np.ones(6), groups, 1e-3, equal, ())
     assert asked == [(0, 4), (2,)]
