@@ -41,7 +41,8 @@ def test_a_berthing_is_drawn_fender_by_fender_with_its_energies(pictures, tmp_pa
         lost=np.array([0, 1e2, 3e2]),
     )  # fmt: skip
     meetings = [(SimpleNamespace(name="cone"), 12.5, 0.0), (SimpleNamespace(name="v"), -20.0, 0.1)]
-    berth._draw(SimpleNamespace(meetings=meetings, energy=7e3), course, tmp_path / "b.png")
+    made = SimpleNamespace(detail=(SimpleNamespace(meetings=meetings, energy=7e3), course))
+    berth._draw(made, tmp_path / "b.png")
     (figure,) = pictures
     force, deep, energy = figure.axes
     names = ["cone, x = 12.5 m", "v, x = -20 m"]

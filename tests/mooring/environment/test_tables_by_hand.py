@@ -50,13 +50,13 @@ def test_a_time_further_from_its_place_than_rounding_leaves_it_is_kept(off):
 
 
 def test_steps_that_are_uneven_beyond_their_tolerance_are_refused():
-    time = np.array([0.0, 1.0, 2.0, 3.09, 4.09])
-    check_even("x.csv", time, 0.1)
-    with pytest.raises(TableError, match=r"x\.csv"):
-        check_even("x.csv", time, 0.08)
+    time, lines = np.array([0.0, 1.0, 2.0, 3.09, 4.09]), np.arange(2, 7)
+    check_even("x.csv", time, 0.1, lines)
+    with pytest.raises(TableError, match=r"x\.csv: line 5: "):
+        check_even("x.csv", time, 0.08, lines)
     with pytest.raises(TableError):
-        check_even("x.csv", np.array([0.0, 1.0, 2.0, 2.91, 3.91]), 0.08)
-    check_even("x.csv", np.array([5.0]), 0.0)
+        check_even("x.csv", np.array([0.0, 1.0, 2.0, 2.91, 3.91]), 0.08, lines)
+    check_even("x.csv", np.array([5.0]), 0.0, lines[:1])
 
 
 def test_a_column_is_found_by_its_name():

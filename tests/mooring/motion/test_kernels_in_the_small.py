@@ -10,7 +10,7 @@ from hakobune.mooring.lines.catenary.state import State
 from hakobune.mooring.lines.system.bodies import rotation
 from hakobune.mooring.motion.tables.harmonics import harmonics
 
-waves, tables = plain("mooring.motion.wave_loads"), plain("mooring.motion.force_tables")
+waves, tables = plain("mooring.motion.tables.wave_windows"), plain("mooring.motion.force_tables")
 ends, uniform = plain("mooring.lines.catenary.moving_end"), plain("mooring.lines.catenary.uniform")
 contacts, streams = plain("mooring.motion.contact_loads"), plain("mooring.motion.streams")
 integrator, water = plain("mooring.motion.integrator"), plain("mooring.lines.dynamics.lumped.surroundings")
@@ -68,7 +68,7 @@ def test_forces_over_a_window_go_from_those_of_one_pose_to_those_of_the_next(mea
 
 
 def test_without_waves_a_window_is_still():
-    table = waves.no_waves(3.0, 2)
+    table = plain("mooring.motion.wave_loads").no_waves(3.0, 2)
     window = np.ones((waves.ROWS, 4))
     waves.fill_window(waves.waves_of(table), window, 0, np.zeros(3), 0.0)
     assert np.all(window == 0)

@@ -254,7 +254,7 @@ def test_hours_of_downtime_at_model_scale_are_printed_with_three_digits_and_kept
 
 def test_a_design_at_model_scale_is_printed_with_three_digits_and_kept_with_all(capsys, there, tank, monkeypatch):
     """The whole command; of its page, every number of the load cases that its table of cases has with all digits"""
-    for name in ("body_picture", "use_picture", "plans"):
+    for name in ("body_pictures", "use_picture", "plans"):
         monkeypatch.setattr(f"hakobune.pipelines.design.report.{name}", lambda *given: "")
     (there / "box.h5").symlink_to(tank[0])
     study = scaled(of("moor_chain_12"))

@@ -74,7 +74,7 @@ def test_a_study_of_sections_is_printed_and_written(made, monkeypatch, tmp_path,
     assert command.sections(study) == 5 and said == ["printed"] and made.asked == [((study,), {})]
     said.clear()
     assert command.sections(study, output=path) == 5
-    assert said == [(path, "sections", [study]), "printed", (made, path)] and capsys.readouterr().out == f"{path}\n"
+    assert said == [(path, "sections", [study]), (made, path), "printed"] and capsys.readouterr().out == f"{path}\n"
     for flag in ("beam_draft", "depth_draft", "xi"):
         name = f"--{flag.replace('_', '-')}"
         with pytest.raises(ValueError, match=rf"{name} is given and s\.toml; allowed: {name} without a study"):
@@ -95,7 +95,14 @@ def test_results_are_written_drawn_and_named(monkeypatch, tmp_path, capsys):
     monkeypatch.setattr(tables, "printed", lambda result: said.append("printed") or 4)
     made = SimpleNamespace(write=lambda path: said.append(("write", path)))
     whole, plot = tmp_path / "r.h5", tmp_path / "p.png"
-    assert output.finish(made, whole, plot, lambda result, path: said.append(("draw", result, path))) == 4
+
+    def drawn_whole(result, path):
+        result.write(path)
+
+    def drawn(result, path):
+        said.append(("draw", result, path))
+
+    assert output.finish(made, (whole, drawn_whole), (None, None), (plot, drawn)) == 4
     assert said == [("write", whole), ("draw", made, plot), "printed"]
     assert capsys.readouterr().out == f"{whole}\n{plot}\n"
     said.clear()

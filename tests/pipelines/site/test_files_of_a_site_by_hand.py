@@ -49,7 +49,8 @@ def test_a_load_case_has_its_largest_tension_and_pulls_in_kilonewtons(monkeypatc
     }
     monkeypatch.setattr(report_words, "CASE_HEAD", tuple(row))
     monkeypatch.setattr(report_words, "case_row", lambda one: tuple(row.values()))
-    monkeypatch.setattr(report_words, "_place_words", lambda row: ["place"])
+    monkeypatch.setattr(report_words, "_place_words", lambda row, place: [place])
+    monkeypatch.setattr(report_words, "farthest", lambda numbers: ("place", 0.0))
     monkeypatch.setattr(report_words, "percent", lambda share: f"{100 * share:g} %")
     one = SimpleNamespace(
         numbers=None if names is None else SimpleNamespace(names=names), case=SimpleNamespace(name="storm"), fault="f"
