@@ -50,7 +50,9 @@ def read_nemoh(path):
         if row[0] == 0:
             break
         if len(row) < 4:
-            raise ValueError(f"{path}, line {k}: {len(row)} numbers; a point has a number and x y z")
+            raise ValueError(
+                f"{path}, line {k}: {len(row)} values; allowed: four, the number of the point and its x, y, z"
+            )
         numbers[row[0]] = len(points)
         points.append(row[1:4])
     else:
@@ -160,7 +162,9 @@ def _mesh(path, points, panels, symmetry):
     numbers, places, corners = {}, [], []
     for k, words in points:
         if len(words) < 4:
-            raise ValueError(f"{path}, line {k}: {len(words)} numbers; a point has a number and x y z")
+            raise ValueError(
+                f"{path}, line {k}: {len(words)} values; allowed: four, the number of the point and its x, y, z"
+            )
         row = [_number(path, k, word) for word in words[:4]]
         numbers[row[0]] = len(places)
         places.append(row[1:])

@@ -113,7 +113,7 @@ def _about_mass(values, still, body):
     if not 1 / FAR_MASS < ratio < FAR_MASS:
         raise FormatError(
             f"mass is {body['mass']:.6g} kg, the hull displaces {displaced:.6g} kg; allowed: {1 / FAR_MASS:.2g} to "
-            f"{FAR_MASS:g} times as much, with lines; check its unit (--mass, kg), the hull and the density"
+            f"{FAR_MASS:g} times the displaced mass; check the unit of the mass (--mass, kg), the hull and the density"
         )
     if abs(ratio - 1) > 0.01:
         yield f"mass {body['mass']:.6g} kg is not the displaced {displaced:.6g} kg; allowed where lines carry the rest"

@@ -32,7 +32,7 @@ def orders_sent(x):
 
 @dataclass(frozen=True, eq=False)
 class Rings:
-    """Radii and directions of known local parts: w intervals of r rings, n directions.
+    """Points where the local parts of the waves are known: n directions on r rings in each of w radial intervals.
 
     edges : (w + 1,) m; count : n, a multiple of four, none on an axis; centre : (2,) m
     """

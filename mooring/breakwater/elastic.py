@@ -33,7 +33,7 @@ def elastic_exact(body, section, axial_stiffness):
     Raises ValueError for a body that would not float upright on these lines.
     """
     if not 0 < axial_stiffness < np.inf:
-        raise ValueError(f"EA is {axial_stiffness:g} N/m; allowed: above 0 and finite")
+        raise ValueError(f"EA is {axial_stiffness:g} N per metre of breakwater; allowed: above 0 and finite")
     check_section(body, section)
     stiffness, stretch = stiffness_of(body, axial_stiffness)
     softest = np.linalg.eigvalsh(stiffness / np.outer([1, 1, body.radius], [1, 1, body.radius]))[0]

@@ -68,12 +68,13 @@ def snap(body, sections, axial_stiffness, omega, amplitude, memory="states"):
     """
     if not 0 < axial_stiffness < np.inf or not 0 <= amplitude < np.inf:
         raise ValueError(
-            f"EA is {axial_stiffness:g} N/m and the amplitude {amplitude:g} m; allowed: both above 0, finite"
+            f"EA is {axial_stiffness:g} N per metre of breakwater and the amplitude {amplitude:g} m; allowed: both "
+            "above 0, finite"
         )
     if not axial_stiffness > 2 * body.pretension:
         raise ValueError(
-            f"EA is {axial_stiffness:g} N/m and the pretension is {body.pretension:.4g} N/m: the lines would "
-            "stretch by more than half of their length; give stiffer lines"
+            f"EA is {axial_stiffness:g} N and the pretension {body.pretension:.4g} N per metre of breakwater: the "
+            "lines would stretch by more than half of their length; give stiffer lines"
         )
     body_in_time, period = one_metre(body, sections, axial_stiffness), 2 * np.pi / omega
     count = int(np.ceil(PER_SWING * _swiftest(body, body_in_time, axial_stiffness) / omega))

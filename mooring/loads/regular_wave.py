@@ -62,7 +62,7 @@ class RegularWave:
         return (velocity if self.current is None else velocity + self.current.velocity(z)), acceleration
 
     def unstretched(self, places, phase):
-        """The heights of linear theory that correspond to heights z under the wave, m; shape (n,)"""
+        """Heights at which linear theory is evaluated for places under the wave surface (stretching), m; shape (n,)"""
         eta, z = self.elevation(places, phase), np.asarray(places)[:, 2]
         return z - eta if np.isinf(self.depth) else (z + self.depth) * self.depth / (self.depth + eta) - self.depth
 

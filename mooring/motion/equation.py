@@ -235,7 +235,7 @@ def restore(body, b, y, rate, force, work):
 def dissipate(body, b, whole, changed, y, rate, force, work):
     """Linear and quadratic damping of body b, and the memory of the water with the rates of its states
 
-    whole, changed : (n,) state of all bodies and its rates; y, rate, force : of this one
+    whole : (n,) state of all bodies; changed : (n,) its rates; y, rate, force : state, rates and force of this body
     """
     memory = BLOCK * body.heading.size + 6 + OF_SHAPES * body.shapes.owner.size
     for i in range(6):

@@ -11,8 +11,8 @@ windows exp(−iωt) at equal steps is always the same matrix: the waves of a po
 it and the one after it (`tables.harmonics`). Between two steps a force is the polynomial of fifth degree through its
 values at the six nearest steps.
 
-Each of several bodies has its own slow pose, and the origin moves with it: the waves scattered by the other bodies are
-those of the positions at rest, which is valid while the distances change little.
+Each of several bodies has its own slow pose, and the origin of its wave phases moves with the body. The waves that the
+other bodies scatter are those of the positions at rest, which is valid while the distances change little.
 """
 
 from dataclasses import dataclass, replace

@@ -149,7 +149,9 @@ class Swan:
         omega, name = head["omega"], self.path.stem
         per = {"VADENS": 1.0, "ENDENS": ENERGY, "ACDENS": 1 / omega[:, None]}.get(names[0])
         if per is None or (names[0] == "ACDENS" and "angle" not in head):
-            raise TableError(f"{self.path} begins with {names[0]}; allowed: VaDens, EnDens, and AcDens by direction")
+            raise TableError(
+                f"{self.path}: the first quantity is {names[0]}; allowed: VaDens, EnDens, or AcDens by direction"
+            )
         try:
             if "angle" in head:
                 kind, degrees = head["angle"]

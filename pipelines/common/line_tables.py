@@ -386,7 +386,7 @@ def check_bed(where, points, level):
         if height > 0:
             raise StudyError(
                 f"{where}.points[{i}] is [{x:g}, {z:g}], {height:g} m above still water; allowed: z up to "
-                f"{z - height:g}, as points[0] lies at z = {level:g} m under the anchor"
+                f"{z - height:g}, since points[0] is the bed under the anchor, {-level:g} m below still water"
             )
 
 

@@ -160,7 +160,9 @@ def _ends(where, table, moving, bodies):
         raise StudyError(f"{where}: body is {table.body!r}; allowed: a body that moves, {', '.join(moving)}")
     if table.to and (table.to == table.body or table.to not in bodies):
         others = ", ".join(name for name in bodies if name != table.body)
-        raise StudyError(f"{where}: to is {table.to!r}; allowed: another body, {others}; or leave it out")
+        raise StudyError(
+            f"{where}: to = {table.to!r}; allowed: the name of another body, {others}; or leave the key out"
+        )
     return bodies[table.body], bodies.get(table.to)
 
 

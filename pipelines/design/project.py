@@ -62,9 +62,9 @@ STATISTICS = ("largest", "amplitude", "peak to peak")
 
 
 class Read(msgspec.Struct, frozen=True):
-    """A project with the files that the project names: raw, nested dictionaries of the project; study, raw tables of
-    its study
+    """A project with the files that it names
 
+    raw : tables of the project as read; study : tables of its study as read
     kind : module of `kinds` for studies of this kind; study_text, text : text of the study and of the project
     criteria : chosen from the rules; folder : start of relative paths
     """

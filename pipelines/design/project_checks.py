@@ -108,7 +108,7 @@ def _check_states(project, depth):
         for key in ("incidence_deg", "wind_off_deg", "current_off_deg"):
             values = getattr(state, key)
             if not values or any(not -360 <= value <= 360 for value in values):
-                raise StudyError(f"{where}.{key} is {values}; allowed: at least one, −360 to 360")
+                raise StudyError(f"{where}.{key} is {values}; allowed: a list of one or more angles, each −360 to 360")
         if state.wind is state.current is state.waves is None:
             raise StudyError(f"{where} has neither wind, current nor waves; allowed: at least one")
         for key in ("wind", "current", "waves"):

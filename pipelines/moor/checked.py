@@ -105,8 +105,8 @@ def check_stored(body, in_waves):
         lacking.append(drift)
     if lacking:
         raise StudyError(
-            f"{body.name}: its want does not include {', '.join(lacking)}; give radiation, diffraction, motions and "
-            "drift, or leave out want"
+            f"{body.name}: the key want of its scene does not list {', '.join(lacking)}; list radiation, diffraction, "
+            "motions and drift there, or leave the key out"
         )
 
 

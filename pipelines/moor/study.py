@@ -340,7 +340,7 @@ def _in_space(where, line, body, bodies):
     if line.to:
         if line.to not in bodies or line.to == line.body:
             others = ", ".join(name for name in bodies if name != line.body)
-            raise StudyError(f"{where}.to is {line.to!r}; allowed: another body, {others}")
+            raise StudyError(f"{where}.to is {line.to!r}; allowed: the name of another body, {others}")
         if line.bollard is None:
             raise StudyError(f"{where}.bollard is missing; give x, y, z on {line.to}, m, where the line ends")
         changed["bollard"] = tuple(map(float, bodies[line.to].in_scene(line.bollard)))

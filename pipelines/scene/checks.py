@@ -206,7 +206,9 @@ def _check_waves(scene):
     given = [key for key in FREQUENCY_KEYS if getattr(scene.waves, key) is not None]
     if len(given) != 1:
         found = " and ".join(given) or "no frequencies"
-        raise SceneError(f"[waves] has {found}; give one of {', '.join(FREQUENCY_KEYS)}; as flags --omega or --period")
+        raise SceneError(
+            f"[waves] has {found}; give exactly one of {', '.join(FREQUENCY_KEYS)} (of the flags: --omega or --period)"
+        )
     key = given[0]
     if key == "xi_B" and scene.several:
         raise SceneError("waves.xi_B needs one body with a beam, but there are several; give omegas or periods")

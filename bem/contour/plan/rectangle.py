@@ -148,7 +148,7 @@ class Rectangle:
         return quarter_panels(self.length / 2, self.beam / 2, corner, longest, self.nodes)
 
     def wave_layout(self, k, degree):
-        """`Layout` for waves of k rad/m; the same for all k between two powers of 1.2, and for all long waves."""
+        """`Layout` for waves of k rad/m; all k between neighbouring powers of 1.2 share one, as do all long waves."""
         return _wave_layout(*self._wave_arguments(k, degree))
 
     def _wave_arguments(self, k, degree):

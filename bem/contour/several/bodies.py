@@ -260,7 +260,7 @@ class SeveralBodies:
         return tuple(zip(*(degrees(body, k) for body in self.bodies), strict=True))
 
     def exterior(self, k, degrees_):
-        """`Exterior` that resolves waves of k rad/m; the same for all k between two powers of 1.2"""
+        """`Exterior` that resolves waves of k rad/m; all k between neighbouring powers of 1.2 have the same one"""
         longest = max(body.plan.reach for body in self.bodies)
         step = 1.2 ** np.ceil(np.log(max(k * longest, 1.0)) / np.log(1.2))
         return self._exterior(float(step / longest) if k else 0.0, degrees_)

@@ -24,7 +24,7 @@ NEAR, FAR = (1 - 1 / np.sqrt(3)) / 2, (1 + 1 / np.sqrt(3)) / 2  # nodes of a pan
 
 
 def at_nodes(lengths):
-    """Distances from the edge of the nodes of m panels of `lengths` (n, m); shape (n, 2 m)"""
+    """Distances of nodes from an edge, two nodes on each of m panels of `lengths` (n, m); shape (n, 2 m)"""
     start = np.cumsum(lengths, axis=1) - lengths
     return (start[..., None] + lengths[..., None] * [NEAR, FAR]).reshape(len(lengths), 2 * lengths.shape[1])
 

@@ -197,7 +197,7 @@ def keep_lines(moving, work, h, given):
 
 @kernel(counted=False)
 def put_tensions(moving, work, row, t):
-    """Tension of every line at t s of the step just taken, into a row of work.tension"""
+    """Write the tension of every line, t s after the begin of the step just taken, into a row of work.tension"""
     for i in range(moving.number.size):
         last = work.used[i] - 1
         if last < 1:

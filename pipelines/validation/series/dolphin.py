@@ -143,7 +143,7 @@ def statements(rows):
 
 
 def quay_statements(rows):
-    """Limits before a quay and in open water, one line each floater and number of fenders"""
+    """Limits in front of a quay and in open water, one row for each floater and number of fenders"""
     for floater, count in PRINTED:
         own = _of(rows, floater=floater, fenders=count, wind_m_s=WEATHER[0][0], height_m=1.0)
         words = ", ".join(f"{r['limit_m']:.2f} for {r['open_water_limit_m']:.2f} ({r['depth_m']:g} m, "

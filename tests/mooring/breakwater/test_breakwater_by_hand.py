@@ -179,8 +179,12 @@ def test_of_an_unstable_body_one_is_warned_and_of_a_stable_one_not(recwarn):
 
 def test_lines_that_would_stretch_by_half_and_more_are_refused():
     P = BODY.pretension
-    for EA, amplitude, says in ((1.99 * P, 0.1, "more than half"), (0.0, 0.1, "EA is 0 N/m"), (1e6, -0.1, "amplitude")):
+    for EA, amplitude, says in (
+        (1.99 * P, 0.1, "more than half"),
+        (0.0, 0.1, "EA is 0 N per metre"),
+        (1e6, -0.1, "amplitude"),
+    ):
         with pytest.raises(ValueError, match=says):
             snap(BODY, [], EA, 1.0, amplitude)
-    with pytest.raises(ValueError, match="EA is 0 N/m"):
+    with pytest.raises(ValueError, match="EA is 0 N per metre"):
         elastic_exact(BODY, None, 0.0)

@@ -178,7 +178,7 @@ def test_a_direction_at_both_ends_of_a_turn_is_one():
         (("FACTOR", "FACTER"), "line 24 is 'FACTER'; expected: FACTOR, ZERO, NODATA or LOCATION"),
         (("1 0 0 0", "1 0 x 0"), "line 26 is '1 0 x 0'; expected: numbers, densities"),
         (("0 0 0 3", "0 0 3"), "expected: more lines, but the file ends"),
-        (("VaDens", "HSIGN"), "begins with HSIGN; allowed: VaDens, EnDens"),
+        (("VaDens", "HSIGN"), "the first quantity is HSIGN; allowed: VaDens, EnDens"),
         (("AFREQ\n     3\n 0.1000\n 0.2000 behind it\n 0.3000\n", ""), "has no AFREQ or RFREQ"),
         (("CDIR\n     4", "CDIR\n     0"), "line 13 is '0'; expected: the number of directions"),
         (("FACTOR\n 0.5\n1 0 0 0\n 0 2 6 0\n0 0 0 3", "NODATA"), "has no data there (NODATA)"),

@@ -56,8 +56,8 @@ def test_a_point_lies_in_the_box_of_a_hull_of_half_its_length_and_beam(point, in
 
 @pytest.mark.parametrize(("body", "to", "says"), [
     ("quay", "", "body is 'quay'; allowed: a body that moves, a, b"),
-    ("a", "a", "to is 'a'; allowed: another body, b, quay"),
-    ("a", "c", "to is 'c'; allowed: another body, b, quay"),
+    ("a", "a", "to = 'a'; allowed: the name of another body, b, quay"),
+    ("a", "c", "to = 'c'; allowed: the name of another body, b, quay"),
 ])  # fmt: skip
 def test_ends_are_a_body_that_moves_and_another_or_none(body, to, says):
     bodies = {"a": "A", "b": "B", "quay": "Q"}

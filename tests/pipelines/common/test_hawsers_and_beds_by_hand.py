@@ -11,7 +11,7 @@ from hakobune.pipelines.common.quantities import StudyError
 
 @pytest.mark.parametrize(("points", "level", "says"), [
     ([[0.0, 0.0], [50.0, 10.0]], -10.0, None), ([[0.0, 5.0], [50.0, 15.0]], -10.0, None),
-    ([[0.0, 0.0], [50.0, 10.5]], -10.0, r"\[1\] is \[50, 10\.5\], 0\.5 m above still water; allowed: z up to 10, as"),
+    ([[0.0, 0.0], [50.0, 10.5]], -10.0, r"\[1\] is \[50, 10\.5\], 0\.5 m above still water; allowed: z up to 10"),
     ([[0.0, 5.0], [9.0, 0.0], [90.0, 17.0]], -10.0, r"\[2\] is \[90, 17\], 2 m above still water; allowed: z up to 15"),
 ])  # fmt: skip
 def test_a_bed_stays_below_still_water_from_the_level_of_its_anchor(points, level, says):

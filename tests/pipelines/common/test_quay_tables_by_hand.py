@@ -108,8 +108,8 @@ def test_a_rope_goes_from_its_body_to_a_bollard_on_another_or_ashore(between):
     ("change", "says"),
     [
         ({"body": "pier"}, "body is 'pier'; allowed: a body that moves, ship, barge"),
-        ({"to": "ship"}, "to is 'ship'; allowed: another body, barge, pier; or leave it out"),
-        ({"to": "quay"}, "to is 'quay'; allowed: another body"),
+        ({"to": "ship"}, "to = 'ship'; allowed: the name of another body, barge, pier; or leave the key out"),
+        ({"to": "quay"}, "to = 'quay'; allowed: the name of another body"),
         ({"position": (10.0, 21.5, 1.0)}, "lies inside both ship and barge, at -5, 19.5, 1 m in the axes of the scene"),
         ({"position": (10.0, 20.9, 1.0)}, None),
     ],

@@ -287,8 +287,8 @@ class Hull:
         (None, None, None),
         ("b", (1.0, 1.0, 1.0), None),
         ("b", None, "lines[0].bollard is missing; give x, y, z on b, m, where the"),
-        ("a", (1.0, 1.0, 1.0), "lines[0].to is 'a'; allowed: another body, b"),
-        ("c", (1.0, 1.0, 1.0), "lines[0].to is 'c'; allowed: another"),
+        ("a", (1.0, 1.0, 1.0), "lines[0].to is 'a'; allowed: the name of another body, b"),
+        ("c", (1.0, 1.0, 1.0), "lines[0].to is 'c'; allowed: the name of another"),
     ],
 )
 def test_a_line_from_body_to_body_has_both_ends_in_space(monkeypatch, to, bollard, says):

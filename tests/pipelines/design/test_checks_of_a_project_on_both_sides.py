@@ -108,7 +108,7 @@ def test_a_body_is_given_once_and_only_where_it_is_needed(scene, database, neede
         ("states.0.levels", [], "states[0].levels is empty; allowed: mean"),
         ("states.0.levels", ["mean", "low"], "states[0].levels is 'low'; allowed: mean"),
         *(
-            (f"states.0.{key}", value, says and f"states[0].{key} is {value}; allowed: at least one, −360 to 360")
+            (f"states.0.{key}", value, says and f"states[0].{key} is {value}; allowed: a list of one or more angles")
             for key in ("incidence_deg", "wind_off_deg", "current_off_deg")
             for value, says in (([], 1), ([360.0], None), ([-360.0], None), ([0.0, 360.1], 1), ([-360.1, 0.0], 1))
         ),

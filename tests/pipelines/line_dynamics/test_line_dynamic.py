@@ -278,7 +278,7 @@ def test_an_anchor_that_lies_nowhere_is_warned_of(z, said):
 FAULTS = [
     (("R3 studless", "R3 stuffed"), [], "types.chain.catalogue: chain 'R3 stuffed 76 mm': after the grade comes"),
     (("[fairlead]", "[bed]\npoints = [[5, 2], [60, 62], [90, 92]]\n[fairlead]"), [],
-     "bed.points[2] is [90, 92], 30 m above still water; allowed: z up to 62, as points[0] lies at z = -60 m"),
+     "bed.points[2] is [90, 92], 30 m above still water; allowed: z up to 62, since points[0] is the bed"),
     (("depth = 60.0", "depht = 60.0"), [], "water.depht is unknown, depth may be meant; allowed: depth"),
     (('type = "chain"', 'type = "rope"'), [], "segments[0].type is 'rope'; allowed: chain"),
     (("length = 315.0", "length = 250.0"), [], "m from the anchor at t ="),

@@ -179,7 +179,10 @@ MOORED = {
         {"lines": [{**TO_QUAY, "body": "pier"}]},
         "lines[0].body is 'pier'; allowed: a body that moves",
     ),
-    "to itself": ({"lines": [{**TO_QUAY, "to": "barge"}]}, "lines[0].to is 'barge'; allowed: another body, pier"),
+    "to itself": (
+        {"lines": [{**TO_QUAY, "to": "barge"}]},
+        "lines[0].to is 'barge'; allowed: the name of another body, pier",
+    ),
     "to no place": ({"lines": [{k: v for k, v in TO_QUAY.items() if k != "bollard"}]}, "lines[0].bollard is missing"),
     "a hull of one": ({"lines": [ANCHORED], "hull": {"freeboard": 1.0}}, "allowed with this database: [hulls.barge]"),
     "fenders": ({"lines": [ANCHORED], "fender": [{"curve": "cell", "y": 1.0}]}, "fender"),

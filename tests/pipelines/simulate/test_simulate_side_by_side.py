@@ -169,7 +169,7 @@ def test_the_gap_is_that_of_rectangles():
 
 
 FAULTS = {
-    "to itself": ({"lines": [{**TIE, "to": "barge"}]}, "lines[0].to is 'barge'; allowed: another body, ship"),
+    "to itself": ({"lines": [{**TIE, "to": "barge"}]}, "lines[0].to is 'barge'; allowed: the name of another body"),
     "a chain between": (
         {"lines": [{**LOOSE, "type": "chain", "length": 9.0}]}, "hangs between ship and barge; a simulation allows",
     ),
@@ -178,7 +178,7 @@ FAULTS = {
             "offset": {"barge sway": -2.5}}}, "overlap by",
     ),
     "of no body": ({"fender": [{**FENDER, "body": ""}]}, "fender[0] (F): body is ''; allowed: a body that moves, ship"),
-    "to none": ({"rope": [{**ROPE, "to": "tug"}]}, "rope R: to is 'tug'; allowed: another body, ship"),
+    "to none": ({"rope": [{**ROPE, "to": "tug"}]}, "rope R: to = 'tug'; allowed: the name of another body, ship"),
     "a motion of none": ({"simulation": STUDY["simulation"] | {"spring": {"sway": 1.0}}}, "allowed: ship surge"),
     "hinged to itself": ({"hinges": [{**HINGE, "bodies": ["ship", "ship"]}]}, "bodies has 'ship' and 'ship'; allowed"),
     "hinged to none": ({"hinges": [{**HINGE, "bodies": ["ship", "tug"]}]}, "'tug'; allowed: two different of ship"),
