@@ -95,7 +95,7 @@ def travel_of(reader, link):
 def told_of(links):
     """Return (name, unit, column) of the results of links: each force and moment, and the travel of links in DRIVEN
 
-    column : of SHOWN numbers for each link
+    column : one of SHOWN numbers for each link
     """
     found = []
     for i, link in enumerate(links):

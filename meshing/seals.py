@@ -34,7 +34,7 @@ def hdf5_seal(image, places, filled=(), kind="", size=LEAST_BLOCK):
     """The block before an HDF5 file.
 
     image : bytes of the file; places : {name: (first byte, bytes)} of its complete datasets
-    filled : (first byte, bytes) of datasets that are filled in later; kind : of such a file, in words
+    filled : (first byte, bytes) of datasets that are filled in later; kind : kind of such a file, in words
     size : bytes of the block, if they are enough
     """
     filled = _joined(filled)

@@ -52,7 +52,7 @@ def memoised(method):
 class ContourBody:
     """A body of constant plan from z = −draft to the surface, with its frequency-independent quantities.
 
-    plan : `Circle` or `Rectangle`; draft, depth : m; accuracy : of its parts
+    plan : `Circle` or `Rectangle`; draft, depth : m; accuracy : accuracy of its parts
     """
 
     plan: object

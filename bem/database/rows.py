@@ -110,7 +110,7 @@ def pending(path):
 def open_database(path: str | os.PathLike[str] | h5py.File) -> Database:
     """Read access to a database.  Raises DatabaseError if `path` is not one of this version.
 
-    path : of the file, which is opened again for every reading; or the file, open from `writing`
+    path : path of the file, which is opened again for every reading; or the file, open from `writing`
     """
     with opened(path) as file:
         attributes, there = dict(file.attrs), set(file)
@@ -137,7 +137,7 @@ class Database:
     """The solved part of a file, frequencies ascending.
 
     names : quantities of the file; rows : (all,) which of its frequencies are solved
-    omega : (n,) rad/s, the solved ones; wave_direction : (m,) rad; attributes : of the file
+    omega : (n,) rad/s, the solved ones; wave_direction : (m,) rad; attributes : attributes of the file
     file : open file for reading; if None or closed, every reading opens `path`
     """
 

@@ -108,7 +108,7 @@ def _union(old, new, same):
 def fill(file, name, datasets, attributes):
     """Write a group to an open file, in place of one of that name.
 
-    datasets : {name: (axes, unit, values)}, the axes first; attributes : of the group
+    datasets : {name: (axes, unit, values)}, the axes first; attributes : attributes of the group
     """
     if name in file:
         del file[name]

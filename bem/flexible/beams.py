@@ -27,7 +27,8 @@ KINDS = (*BENDING, "torsion")
 class Beam(NamedTuple):
     """One shape of a beam along x.
 
-    kind : of KINDS; number : from 1; start, end : m, x of its ends; height : m, z₀ of the neutral axis or shear centre
+    kind : one of KINDS; number : from 1; start, end : m, x of its ends; height : m, z₀ of the neutral axis or shear
+    centre
     rigidity : EI or GJ, N m²; per_length : kg/m, in torsion kg m
     """
 

@@ -27,7 +27,7 @@ class Values:
     """omega : (n,) rad/s, rising; wave_direction : (m,) rad, rising; water_depth : m, may be inf
 
     quantities : {name of `schema.QUANTITIES`: array}, axes as there; body : {name of `schema.BODY`: value}
-    rotation_center : (3,) m; mesh : PanelMesh, or None; name : of the body
+    rotation_center : (3,) m; mesh : PanelMesh, or None; name : name of the body
     others : bodies beside it, which are fixed; left_out : messages on ignored data, with the reason
     bodies : `bem.modes.Body` of each of several, for formats that hold them; their motions along the axes of the scene
     """

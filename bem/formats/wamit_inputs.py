@@ -52,7 +52,7 @@ def pot_of(values, hulls):
 
 
 class Table(NamedTuple):
-    """path : of a file, for messages; rows : (k, columns) of its numbers"""
+    """path : path of a file, for messages; rows : (k, columns) of its numbers"""
 
     path: Path
     rows: np.ndarray
@@ -65,7 +65,8 @@ class Table(NamedTuple):
 
 
 class Inputs(NamedTuple):
-    """length : m, ULEN; about : (3,) m, XBODY; period_kind : of the first column of results, as in `omega_of`
+    """length : m, ULEN; about : (3,) m, XBODY; period_kind : period kind of the first column of results, as in
+    `omega_of`
 
     wave_length : m that wavenumbers of that column are multiplied by; said : which of these a file gives, in words
     depth : m, may be inf, None if not given; gravity : m/s²; bodies : their number; hull : name of the .gdf

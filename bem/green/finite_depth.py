@@ -67,7 +67,7 @@ def depth_variables(z, zeta):
 def wave_part(R, depths, wave, slope, view):
     """g₁ + g₂ and its ∂/∂R and ∂/∂ζ, with J₀(kR) and its ∂/∂R; all real.
 
-    R : m; depths : of `depth_variables`; wave, slope : C Z(z) Z(ζ) and its ∂/∂ζ; view : `TableView`
+    R : m; depths : from `depth_variables`; wave, slope : C Z(z) Z(ζ) and its ∂/∂ζ; view : `TableView`
     """
     return wave_part_at(table_position(R, depths, view), R, depths, wave, slope, view)
 

@@ -19,7 +19,8 @@ PACKAGE = "hakobune."  # package prefix of the folders at the root
 
 
 def imported(file, root, imports=None):
-    """Source files below `root` imported directly by a source file, a set of Paths; imports : of `parsed`, if known"""
+    """Source files below `root` imported directly by a source file, a set of Paths; imports : from `parsed`, if
+    known"""
     found = []
     for one in parsed(file.read_bytes())[1] if imports is None else imports:
         if isinstance(one, ast.Import):

@@ -38,7 +38,7 @@ def parallel_rows(work, rows, pairs):
     """Call `work(low, high)` on ranges that cover 0 … rows, in several threads if there are enough pairs.
 
     work : a kernel call that writes to its own rows alone, so that results do not depend on the number of threads
-    pairs : of points and sources, in all rows together
+    pairs : pairs of points and sources, in all rows together
     raises : the exception of the first range that fails; ranges not yet begun are then left out
     Within `work` further calls take one thread: that of their range.
     """

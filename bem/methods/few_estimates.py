@@ -118,7 +118,7 @@ class FewEstimates:
 class BetweenRun(ShapeRun):
     """A frequency whose differences are interpolated from other frequencies.
 
-    near : `Differences`; bounds : of radiation (6, 6), real and imaginary part apart, and of excitation (m, 6)
+    near : `Differences`; bounds : bounds of radiation (6, 6), real and imaginary part apart, and of excitation (m, 6)
     """
 
     interpolated, bounds, margin = True, None, MARGIN

@@ -18,7 +18,7 @@ class ShapeProblem(Problem):
     method : contour, strip, inverse-strip or, of several bodies, transfer
     shape : box (length, beam, draft) or buoy (radius, draft)
     sizes : m, in that order; tolerance : relative error asked for
-    shapes : of several `bodies`, the shape and sizes of each, in place of these
+    shapes : shapes of several `bodies`, the shape and sizes of each, in place of these
     panels : `bem.methods.panel_problem.PanelProblem` of the same body, for pressures on its panels, or None
     omegas : (n,) rad/s, ascending, of the run: for many frequencies, errors of some give those of the others
         (`bem.methods.few_estimates`)

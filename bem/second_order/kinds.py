@@ -14,7 +14,7 @@ import numpy as np
 
 
 class Kind(NamedTuple):
-    """name : of the axis of force frequencies; sign : of the second wave frequency in a force frequency
+    """name : name of the axis of force frequencies; sign : sign of the second wave frequency in a force frequency
 
     second : function of first-order amplitudes that gives those of the second wave in products
     """

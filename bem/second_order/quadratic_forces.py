@@ -3,7 +3,8 @@ part.
 
     F(t) = Re Σᵢ Σⱼ aᵢ āⱼ T_ij exp{−i(ωᵢ − ωⱼ)t},        T = squares + bound wave + body + surface
 
-squares : of first-order pressures and motions (`mean_drift`, `rotations`), on the diagonal the mean drift.  In surge,
+squares : squares of first-order pressures and motions (`mean_drift`, `rotations`), on the diagonal the mean drift.
+In surge,
     sway and yaw the far field gives the diagonal more accurately than the pressure; its excess at equal frequencies is
     added to other pairs in proportion to the similarity of the flows on the hull (`_by_far_field`)
 bound wave : incident at second order, and diffracted (`bound_waves`, `long_wave_forces`)

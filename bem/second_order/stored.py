@@ -30,7 +30,7 @@ MEANING = {
 class Held:
     """Restraint of the body besides the water.
 
-    floats : whether it moves; name : of the study whose lines hold the floating body, or empty
+    floats : whether it moves; name : name of the study whose lines hold the floating body, or empty
     lines : (6, 6) their stiffness about the rotation centre, None without them
     """
 
@@ -52,11 +52,12 @@ class Held:
 class StoredForces:
     """Forces of wave pairs in a database, with the body on which they act and the errors of the forces.
 
-    method : "panel" or "contour"; share : of the surface's forcing in them, estimated where it is left out, or None
+    method : "panel" or "contour"; share : share of the surface's forcing in them, estimated where it is left out, or
+    None
     errors : (d, n, m, m, 6) estimated, of the whole, or None; coarser : (d, n, m, m, 6) the whole at a coarser
         resolution, of which the errors are, or None
     asked : rad/s, the largest difference or sum that will be stored, of a run that has not ended, or None
-    names : of the forces, as `influenced_dof` of a database
+    names : names of the forces, as `influenced_dof` of a database
     """
 
     forces: QuadraticForces

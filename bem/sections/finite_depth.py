@@ -47,7 +47,7 @@ class Motion(NamedTuple):
     """A motion of unit velocity.
 
     side : its velocity on the side as (a, b) of a + b z; keel : 1 if the bottom moves up or turns with it
-    outflow : of ψ through the gap at y = b, m²/s; bottom : ∫ ψ dy (heave) or ∫ yψ dy (roll) over the bottom
+    outflow : outflow of ψ through the gap at y = b, m²/s; bottom : ∫ ψ dy (heave) or ∫ yψ dy (roll) over the bottom
     """
 
     side: tuple = (0.0, 0.0)
@@ -151,7 +151,7 @@ def _under(l, b, symmetric):
 class FiniteDepthFlow:
     """The three radiated flows and the diffracted flows at one frequency.
 
-    beam, draft, depth : m; omega : rad/s; gravity : m/s²; terms, modes : see `shape`; sine : of the waves' angle θ
+    beam, draft, depth : m; omega : rad/s; gravity : m/s²; terms, modes : see `shape`; sine : sine of the waves' angle θ
     with the normal; Haskind's integrals are of flows without waves along the body
     """
 

@@ -79,7 +79,7 @@ class Edge(NamedTuple):
 class Wetted(NamedTuple):
     """The part of an outline under water, z = 0 at the surface.
 
-    edges : from the waterline at the left, along the bottom, to that at the right; area : m²; center : of it, complex
+    edges : from the waterline at the left along the bottom to that at the right; area : m²; center : complex
     left, right : y of the waterline, m; draft : m; symmetric : whether it is symmetric about y = 0
     """
 
@@ -201,7 +201,7 @@ def circle(diameter):
 
 
 def closed(points, bulges=None):
-    """`Outline` through points, complex, m; bulges : of the edge from each point to the next"""
+    """`Outline` through points, complex, m; bulges : bulges of the edge from each point to the next"""
     bulges = np.zeros(len(points)) if bulges is None else bulges
     ends = zip(points, np.roll(points, -1), bulges, strict=True)
     return Outline(tuple(Edge(complex(s), complex(e), float(b)) for s, e, b in ends))

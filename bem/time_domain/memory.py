@@ -55,7 +55,7 @@ class Memory(Causal):
     error : (6, 6) largest difference of the system from the fitted transform, from ω = 0 to beyond the band, couplings
     and their motions by √(ii · jj) of the largest transform
     deviation : (6, 6) of the fitted transform from the database in its band, likewise; error + deviation bound the rest
-    band : rad/s, first and last stored frequency; groups : indices of coupled motions; words : of the motions
+    band : rad/s, first and last stored frequency; groups : indices of coupled motions; words : words of the motions
     """
 
     arrays: MemoryArrays
@@ -131,7 +131,7 @@ class _Goal(NamedTuple):
 def memory_of_database(db, tolerance=1e-3, motions=None):
     """`Memory` of a `bem.database.Database` or `Reader`, with the fewest states found within tolerance.
 
-    tolerance : of the transform, relative to the largest of each motion, 1e-5 to 0.1
+    tolerance : tolerance of the transform, relative to the largest of each motion, 1e-5 to 0.1
     motions : indices of those of a study, None for all; the others are neither read nor fitted
     raises : ValueError if damping or added mass are unknown for these, at too few frequencies, or contradict
     each other because the band is too short; `fewest_states.FitError` if the tolerance is not reached

@@ -57,8 +57,8 @@ class _Modes(NamedTuple):
 def passive_fit(A, B, s, H, tolerance=0.0, weight=None):
     """`Passive` near H (q, m, m) at s (q,) = iω, with the modes of a stable A (n, n), B (n, m), n > m, or near them
 
-    tolerance : of H times weight (q, m, m), 1 by default, at which no more is tried; 0 : as near as it goes with these
-    modes
+    tolerance : tolerance of H times weight (q, m, m), 1 by default, at which no more is tried; 0 : as near as it goes
+    with these modes
     returns : also its largest weighted error; None and the error of an output without the condition P ≥ 0, if
     already this is clearly beyond the tolerance
     """

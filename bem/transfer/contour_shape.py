@@ -26,7 +26,7 @@ class Answers(NamedTuple):
     Partial waves are ordered mode by mode, cos 0 … M and then sin 1 … M.
 
     radiation : (6, 6) ∬ φⱼ nᵢ dS of unit velocities; sent : (q, 6) by these; scattered : (q, q), column by column of
-    regular waves; pressed : (6, q) ∬ φ nᵢ dS of each with what it scatters; residual : of the equations
+    regular waves; pressed : (6, q) ∬ φ nᵢ dS of each with what it scatters; residual : residual of the equations
     members : [(n,)] partial waves of each of `CLASSES`, which answer by themselves
     """
 

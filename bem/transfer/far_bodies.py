@@ -154,7 +154,7 @@ class Response(NamedTuple):
 class Coupled:
     """Bodies coupled at one frequency, or in a limit of the frequency.
 
-    modes : {body: `OuterModes`}; kind : of the first partial waves
+    modes : {body: `OuterModes`}; kind : kind of the first partial waves
     """
 
     def __init__(self, bodies, modes, kind, omega, gravity):

@@ -22,7 +22,7 @@ CORNERS = 24  # corners that represent a curved plan
 class WavesAround(NamedTuple):
     """One body, or several, in waves of 1 m towards one direction.
 
-    omega rad/s, k rad/m, beta rad; sources : of its plan; middle : (2,) m of the plan; strengths : (s,) m
+    omega rad/s, k rad/m, beta rad; sources : sources of its plan; middle : (2,) m of the plan; strengths : (s,) m
     motion : (n,) m and rad about the centre of rotation, None for a fixed body; missed : share of the far field that
     the sources do not send; pierces : whether the hull reaches the surface
     """
@@ -68,7 +68,7 @@ def beside_incident(reader, omega, headings, motions, places):
     """Waves that a `Reader`'s body adds at places: (q, p, n) complex, m per m, and the largest share missed.
 
     omega : (q,) rad/s; headings : (p,) rad; motions : (q, p, 6); places : (n, 2) m, see `at_waterline`
-    missed : of the far field, by the sources, among the waves.  Raises as `waves_around`.
+    missed : share of the far field that the sources miss, among the waves.  Raises as `waves_around`.
     """
     plan, _ = plan_of(reader.mesh)
     middle = (plan.min(axis=0) + plan.max(axis=0)) / 2

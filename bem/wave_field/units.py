@@ -17,7 +17,7 @@ ARRIVING = 1e-3  # singular value, over the largest, below which plane waves on 
 
 
 class Field(NamedTuple):
-    """sources : of one unit about its middle; middles : (u, 2) m; strengths : (b, u, s) by incident direction
+    """sources : sources of one unit about its middle; middles : (u, 2) m; strengths : (b, u, s) by incident direction
     beta : (b,) rad; missed : share of H that the sources do not send"""
 
     sources: Sources

@@ -53,7 +53,8 @@ class BerthingShip:
 class Berthing:
     """time (n,) s from first contact; position (n, 2) m, rad; velocity (n, 2); deflection, reaction (n, k) m, N
 
-    taken, lost : (n,) J absorbed by fenders, and radiated by waves; ledger : of the module, over energy before contact
+    taken, lost : (n,) J absorbed by fenders, and radiated by waves; ledger : ledger of the module, over energy
+    before contact
     virtual_mass : C_M of the module; energy : J, largest taken up
     """
 
@@ -111,7 +112,7 @@ def berth(ship, fenders, speed, duration=None, steps=2000, yaw_rate=0.0):
     """`Berthing` of a `BerthingShip` with a steady speed, m/s (and yaw rate, rad/s), from the first contact.
 
     fenders : sequence of (`mooring.fenders.fender.Fender`, x m, gap m); the nearest is met first
-    duration : s, by default until the ship rests against the softest fender, times 1.5; steps : of the duration
+    duration : s, by default until the ship rests against the softest fender, times 1.5; steps : steps of the duration
     raises : BerthingError without speed or fender; FenderError beyond the table of one, or of too long steps
     """
     if not 0 < speed < np.inf:

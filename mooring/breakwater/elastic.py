@@ -26,7 +26,7 @@ class ElasticMotion(NamedTuple):
 
 
 def elastic_exact(body, section, axial_stiffness):
-    """`ElasticMotion` of a `TautBody` or `TautRectangle`; section : of its moored draft
+    """`ElasticMotion` of a `TautBody` or `TautRectangle`; section : section of its moored draft
 
     axial_stiffness : EA, N per metre of body
 

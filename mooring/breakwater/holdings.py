@@ -40,7 +40,7 @@ def mean_drift(response, omega, depth, *, density, gravity, obliquity=0.0):
 
 
 def fixed_response(body, angle=None):
-    """`Response` of a `FixedBody`; angle : of the lines that hold the body, rad, below π/2, or None"""
+    """`Response` of a `FixedBody`; angle : angle of the lines that hold the body, rad, below π/2, or None"""
     still, without = np.zeros_like(body.transmission), np.full_like(body.transmission, np.nan + 0j)
     lines = (without, without) if angle is None else line_tensions(body.horizontal, body.vertical, angle)
     return Response(body.transmission, body.reflection, still, still, still, *lines)
@@ -49,8 +49,9 @@ def fixed_response(body, angle=None):
 def exact_response(holding, sections, body, angle=None, axial_stiffness=None):
     """`Response` by potential theory at the frequencies of `sections`.
 
-    holding : of HOLDINGS; sections : (n,) `Section` of the body's draft; body : `FloatingBody` where it is free,
-    `TautBody` on lines, None where it is fixed; angle : of the lines of a fixed body; axial_stiffness : N per metre
+    holding : one of HOLDINGS; sections : (n,) `Section` of the body's draft; body : `FloatingBody` where it is free,
+    `TautBody` on lines, None where it is fixed; angle : angle of the lines of a fixed body; axial_stiffness : N per
+    metre
     """
     if holding == "fixed":
         flows = [fixed_exact(section) for section in sections]
@@ -73,7 +74,7 @@ def exact_response(holding, sections, body, angle=None, axial_stiffness=None):
 def response_with_loss(holding, flows, body, coefficient, amplitude, angle=None, axial_stiffness=None):
     """`Response` of a rectangle with head loss under the keel, including motions and tensions.
 
-    flows : (n,) `bem.sections.keel_loss.KeelFlow`; coefficient : C; amplitude : of the waves, m; others as of
+    flows : (n,) `bem.sections.keel_loss.KeelFlow`; coefficient : C; amplitude : amplitude of the waves, m; others as of
     `exact_response`.  The resistance κ = (2C/3πω) a |U| is found with the motion that it damps.
     """
     from scipy.optimize import brentq
@@ -105,7 +106,8 @@ def _bracket(function, start):
 def long_wave_response(holding, half, draft, depth, omega, water, angle=None, body=None):
     """`Response` by the theory of Ito and Chiba, of a fixed rectangle or of a `TautRectangle` `body`.
 
-    half, draft, depth : m; omega : (n,) rad/s; water : {"density", "gravity"}; angle : of the lines of a fixed body
+    half, draft, depth : m; omega : (n,) rad/s; water : {"density", "gravity"}; angle : angle of the lines of a fixed
+    body
     """
     if holding == "fixed":
         return fixed_response(fixed_body(half, draft, depth, omega, **water), angle)

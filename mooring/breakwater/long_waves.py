@@ -41,7 +41,7 @@ class FixedBody(NamedTuple):
 
 
 def equal_area(diameter, draft):
-    """Half width and draft, m, of the square with a circle's area about the same centre; draft : of the circle"""
+    """Half width and draft, m, of the square with a circle's area about the same centre; draft : draft of the circle"""
     half = EQUAL_AREA * diameter
     return half, half + draft - diameter / 2
 

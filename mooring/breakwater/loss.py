@@ -36,7 +36,7 @@ class Keel(NamedTuple):
 def with_loss(response, coefficient, amplitude, omega, keel):
     """`Response` of a symmetric body with head loss in the flow underneath.
 
-    response : by potential theory, (n,); coefficient : C; amplitude : of the waves, m; omega : (n,) rad/s
+    response : by potential theory, (n,); coefficient : C; amplitude : amplitude of the waves, m; omega : (n,) rad/s
     keel : `Keel`.  Raises ValueError for a negative coefficient or amplitude.
     """
     if not 0 <= coefficient <= LARGEST or not 0 <= amplitude < np.inf:

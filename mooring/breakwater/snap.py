@@ -63,7 +63,7 @@ def snap(body, sections, axial_stiffness, omega, amplitude, memory="states"):
     """`Snap` of a `TautBody` or `TautRectangle` in regular waves of omega, rad/s, and amplitude, m
 
     sections : `Section` of the moored draft at `frequencies`; axial_stiffness : EA, N per metre of body
-    memory : of `mooring.motion.weather.Settings`; with "constant" radiation is always that of the waves' frequency
+    memory : as in `mooring.motion.weather.Settings`; with "constant" radiation is always that of the waves' frequency
     raises : ValueError
     """
     if not 0 < axial_stiffness < np.inf or not 0 <= amplitude < np.inf:

@@ -95,7 +95,7 @@ class TautRectangle(OnTautLines):
 class TautMotion(NamedTuple):
     """Per unit wave amplitude, (...,) complex by frequency.
 
-    transmission, reflection : m/m, referred to the origin; sway : of the centre of gravity, m/m; roll : rad/m
+    transmission, reflection : m/m, referred to the origin; sway : sway of the centre of gravity, m/m; roll : rad/m
     front, back : amplitudes of tension P_F and P_B, N/m²
     """
 

@@ -37,7 +37,7 @@ class Anchor(NamedTuple):
     """An anchor, nan for unknown values: an unknown anchor is sized, and its utilisation is nan.
 
     holding, uplift : N, along and up, of a drag anchor and a pile; weight : N in water, friction : of a sinker
-    chart : of a drag anchor whose mass is wanted, else None; safety : s
+    chart : chart of a drag anchor whose mass is wanted, else None; safety : s
     """
 
     kind: str

@@ -11,7 +11,7 @@ HELP = "give a stronger type, a longer line or less pretension"
 def overused(names, used, allowable, where, help=HELP):
     """Failures of lines.
 
-    names : of the lines; used : (n,) tension over breaking load, NaN where unknown; allowable : share, at most 1
+    names : names of the lines; used : (n,) tension over breaking load, NaN where unknown; allowable : share, at most 1
     where : words on the tension, such as "at the largest tension"; help : the remedy
     """
     used = np.asarray(used, float)

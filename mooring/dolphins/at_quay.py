@@ -9,7 +9,7 @@ from .design_spectrum import Dolphins, Strains, beam_of, limit_height, strains
 
 
 class AtQuay(NamedTuple):
-    """count : fenders that the loads press; strains : of one fender; limit : m, allowable significant height"""
+    """count : fenders that the loads press; strains : strains of one fender; limit : m, allowable significant height"""
 
     count: int
     strains: Strains

@@ -19,7 +19,7 @@ class Quake:
     """A body in one motion, its fenders, and the known data of the ground motion
 
     ground, spectrum : None where not given; spectrum : function of the period; ratio : its damping
-    coefficient : of the rule, or None
+    coefficient : coefficient of the rule, or None
     """
 
     motion: str

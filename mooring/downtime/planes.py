@@ -18,7 +18,7 @@ SECTOR = 1.5  # factor on the usual step of directions; no waves travel between 
 
 
 class Planes(NamedTuple):
-    """paths : of netCDF, one after the other; counts : hours of each; location : index of the place
+    """paths : paths of netCDF, one after the other; counts : hours of each; location : index of the place
 
     omega : (f,) rad/s, rising; angle : (d,) rad travelled to, in axes of the body
     """

@@ -30,7 +30,7 @@ class Pressed:
         """For each step from z (m,): z, deflection (k,) m, below 0 without contact, state (k,) of `hysteresis`, and the
         next stages (2, m); the fenders are initially free.
 
-        gap : (k,) m at the beginning; gaps : of (3, k) m, at both `NODES` and the end of every step
+        gap : (k,) m at the beginning; gaps : (3, k) m, at both `NODES` and the end of every step
         raises : FenderError where the steps are too long
         """
         state, start = [1.0] * self.k, self.place @ z - gap

@@ -30,7 +30,7 @@ FORMS = ("linear", "quadratic", "exp")
 
 
 class WorkingCurves(NamedTuple):
-    """original : (n, 2) strain and tension, N, rising from 0, 0; form : of FORMS; k1, k2 : of the working curves"""
+    """original : (n, 2) strain and tension, N, rising from 0, 0; form : one of FORMS; k1, k2 : of the working curves"""
 
     original: np.ndarray
     form: str

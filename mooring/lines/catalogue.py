@@ -151,7 +151,7 @@ def line_type(name, density=1025.0, gravity=9.80665) -> LineType:
 def _dynamics(ratio, across, along=None):
     """LineDynamics of drag coefficients on a nominal diameter, `ratio` times that of the displaced volume
 
-    along : of chain, None for ropes
+    along : as across, of chain; None for ropes
     """
     if along is None:
         return LineDynamics(drag_normal=across * ratio)

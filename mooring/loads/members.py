@@ -36,7 +36,7 @@ def wind_on_members(members, speed_10, direction, exponent=None, density=AIR_DEN
     """Force and moment, N and N m, about the origin, z = 0 at the waterline, of wind towards `direction`, rad, on
     Members; shape (6,).
 
-    speed_10 : m/s at 10 m; exponent : of the power law over height, by default the report's table
+    speed_10 : m/s at 10 m; exponent : exponent of the power law over height, by default the report's table
     raises : ValueError naming the member whose shape or area is impossible
     """
     if not 0 < density < np.inf:

@@ -56,7 +56,7 @@ def member_force(section, start, end, flow, density=1025.0, points=8):
     in the water; shape (6,).
 
     flow : function of positions (n, 3) m that returns velocity and acceleration of the water, two (n, 3)
-    points : of Gauss quadrature; 8 are exact for polynomials of degree 15 along the member
+    points : points of Gauss quadrature; 8 are exact for polynomials of degree 15 along the member
     """
     start, end = np.asarray(start, float), np.asarray(end, float)
     length = np.linalg.norm(end - start)

@@ -308,7 +308,7 @@ def turned(R, p):
 
 @kernel()
 def floats(buoy, work, place, share, waves):
-    """Add buoyancy, weight, drag and inertia of the water to work.force; waves : share of the waves, share : of all"""
+    """Add buoyancy, weight, drag and inertia of water to work.force; waves, share : those of the waves and of all"""
     w = work.water
     for j in range(3):
         stream = share * buoy.current[j] if j < 2 else 0.0

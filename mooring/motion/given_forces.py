@@ -80,7 +80,7 @@ def drift_of_half_waves(reader, components, heading, ramp, duration):
     """`GivenForce` of the drift by half waves on a body with a fixed heading, rad.  Raises ValueError without waves.
 
     reader : `bem.database.reader.Reader` with drift, on a current in its axes if there is one
-    components : of waves, which travel in their mean direction, at intrinsic frequencies; ramp, duration : s
+    components : wave components, which travel in their mean direction, at intrinsic frequencies; ramp, duration : s
     """
     t = SURFACE_STEP * np.arange(int(np.ceil((ramp + duration) / SURFACE_STEP)) + 2)
     energy, carrier = components.amplitude**2, carrier_of_body(reader)

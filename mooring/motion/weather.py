@@ -80,7 +80,7 @@ class Settings:
 
     duration : s of the statistics; ramp : s before it, in which every load grows from zero
     wave_ramp : (s, s) from the start, begin of the waves and duration of their growth, None for the ramp of all loads
-    step : s between samples that are kept; tolerance : of the motions, relative to their standard deviations
+    step : s between samples that are kept; tolerance : tolerance of the motions, relative to their standard deviations
     components : number of wave components of each sea, None to choose it by duration and bandwidth
     slow_drift : "newman", "half-waves" (the report's), "mean" or "none"
     wave_drift_damping : whether slow velocities change the drift

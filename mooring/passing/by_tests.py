@@ -45,7 +45,7 @@ def scale(moored, passing, track, density=1025.0):
 def kriebel(moored, passing, track, stagger, factors, *, quay=False, peaks=None, density=1025.0):
     """`Passage` by tests in tanks.
 
-    moored, passing : `slender.Slender`; stagger : (n,) m; factors : of `depth_factors`; quay : along a vertical one
+    moored, passing : `slender.Slender`; stagger : (n,) m; factors : from `depth_factors`; quay : along a vertical one
     peaks : (3,) coefficients C in deep water, read off printed curves, for the largest forces on `stagger`; by default
         those of `slender.wang`
     """

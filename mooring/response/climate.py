@@ -29,7 +29,7 @@ class Climate:
     """Responses (c,) in sea states (s,): height m, period s, direction rad, probability.
 
     m0, m2 : (s, c); drift : (s, 3) mean drift N, N, N m, or None without drift in the database
-    missed : of the waves at points, as `points.Transfer.missed`
+    missed : share of the waves that is missed at points, as `points.Transfer.missed`
     """
 
     names: tuple[str, ...]
@@ -84,7 +84,7 @@ class _Column(NamedTuple):
 def climate(body, scatter, family, directions_and_shares=((0.0, 1.0),), spreading=None, points=(), **shape) -> Climate:
     """A `bem.database.reader.Reader`, `floating`, in all cells of a Scatter.
 
-    family : of `environment.spectra.FAMILIES`, called with height and period of the kind of the table, and `shape`
+    family : one of `environment.spectra.FAMILIES`, called with height and period of the kind of the table, and `shape`
     directions_and_shares : pairs of rad travelled to and share of time; each with the same table
     spreading : None, or a function of the spectrum that returns its Spreading
     raises : ValueError for shares that do not sum to 1, BetweenError outside the stored headings

@@ -74,7 +74,7 @@ class Errors(NamedTuple):
     """Relative estimated errors of results between stored waves
 
     motions : (n,) of standard deviations, four deviations of their own; drift : (2,) of the mean drift force and
-    moment; damping : of wave drift damping.  Those of drift are None without drift, the moment's of at least LEVER
+    moment; damping : that by wave drift.  Those of drift are None without drift, the moment's of at least LEVER
     times the radius times the force.  words : (n,) names of the motions
     at : rad/s of the largest error of motions, drift and damping; gap : rad, between the headings around the waves
     """

@@ -68,7 +68,7 @@ class SeaState:
 
     duration : s; spectrum : (q, c) at omega (q,), unit² s/rad; moments : Moments of it, each (c,)
     slow : SlowForces, None without drift in the database; errors : `findings.Errors` between stored waves
-    missed : of the waves at points, as `points.Transfer.missed`
+    missed : share of the waves that is missed at points, as `points.Transfer.missed`
     """
 
     sea: object
@@ -162,7 +162,7 @@ class SeaState:
 def sea_state(body, sea, duration, points=(), bound=None) -> SeaState:
     """A `bem.database.reader.Reader`, `floating`, in a Sea for `duration` s.
 
-    points : of `Point` and `KeelPoint`; bound : of `pair_levels.beside_newman`
+    points : `Point`s and `KeelPoint`s; bound : from `pair_levels.beside_newman`
     raises : ValueError for a duration that is no time, BetweenError outside the stored headings
     """
     if not 0 < duration < np.inf:
@@ -220,7 +220,7 @@ def slow_forces(body, sea, omega, heading, weights, bound=None) -> SlowForces:
     """Mean drift, spectrum of slow drift and wave drift damping; omega (q,) rad/s, heading (p,) rad, weights (p,) of
     the headings.
 
-    bound : of `pair_levels.beside_newman`, in a spread sea with its `spectrum`
+    bound : from `pair_levels.beside_newman`, in a spread sea with its `spectrum`
     """
     value, coefficients, known = drift_on_current(body, omega, heading)
     damping = mean_damping(omega, coefficients, sea.spectrum.density(omega), weights) if known else None

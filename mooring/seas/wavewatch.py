@@ -23,7 +23,8 @@ PLACE = 7  # numbers after the name of a point
 def read_wavewatch(path, text, x_axis, time, location):
     """omega (n,) rad/s, angle (m,) rad travelled to, density (n, m) m² s/rad², of one time and point of a file's text
 
-    x_axis : degrees of the compass; time : "yyyymmdd hhmmss", None for the only one; location : of a point, from 1
+    x_axis : degrees of the compass; time : "yyyymmdd hhmmss", None for the only one; location : location of a point,
+    from 1
     raises : TableError
     """
     if x_axis is None:

@@ -21,7 +21,8 @@ SLOW_DRIFT = 1.2  # factor of the report on line tensions, in place of slow drif
 class Run(NamedTuple):
     """record : with waves, or the slow motion alone; steady : Equilibrium near its start
 
-    cycle : of its last part; settled : s, nan if the heading does not come to rest; radius : m of the watch circle
+    cycle : cycle of its last part; settled : s, nan if the heading does not come to rest; radius : m of the watch
+    circle
     drifts : whether the run includes slow drift; findings : one line each
     full_waves : s, time from which the waves have their full height, inf without
     """

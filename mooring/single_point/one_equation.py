@@ -94,7 +94,8 @@ def body_at(steady: Equilibrium, state, db=None, *, buoy: BuoyBody | None = None
             memory=None, sea=None) -> Moored:  # fmt: skip
     """Moored at a state (6,) near an Equilibrium (`slewing.turned_state`), with the hawser stretched by its tension.
 
-    db : opened database, None for the plane; memory : of its water; sea : for the linearisation of its viscous damping
+    db : opened database, None for the plane; memory : memory of its water; sea : for the linearisation of its
+    viscous damping
     end_z : m, of the attachment over the water
     buoy, rope : BuoyBody and RopePart of the hawsers, of a mooring with hawsers
     raises : SinglePointError, ValueError of `moored`
@@ -135,7 +136,7 @@ def run_in_one(steady: Equilibrium, body: Moored, duration, step, *, components=
                tolerance=1e-3, seed=0, drift=True, carrier=None):  # fmt: skip
     """`Realisation` of a body from `body_at`, in the wind, current and drift of its SinglePoint.
 
-    duration, step : s; components : of waves, which grow over wave_ramp, (s, s) begin and length
+    duration, step : s; components : wave components, which grow over wave_ramp, (s, s) begin and length
     gusts : GustSpectrum of the wind; drift : True for the mean drift of the loads, False for that of the waves
     carrier : `mooring.on_current.waves.Carrier` of the waves, whose frequencies are intrinsic; None in still water
     raises : SinglePointError

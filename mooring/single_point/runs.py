@@ -28,7 +28,8 @@ class Times:
     """Duration and steps of a run.
 
     duration, step (of the record, None for that of the scheme), slow_step (of two scales), waves_after : s
-    offset : rad, initial heading relative to that of rest; tolerance : of place and heading; seed : of the gusts
+    offset : rad, initial heading relative to that of rest; tolerance : tolerance of place and heading; seed : seed
+    of the gusts
     """
 
     duration: float = 1200.0
@@ -65,7 +66,7 @@ def two_scale_run(steady, times: Times, body) -> Run:
 def full_run(steady, times: Times, moved, components=None, drift=True, carrier=None) -> Run:
     """Run of slow and wave motion in one equation.
 
-    moved : `one_equation.body_at` the begin of the run; components : of the waves, None without
+    moved : `one_equation.body_at` the begin of the run; components : components of the waves, None without
     drift : whether pairs of waves drive slow drift, in place of the mean drift of the loads
     carrier : `mooring.on_current.waves.Carrier` of the waves, None in still water
     """

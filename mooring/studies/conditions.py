@@ -55,7 +55,7 @@ class Current:
 
     table : coefficients as of a Wind, None for the SR179 box tests
     height : m above still water of its point of action, None for half the draft below it
-    waves : of `mooring.on_current.waves.SPECTRA`, meaning of the frequencies of the waves on it:
+    waves : one of `mooring.on_current.waves.SPECTRA`, meaning of the frequencies of the waves on it:
     "intrinsic", in the moving water, "absolute", at a fixed place; "still": waves unaffected by the current
     """
 
@@ -90,7 +90,7 @@ class Waves:
 class Conditions:
     """Wind, current and waves of a study; None omits the load.
 
-    method : of `wave_effects.METHODS`, "irregular" or "regular_wave"
+    method : one of `wave_effects.METHODS`, "irregular" or "regular_wave"
     sea : `environment.sea.Sea` of the waves; None for a long-crested ISSC spectrum of their height and period
     duration : s, in which the largest motions in irregular waves are expected
     motion_factor : factor on the largest motions before line tensions are computed, as some rules require
@@ -108,7 +108,7 @@ class Conditions:
 class Afloat(NamedTuple):
     """A moving hull.
 
-    name : of its body in the System; box : ExposedBox about the origin of its coordinates
+    name : name of its body in the System; box : ExposedBox about the origin of its coordinates
     rotation_center : (3,) m in these; place : (2,) m, their origin in space; heading : rad, of their x axis
     density : kg/m³ of the water
     """

@@ -119,7 +119,8 @@ class MultiPoint:
 def multi_point(db, system, hull, conditions, allowable=0.4, berth=None, body=None) -> MultiPoint:
     """Study of a body, its stored wave database `db`, and its lines; or of several.
 
-    system : of bodies whose axes have their origin at their rotation centres, and of lines from anchors to them and
+    system : system of bodies whose axes have their origin at their rotation centres, and of lines from anchors to
+    them and
         between them, as `lines.system.moored_body` makes one
     hull : `conditions.ExposedBox`, of several bodies {name: ExposedBox}; allowable : fraction of the breaking load
     berth : `motion.contacts.Berth` of fenders and ropes; body : `Reader` with hinges, by default that of the database

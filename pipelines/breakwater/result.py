@@ -73,7 +73,7 @@ def _results(study, asked, db):
 
 
 def result_of(found, text, db=None):
-    """Result of a Found; text : of its study"""
+    """Result of a Found; text : text of its study"""
     quantities, axes = {}, {}
     for part in (curves_of, pretension_of, anchors_of, behind_of, snapping_of, front_of, lee_of, checks_of):
         made, labels = part(found.asked, found.results)

@@ -8,7 +8,7 @@ from hakobune.bem.database.schema import QUANTITIES
 
 
 class Gaps(NamedTuple):
-    """asked : (n,) rad/s, of all frequencies; solved : (n,) whether each is; path : of the file
+    """asked : (n,) rad/s, of all frequencies; solved : (n,) whether each is; path : path of the file
 
     unknown : {quantity: {name of a motion, or "": (m,) indices, among solved frequencies, without a value}}
     """

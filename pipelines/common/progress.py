@@ -16,7 +16,8 @@ class Progress:
         self.once = 0.0  # s, of work done once for all frequencies, by every process at the same time
 
     def step(self, where, result, reason):
-        """where : ω in rad/s, or the name of a limit; result : of the solver; reason : of a failure, or empty"""
+        """where : ω in rad/s, or the name of a limit; result : result of the solver; reason : reason of a failure,
+        or empty"""
         self.done += 1
         self.once = max(self.once, sum(times(result).get(part, 0.0) for part in ONCE))
         left = max(0.0, time.perf_counter() - self.started - self.once) / self.done * (self.total - self.done)

@@ -24,7 +24,7 @@ NOTHING = (
 
 
 class Tried(NamedTuple):
-    """way : of `changes.ways`; words : the change; utilisation : the largest with the change; passes : whether the
+    """way : from `changes.ways`; words : the change; utilisation : the largest with the change; passes : whether the
     change makes all criteria met
 
     criterion : that governs then
@@ -51,7 +51,7 @@ class Advice(NamedTuple):
 def advise(read, judged, cases, others, paths, folder, step):
     """The Advice on criteria that are not met; empty if all are met.
 
-    judged : of all criteria; cases : {name: LoadCase} of all that ran; others : quantities of the project
+    judged : every criterion judged; cases : {name: LoadCase} of all that ran; others : quantities of the project
     paths : {level: database}; step : called with the number of changes tried, their largest number and the change
     """
     fixed = {*others, *(one.quantity for one in read.project.values)}

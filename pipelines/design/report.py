@@ -26,7 +26,7 @@ CSS = {PASSES: "passes", FAILS: "fails", OPEN: "open"}
 def write_report(read, verdict, advice, paths, folder):
     """Write report.html, cases.csv, criteria.csv and parts.csv into a folder; returns the names of the written files.
 
-    verdict : of `judged_project`; advice : of `advise`, or None; paths : {level: database}
+    verdict : from `judged_project`; advice : from `advise`, or None; paths : {level: database}
     """
     from jinja2 import Environment, StrictUndefined
 

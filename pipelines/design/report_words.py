@@ -51,7 +51,7 @@ def percent(used):
 def advice_words(advice, verdict):
     """The advised changes, a sentence for each way that was tried; () without advice
 
-    advice : of `advice.advise`, None where the user did not request it
+    advice : from `advice.advise`, None where the user did not request it
     """
     if advice is None or verdict.word != FAILS:
         return ()

@@ -94,7 +94,7 @@ class _Counting:
 
 
 def result_of(verdict, change, names, origin):
-    """Result of a Verdict; change : advice, or None; names : of the files; origin : its provenance"""
+    """Result of a Verdict; change : advice, or None; names : names of the files; origin : its provenance"""
     judged, ran = verdict.judged, verdict.ran
     uses = [one.governing for one in judged]
     rules = [f"{k + 1} {one.criterion.rule}: {one.criterion.quantity}" for k, one in enumerate(judged)]

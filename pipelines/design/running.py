@@ -29,7 +29,7 @@ ROTATIONS = ("roll", "pitch", "yaw")
 class Ran:
     """A load case that ran, or failed to run: numbers, from its files, None with the reason in `fault`
 
-    path : of their file; runs : from `kinds.in_time.simulated`, None for a project without simulation
+    path : path of their file; runs : from `kinds.in_time.simulated`, None for a project without simulation
     """
 
     case: LoadCase

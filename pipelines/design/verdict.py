@@ -40,7 +40,7 @@ class Verdict(NamedTuple):
     judged : a Judged for each criterion; return_period : years, None where no return period is given
 
     word : passes, fails, or cannot be signed, if a criterion is not judged or a case could not be run
-    rule_sets : of `side_by_side`
+    rule_sets : from `side_by_side`
     """
 
     ran: list

@@ -26,9 +26,9 @@ READ_IN = {"rad": ("deg", np.pi / 180), "m/s²": ("m/s²", 1.0)}
 
 
 class Limit(NamedTuple):
-    """operation : its number; criterion : of `mooring.criteria.rules`; label : for tables
+    """operation : its number; criterion : from `mooring.criteria.rules`; label : for tables
 
-    kind : "response", "air gap", "keel", "weather" or SIMULATED; names : of the responses that it needs
+    kind : "response", "air gap", "keel", "weather" or SIMULATED; names : names of the responses that it needs
     rest : (p,) m at rest, an air gap or the depth of water under points of the keel
     """
 
@@ -53,7 +53,7 @@ class Hours(NamedTuple):
 def limits_of(study, points, responses, moored=None):
     """[Limit] of a DowntimeStudy.
 
-    points : of its body; responses : {name: unit} of all responses of the body
+    points : points of its body; responses : {name: unit} of all responses of the body
     moored : {name: unit} of simulation results of the moored body, in place of these; or None
     raises : StudyError
     """

@@ -20,7 +20,7 @@ def written_by_downtime(path):
 
 
 def page_of(result, text):
-    """The page (HTML) of a Result of downtime; text : of its study"""
+    """The page (HTML) of a Result of downtime; text : text of its study"""
     from jinja2 import Environment, StrictUndefined
 
     template = files(__package__).joinpath("page.html").read_text(encoding="utf-8")

@@ -62,7 +62,7 @@ def downtime(
     study : path of a downtime study, its tables as a dictionary, or a `DowntimeStudy`, with files relative to it
     database : path of the body's database, or an open one; None with [lee]
     states : path of the file of simulated states, continued where it stopped; None to keep none
-    executor : of the simulations, as in the command; say : called with each line of progress
+    executor : executor of the simulations, as in the command; say : called with each line of progress
     returns : Result, in SI; its `detail` is a Detail
     raises : ValueError, one line; KeyboardInterrupt, finished states are kept
     """

@@ -52,7 +52,7 @@ class Simulated(NamedTuple):
 
 
 class Prepared(NamedTuple):
-    """task : `simulate.work.Task`; raw : tables of its study; names : of its quantities"""
+    """task : `simulate.work.Task`; raw : tables of its study; names : names of its quantities"""
 
     task: Task
     raw: dict
@@ -79,7 +79,7 @@ def prepared_of(table, folder, db):
 def simulated(read, record, limits, ready, path, executor, say):
     """The Simulated of a DowntimeStudy with [simulation]: states are run and stored in the file of states.
 
-    ready : Prepared; path : of the file of states; executor : as in `executors`; say : called with each line
+    ready : Prepared; path : path of the file of states; executor : as in `executors`; say : called with each line
     raises : StudyError; KeyboardInterrupt, finished states are kept
     """
     table, hindcast = read.simulation, record.hindcast

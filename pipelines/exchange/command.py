@@ -23,7 +23,8 @@ from ..printing.verdict import tell
 
 
 class Format(NamedTuple):
-    """module : of `bem.formats`; ending : of the default name; folder : whether the format is a folder of files;
+    """module : from `bem.formats`; ending : ending of the default name; folder : whether the format is a folder of
+    files;
     several : whether it can have several bodies
 
     silent : quantities that its files may not contain

@@ -17,7 +17,7 @@ AROUND = 1.5  # of the largest hull, of the picture beyond the places of the bod
 
 
 class Moored(NamedTuple):
-    """names : of the bodies that move; at_rest : (N, 6) m, rad, their places; system : of lines, or None
+    """names : names of the bodies that move; at_rest : (N, 6) m, rad, their places; system : system of lines, or None
 
     ends : [(points (ropes, 3) m in space at rest, numbers (ropes,) of the bodies that carry them, below 0 for none)]
     """

@@ -26,8 +26,8 @@ class Hull(NamedTuple):
 class Stage(NamedTuple):
     """hulls : (Hull, …); span : m, of anchors and hulls
 
-    depth : m; fenders : of a `mooring.motion.contacts` berth; carriers : numbers of the hulls that carry them, below 0
-    for a quay, or () for quays alone; rest : (n, 6) m, rad, poses of the hulls with which the fenders are given
+    depth : m; fenders : fenders of a `mooring.motion.contacts` berth; carriers : numbers of the hulls that carry them,
+    below 0 for a quay, or () for quays alone; rest : (n, 6) m, rad, poses of the hulls with which the fenders are given
     """
 
     hulls: tuple

@@ -8,7 +8,7 @@ from .words import OTHER_NAMES
 
 
 class Found(NamedTuple):
-    """A key; places : headings of the tables that have the key; kinds : of files that contain these tables"""
+    """A key; places : headings of the tables that have the key; kinds : kinds of files that contain these tables"""
 
     key: Key
     places: tuple[str, ...]

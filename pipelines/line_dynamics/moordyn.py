@@ -23,7 +23,7 @@ BED = {"stiffness_kPa_per_m": ("kBot", "kb"), "damping_kPa_s_per_m": ("cBot", "c
 def with_moordyn(study, folder):
     """The study with its line read from the file that `moordyn` names, in the folder `folder`.
 
-    warns : of the parts of the file that are not used
+    Warns of the parts of the file that are not used.
     raises : StudyError, FormatError for a file that cannot be read
     """
     from hakobune.mooring.formats.moordyn import read_moordyn

@@ -40,7 +40,7 @@ END = {  # name: (unit, description, of an End)
 
 
 class Run(NamedTuple):
-    """name : of the line; line : DynamicLine; course : Course; result : `mooring.lines.dynamics.run.Result`
+    """name : name of the line; line : DynamicLine; course : Course; result : `mooring.lines.dynamics.run.Result`
 
     found : Figures; strength : Strength
     """

@@ -13,7 +13,7 @@ from .line_result import line
 def line_command(output, plot, **words):
     """Print, draw or write a line; returns the exit status.  Raises ValueError.
 
-    words : of `line_result.line`
+    words : from `line_result.line`
     """
     check_result(output, "line")
     check_picture(plot, PLOTS)

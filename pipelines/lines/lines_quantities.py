@@ -98,7 +98,8 @@ def curves_at(curves):
 
 
 def lost(state, losses, name):
-    """The system after the loss of each line; name : of the body with the reported shift; nan without an equilibrium"""
+    """The system after the loss of each line; name : name of the body with the reported shift; nan without an
+    equilibrium"""
     from hakobune.mooring.studies.system_at_rest import body_number
 
     i = None if name is None else body_number(state.system, name)

@@ -114,7 +114,7 @@ class SystemTable(Table):
 class Given:
     """A system read from a file.
 
-    text : of the file; said : warnings about it; moordyn : MoorDynFile, if it is one
+    text : text of the file; said : warnings about it; moordyn : MoorDynFile, if it is one
     """
 
     system: System

@@ -20,7 +20,7 @@ SYMMETRY = {"box": "xy", "buoy": "xy", "ship": "y"}  # planes of the shapes of a
 class Body(NamedTuple):
     """Properties of a body that are known before its waves are solved.
 
-    name : of its database or scene, for messages; dimensions : {name: m}, empty for a mesh file
+    name : name of its database or scene, for messages; dimensions : {name: m}, empty for a mesh file
     rotation_center : (3,) m; density : kg/m³; gravity : m/s²; water_depth : m
     omega : (n,) rad/s, the first and last are its band; wall : m, y, or None
     ring : `Ring` of the solved waves, None for a mesh file of unknown symmetry

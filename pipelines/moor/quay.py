@@ -27,7 +27,7 @@ def body_of(study, db):
 def method_of(quay, wall, name):
     """far-field or panels, for a QuayTable.  Raises StudyError if quay and body do not match.
 
-    wall : m, y of the wall in the body's solution, None for open water; name : of its database or scene
+    wall : m, y of the wall in the body's solution, None for open water; name : name of its database or scene
     """
     method = quay.method or ("far-field" if wall is None else "panels")
     if method not in METHODS:

@@ -91,7 +91,8 @@ def _at_anchors(made):
 def result_of(made, hull, text, db, first=(), anchors=()):
     """Result of a MultiPoint and its hull or hulls
 
-    text : of its study; db : of the body; first : findings printed first; anchors : `Study.anchors_on` its lines
+    text : text of its study; db : database of the body; first : findings printed first
+    anchors : `Study.anchors_on` its lines
     """
     names = [body.name for body in db.bodies if not body.fixed]
     of_each = partial(_of_each, names)

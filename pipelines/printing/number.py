@@ -11,7 +11,8 @@ LEAST = 1e-9  # size below which a number with fixed decimals is 0
 def number(value, factor=1.0, digits=DIGITS):
     """A cell of a table with `digits` significant digits of value / factor; its `value`, a float, is not rounded.
 
-    factor : of the unit named in the column, such as 1e3 for kN; a value that is not finite is a dash, and null in JSON
+    factor : factor of the unit named in the column, such as 1e3 for kN; a value that is not finite is a dash, and
+    null in JSON
     """
     kept = float(value) / factor
     made = _cell()(significant(kept, digits))

@@ -121,7 +121,7 @@ def _of_depth(read, db):
 
 
 def of_sea(found, radius, bodies=()):
-    """Quantities of a SeaState and the labels of their axes; radius : m, of the hull; bodies : of several"""
+    """Quantities of a SeaState and the labels of their axes; radius : m, of the hull; bodies : names of several"""
     excited = np.flatnonzero(~(found.sigma <= 0))  # an unknown value is not zero
     units, axis = tuple(found.units[i] for i in excited), ("response",)
     columns = {

@@ -233,7 +233,7 @@ def read_response_study(path):
 
 
 def make_response_study(raw, name="the study"):
-    """The ResponseStudy of nested dictionaries; name : of their source.  Raises StudyError."""
+    """The ResponseStudy of nested dictionaries; name : name of their source.  Raises StudyError."""
     study = typed(raw, ResponseStudy, StudyError)
     if (study.sea is None) == (study.climate is None):
         state = "has neither" if study.sea is None else "has both"

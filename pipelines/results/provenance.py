@@ -7,7 +7,7 @@ from hakobune.bem import __version__
 
 
 def provenance(text="", database=None, **more):
-    """{name: text}; text : of the study; database : an open database or the path of a database, or None"""
+    """{name: text}; text : text of the study; database : an open database or the path of a database, or None"""
     made = {"software_version": __version__, "study": text, **more}
     if database is not None:
         path = Path(getattr(database, "path", database))

@@ -28,7 +28,7 @@ PLACE = re.compile(r"(?P<head>[^\[\]]+)\[(?P<label>[^\]]+)\](?:\.(?P<tail>.+))?"
 
 @dataclass(frozen=True, eq=False)
 class Result(Mapping[str, Any]):
-    """kind : of study, as "moor"
+    """kind : kind of study, as "moor"
     quantities : {name: Quantity}; dots separate the parts of a name, the first of which names the object
     labels : {axis: Quantity of its labels, or of its values}
     findings : lines; failures begin with FAILS (`mooring.criteria.failing`)

@@ -24,7 +24,7 @@ ROUNDING = 1e-10  # numbers below this fraction of the largest with the same uni
 
 
 class Column(NamedTuple):
-    """name : of the quantity, with the label of its second axis; heading : in print; values : (rows,)
+    """name : name of the quantity, with the label of its second axis; heading : in print; values : (rows,)
 
     units : one for each row, or one for all rows; read_in : (print unit, its size) if all rows share a unit
     """
@@ -37,7 +37,7 @@ class Column(NamedTuple):
 
 
 class Shown(NamedTuple):
-    """title; axis : of the rows, "" if each row is a separate quantity; labels : (rows,); columns"""
+    """title; axis : axis of the rows, "" if each row is a separate quantity; labels : (rows,); columns"""
 
     title: str
     axis: str

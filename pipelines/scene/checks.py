@@ -237,7 +237,7 @@ def _check_list(key, value, check_one):
 def _check_apart(key, given, values, turn=None):
     """Raise SceneError for two values that a database would treat as equal.
 
-    given : as in the scene; values : the same, rising, as in a database; turn : of angles
+    given : as in the scene; values : the same, rising, as in a database; turn : turn of angles
     """
     given, values = np.sort(given) if turn else np.array(given), np.asarray(values)
     if turn:

@@ -17,7 +17,7 @@ def simulate(study, database, output, seeds=None, duration=None, fresh=False, ex
     """Exit status: 0, 1 where a seed, a line or a fender fails, 130 interrupted.  Raises ValueError before any output.
 
     window : s, length of the windows in which the first record is reported
-    methods, division : of `methods.compared`
+    methods, division : from `methods.compared`
     """
     from ..printing.console import new_console
 

@@ -164,7 +164,7 @@ def result_of(file, window=None, more=()):
 
 
 def _statistics(head, table, axis, rows, units):
-    """{name: Quantity} of statistics over all runs.  rows : {statistic: value} of each label; units : of each"""
+    """{name: Quantity} of statistics over all runs.  rows : {statistic: value} of each label; units : units of each"""
     made = {}
     for key, (words, unit, shown) in WORDS.items():
         own = tuple(units) if unit is None else unit

@@ -52,7 +52,8 @@ AFTER = 10.0  # s between lines of a long run
 
 
 class Input(NamedTuple):
-    """study : `moor.study.Study`; text : its TOML; folder : of the files that the study names; path : of the file of
+    """study : `moor.study.Study`; text : its TOML; folder : folder of the files that the study names; path : path of
+    the file of
     the study, or None"""
 
     study: Study

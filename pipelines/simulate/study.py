@@ -41,7 +41,7 @@ MOST_MISSED = 0.25
 
 @dataclass(frozen=True)
 class Plan:
-    """weather, settings : of `mooring.motion.weather`; seeds : of all runs; split : rad/s, of slow and wave part
+    """weather, settings : see `mooring.motion.weather`; seeds : seeds of all runs; split : rad/s, of slow and wave part
 
     mean_period : s, of the waves, None without; findings : one line each
     sides : `mooring.fenders.gaps.Side` of several bodies
@@ -68,7 +68,7 @@ def plan_of(study, omega, seeds=None, duration=None, folder=None, words=ONE_BODY
     """The Plan of a `Study` on a database with frequencies omega (n,) rad/s and motions called `words`.
 
     seeds : number of seeds, instead of the study's; duration : s, instead of the study's
-    folder : of the files of forces, None to omit such forces
+    folder : folder of the files of forces, None to omit such forces
     shapes : units of the last of the motions, shapes of bodies that bend
     raises : StudyError for a study that cannot be simulated
     """

@@ -32,10 +32,11 @@ _prepared = {}
 
 @dataclass(frozen=True, eq=False)
 class Task:
-    """study : `moor.study.Study`; database : path; duration : s, or None for that of the study; memory : of the water,
+    """study : `moor.study.Study`; database : path; duration : s, or None for that of the study; memory : memory of
+    the water,
     fitted
 
-    folder : of the study, for the files that it names
+    folder : folder of the study, for the files that it names
     moving : names of the dynamic lines, if already chosen
     """
 
@@ -351,7 +352,7 @@ def at_rest_of(sides):
 
 
 def quantities_of(lines, fenders=(), words=ONE_BODY, sides=(), links=(), shapes=(), loads=()):
-    """Names and units of the columns of statistics; words : of the motions; sides : of several bodies
+    """Names and units of the columns of statistics; words : words of the motions; sides : sides of several bodies
 
     shapes : units of the last of the motions; loads : (name, unit) of what beams carry (`told_of_stations`)
     """

@@ -98,7 +98,7 @@ def _cycle_of(one):
 
 
 def result_of(found, first, notes, text, db):
-    """Result of a Found; first : findings printed first; notes : lines; text : of its study"""
+    """Result of a Found; first : findings printed first; notes : lines; text : text of its study"""
     quantities, axes = {}, {}
     for part in (rest_of, state_of, lines_at, cycle_of, run_of, maps_of, hull_of):
         made, labels = part(found)

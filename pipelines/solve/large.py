@@ -116,7 +116,7 @@ def _cost_of_contours(problem, omega):
 def check_database(header, frequencies, headings, names):
     """Raise SceneError for a database larger than the memory in which it is laid out.
 
-    header : `bem.database.file.Header`; frequencies, headings : their numbers; names : of the quantities
+    header : `bem.database.file.Header`; frequencies, headings : their numbers; names : names of the quantities
     """
     lengths = {"influenced_dof": len(names_of(header.bodies, header.modes))}
     lengths["radiating_dof"] = len(moving(header.bodies, header.modes))
@@ -144,7 +144,7 @@ def check_database(header, frequencies, headings, names):
 class Telling:
     """Callback of `bem.kernels.progress`: announces a frequency that needs many more panels, with its time.
 
-    console : of rich; preparing : callback of everything else, or None
+    console : console of rich; preparing : callback of everything else, or None
     """
 
     console: object

@@ -99,7 +99,7 @@ def gives_panels(scene):
 def failures(outcome, db, own_panels):
     """Failures of a run: frequencies without a result, laws, and the requested tolerance
 
-    outcome : `run.Outcome`; own_panels : of `gives_panels`
+    outcome : `run.Outcome`; own_panels : from `gives_panels`
     """
     for where, reason in outcome.failures:
         name = where if isinstance(where, str) else f"ω = {where:.6g} rad/s"
@@ -152,7 +152,7 @@ def resonances_of(db):
 def print_outcome(console, outcome, db, own_panels):
     """The end of a run: body, checks, remarks, resonances, failures, and stored data; returns the exit status.
 
-    own_panels : of `gives_panels`
+    own_panels : from `gives_panels`
     """
     console.print(body_table(db))
     if outcome.stored:

@@ -28,7 +28,8 @@ class Outcome(NamedTuple):
 def sweep(table, text, folder, output, executor, say, fresh=False):
     """Run the pending cases.  Returns an Outcome.  Raises StudyError before any work.
 
-    table, text : from `read_sweep`; folder : of the sweep's file; executor : with submit; say : called with each line
+    table, text : from `read_sweep`; folder : folder of the sweep's file; executor : with submit; say : called with
+    each line
     fresh : replace an existing file
     """
     study = Path(folder) / table.study

@@ -48,7 +48,7 @@ def solved(raw, scene_file):
 def _arrays(path, bodies):
     """Content of a file that this process has just written and closed, so that no checksum is checked
 
-    bodies : of the database, if there are several
+    bodies : names of the bodies of the database, if there are several
     """
     import h5py
 

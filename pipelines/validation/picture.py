@@ -10,7 +10,7 @@ STYLE = {"font.size": 8, "axes.titlesize": 9, "svg.fonttype": "none"}
 
 
 class Curve(NamedTuple):
-    """label; x, y : (n,); style : of matplotlib's `plot`"""
+    """label; x, y : (n,); style : style of matplotlib's `plot`"""
 
     label: str
     x: np.ndarray

@@ -28,7 +28,7 @@ POINTS = 10  # quadrature points on a panel of radii
 class UnderKeel:
     """Points (p, 3) on the quarter x > 0, y > 0 of the bottom, radius by radius, with weights (p,) m² and normals
 
-    body : `bem.contour.body.ContourBody` of a circle; degree : of its functions; contour : its directions
+    body : `bem.contour.body.ContourBody` of a circle; degree : degree of its functions; contour : its directions
     """
 
     def __init__(self, body, degree, contour):

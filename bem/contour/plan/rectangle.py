@@ -35,7 +35,7 @@ FEWEST, PER_NODE = 5, 64
 class Rectangle:
     """A rectangle `length` along x, `beam` along y, m.
 
-    nodes : Gauss nodes per panel; count : of a piece of a panel near a target
+    nodes : Gauss nodes per panel; count : nodes of a piece of a panel near a target
     extra : polynomials per side and class beyond those needed for waves
     further : the same number more on the shorter side, and proportionally on the longer one, after rounding
     """

@@ -39,7 +39,7 @@ class Place(NamedTuple):
 
 
 class Exterior:
-    """senders : of `senders`, one for each plan; places : `Place` of each"""
+    """senders : from `senders`, one for each plan; places : `Place` of each"""
 
     def __init__(self, senders, places):
         self.senders, self.places = senders, places

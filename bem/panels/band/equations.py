@@ -59,7 +59,7 @@ class BandEquations(NamedTuple):
         return cls(geometry, accuracy, low_rank, *arrays, from_lid, pairs, test_pairs)
 
     def solve_class(self, i, factors, on_lid, sides):
-        """Fill the arrays of class i; factors : LU of 2π − D₀; on_lid, sides : of `_rankine_equations`"""
+        """Fill the arrays of class i; factors : LU of 2π − D₀; on_lid, sides : from `_rankine_equations`"""
         from scipy.linalg import lu_solve
 
         low_rank, n, lid = self.low_rank, self.geometry.hull, self.on_lid.shape[1]

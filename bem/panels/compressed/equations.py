@@ -19,7 +19,7 @@ SEED = 1_982
 
 class Solution(NamedTuple):
     """potentials : {class: (columns, n)} in the order of the mesh, φ on the hull and φ' on the lid
-    residual : of the compressed equations, the largest, relative to the right-hand sides
+    residual : residual of the compressed equations, the largest, relative to the right-hand sides
     compression : root mean square of the residual of the full equations, relative to their right-hand sides: the error
         of the potentials where the equations damp it least; at least the tolerance of the blocks, since few rows may
         miss a block with larger errors

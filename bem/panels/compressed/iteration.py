@@ -12,7 +12,7 @@ def gmres(equations, precondition, columns, tolerance, most):
 
     equations : `bem.panels.compressed.operator.CompressedEquations`; columns : `Columns`, whose signs count
     precondition : function of (n, p) and of those signs, about A⁻¹ times the first
-    tolerance : of the residual; most : iterations
+    tolerance : tolerance of the residual; most : iterations
     """
     sides, done = equations.sides, 0
     x, scale = np.zeros_like(sides), np.maximum(np.abs(sides).max(axis=0), 1e-300)

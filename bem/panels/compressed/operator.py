@@ -175,7 +175,7 @@ class CompressedEquations:
     KEPT = np.float32  # number type of the stored blocks
 
     def __init__(self, tree, table, mirror, depth_values, velocities, tolerance):
-        """velocities : `Columns` of normal velocities, zero on the lid; tolerance : of A relative to 2π"""
+        """velocities : `Columns` of normal velocities, zero on the lid; tolerance : tolerance of A relative to 2π"""
         self.tree = tree
         self.side = np.where(tree.hull, -1.0, 1.0)[:, None]
         self.diagonal = np.where(tree.hull, 2 * np.pi, 4 * np.pi)[:, None]
@@ -362,6 +362,6 @@ class CompressedEquations:
 
 
 def _by_class(signs):
-    """(numbers of the columns, signs (images,)) of each class; signs : of `Columns`"""
+    """(numbers of the columns, signs (images,)) of each class; signs : signs of `Columns`"""
     every, which = np.unique(signs, axis=1, return_inverse=True)
     return [(np.flatnonzero(which.ravel() == i), own) for i, own in enumerate(every.T)]

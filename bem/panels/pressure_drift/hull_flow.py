@@ -64,7 +64,7 @@ class Surface(Points):
         """Potential (f, p) of f flows, and its gradient (f, p, 3) along the surface.
 
         phi : (f, images, nodes) disturbance; waves : (f,) amplitude of the incident wave; motion : (f, 6) about the
-        origin; headings : (f,) rad; run : of the frequency
+        origin; headings : (f,) rad; run : run of the frequency
         bent : function of points (…, 3) that returns (f, …, 3) m, additional displacement of a flexible body, or None
         """
         f, flow, count = len(phi), self.flow, len(self.flow.weights)

@@ -24,7 +24,7 @@ class Used(NamedTuple):
 
 @dataclass(frozen=True)
 class Strength:
-    """breaking : N of each segment from the anchor up, inf if unknown; names : of their types"""
+    """breaking : N of each segment from the anchor up, inf if unknown; names : names of their types"""
 
     breaking: tuple[float, ...]
     names: tuple[str, ...]

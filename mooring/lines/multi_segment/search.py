@@ -137,7 +137,7 @@ def solve_some(line, w, x, z, first, guess, pieces, found, tolerances):
 def fill_heap(line, w, foot, horizontal, x, z, tolerance):
     """Length, m, in a heap where a line that slides first touches the bed, or above the bed vertex `foot`.
 
-    tolerance : of the line's length; w : left with the traversal; no steps where there is none
+    tolerance : tolerance of the line's length; w : left with the traversal; no steps where there is none
     """
     low, high, f_low, f_high = 0.0, line.length, math.nan, math.nan
     room = 2 * line.length

@@ -20,7 +20,7 @@ from .parts import Anchor, LineSystemError
 class Composite(NamedTuple):
     """A line in the form that its solver reads.
 
-    number : of the line in its system; line : StaticLine from its origin; flipped : whether the origin is end b
+    number : number of the line in its system; line : StaticLine from its origin; flipped : whether the origin is end b
     anchored : whether the origin is an anchor on a bed
     """
 

@@ -72,7 +72,7 @@ class LineType:
 class UniformLine:
     """A uniform line between two points, given by name.
 
-    length : m, unstretched; elements : of a run in time, None for a default
+    length : m, unstretched; elements : elements of a run in time, None for a default
     weight_in_air : N/m of its parts above z = 0, None if these have their weight in water
     """
 
@@ -108,7 +108,7 @@ class CompositeLine:
     """A line of several segments, with sinkers and buoys on the line, between two points given by name.
 
     segments : from end a on; loads : PointLoads, their position in m of unstretched line from end a
-    bed_friction : of the flat bed of the system, where one end is an anchor on it
+    bed_friction : bed friction of the flat bed of the system, where one end is an anchor on it
     bed : its own Bed, measured from the line's anchor; the same section in whatever direction the line swings
     A line without an anchor on a bed must hang free of it, with its buoys under water.
     """

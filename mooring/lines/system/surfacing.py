@@ -25,7 +25,7 @@ SHIFT = 1e-5  # difference for derivatives, over the length
 class Surfacing:
     """A UniformLine with a weight in air as the solver reads it, measured from the anchor on the bed, or from end a.
 
-    number : of the line in its system; anchored : whether the origin is an anchor on the bed, at z = bed
+    number : number of the line in its system; anchored : whether the origin is an anchor on the bed, at z = bed
     """
 
     number: int

@@ -26,9 +26,9 @@ class MovingLines(NamedTuple):
 
     number : (m,) of each among the lines of its system; systems, rooms : m `System`s and `workspace`s
     nodes : (m + 1,) where those of each begin in arrays of all
-    tension, distance : (m,) N, m, scales of their errors; tolerance : of a step
+    tension, distance : (m,) N, m, scales of their errors; tolerance : tolerance of a step
     water : `Water` at all nodes, with a table of `sea` that is filled again and again; waters : m parts of it, of each
-    room_of_sea : of its sums
+    room_of_sea : room for its sums
     stretch : (m, 6) m/m and m/rad, of each chord from anchor to fairlead by motions of its body along its axes at rest
     spring : (m,) N/m, EA/L
     """

@@ -82,8 +82,8 @@ def ends_of(line, system):
 def dynamic_line(line, anchor, system, elements, surface=True, towards=0.0):
     """DynamicLine of a UniformLine or a CompositeLine, with its weight in air above the water.
 
-    anchor : (3,) m; elements : of the whole line, at least LEAST a segment; towards : rad, of the fairlead, along
-    which a bed of its own lies
+    anchor : (3,) m; elements : elements of the whole line, at least LEAST a segment; towards : rad, of the fairlead,
+    along which a bed of its own lies
     raises : ValueError for a property missing in its types
     """
     below, rest = max(float(anchor[2]) + system.depth, 0.0), (system.density, system.gravity, surface)

@@ -22,7 +22,7 @@ UNKNOWN = 0.4  # rad/s, mean frequency of waves if there are none
 def body_of(moored, weather, settings, components, drag, munk):
     """`equation.Body` of a run.
 
-    components : of its waves, None for none; drag : N₂ of yaw of each
+    components : components of its waves, None for none; drag : N₂ of yaw of each
     munk : whether the current has the moment that an ideal fluid has on the drifting hull, which is then not taken a
     second time
     raises : SimulationError

@@ -94,7 +94,8 @@ def streams(moored, weather, seed, end):
 def pairs(moored, weather, settings, components):
     """The force of wave pairs in addition to Newman's, for a run, as a GivenForce of each sea with one
 
-    components : of all seas of the weather, one after another; forces of several bodies are tuples, one for each
+    components : components of all seas of the weather, one after another; forces of several bodies are tuples, one
+    for each
     """
     first, at_rest = 0, moored.reader.axes_at_rest
     for sea, forces in zip(weather.seas, weather.beside_newman, strict=bool(weather.beside_newman)):

@@ -43,7 +43,7 @@ class Moored:
     spring, damping : (n, n) linear, in addition to lines, along the axes of the bodies
     quadratic : (n,) N₂ of drag on each motion; stiffness : (n, n) of water, lines and springs at rest, along these axes
     slow_added_mass : (n, n) of the lowest known frequency; waves : WaveForces
-    tables : of lines with segments (`line_loads.tables_of`); findings : one line each
+    tables : tables of lines with segments (`line_loads.tables_of`); findings : one line each
     berth : `contacts.Berth`, fenders and ropes; buoy : `buoy.BuoyOnLines` on hawsers, None for none
     free : numbers of the free motions, by default all
     """

@@ -24,7 +24,7 @@ class Realisation(NamedTuple):
     time : (n,) s; motion : (n, 6N + f) m, rad of the rotation centre of each of N bodies from its place at rest, along
     its axes there, yaw unwrapped, and amplitudes of f shapes
     velocity : (n, 6N + f) m/s, rad/s in axes that turn with the heading; slow : (n, 3N) low-passed x, y and yaw
-    wave : (n,) m at the origin; wind_speed : (n,) m/s; tension : (n, lines) N at the body; seed : of the run
+    wave : (n,) m at the origin; wind_speed : (n,) m/s; tension : (n, lines) N at the body; seed : seed of the run
     estimated_error : (6N + f,) m, rad of the motions, by the finest run, nan where not asked for; steps : taken
     deflection, reaction : (n, fenders) m, N; pull : (n, ropes) N
     work : {name: J} done on the bodies from the start of the ramp to the end; findings : one line each

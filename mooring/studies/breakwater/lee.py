@@ -34,7 +34,7 @@ BEHIND = (0.25, 0.5, 1.0, 2.0)  # distances behind the row, over its length, at 
 class Row(NamedTuple):
     """Units in a row, `gap` m between them, in regular waves of `period`, s, or in the sea
 
-    x, y : (from, to) m, extent of a map along the row and to leeward; points : of the map in x and in y
+    x, y : (from, to) m, extent of a map along the row and to leeward; points : points of the map in x and in y
     """
 
     period: float | None = None

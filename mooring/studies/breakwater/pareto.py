@@ -24,7 +24,7 @@ BESIDE, STEEP = 0.05, 0.2  # relative change of period and the change of K_T tha
 
 
 class Front(NamedTuple):
-    """names : of the varied values; designs : (n, names), as the ranges; tension : (n,) greatest, N/m, ascending
+    """names : names of the varied values; designs : (n, names), as the ranges; tension : (n,) greatest, N/m, ascending
     behind : (n,) 4√m₀ behind, m, or without a sea the greatest K_T, descending; trials : number of designs tried"""
 
     names: tuple

@@ -15,7 +15,7 @@ NONE = Anchors()
 
 class Results(NamedTuple):
     """curves : list of `Curve`; tides : list of Tide, None without lines; anchors : [AnchorRow]; warned : one line each
-    front : of `pareto`; lee : of `lee`"""
+    front : from `pareto`; lee : from `lee`"""
 
     curves: list
     tides: list | None

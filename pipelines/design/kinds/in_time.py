@@ -23,8 +23,8 @@ def simulated(study, database, path, factors):
     """Numbers of a load case in time, simulated if the file of its runs lacks them; stored in NAME_extremes.json beside
     that file.
 
-    study : path of its TOML file, with [simulation]; database, path : of the database, and of the file of the runs
-    factors : of the dynamic displacement
+    study : path of its TOML file, with [simulation]; database : path of the database; path : that of the file of runs
+    factors : factors of the dynamic displacement
     returns : {"mean", "breaking" (n,) N of the lines and ropes, "largest": {factor: (n,) N}, "horizontal", "uplift":
         (n,) N at the anchor at the same time, "cycles": of `cycles_of`, "motions": (6N,) m, rad, largest from their
         means, "excursion": m, largest horizontal distance from rest, "parts": of gaps and hinges, "findings"}

@@ -84,7 +84,7 @@ def check(project, raw):
 
 
 def base(raw, db):
-    """Tables of a study with its lines by fairlead and anchor; db : of the water in which they are laid
+    """Tables of a study with its lines by fairlead and anchor; db : database of the water in which they are laid
 
     The allowable tension is part of the project's criteria; the study gives the breaking loads.
     """
@@ -189,7 +189,7 @@ def run(study, database, path, factors):
     """`Numbers` of a case, computed if its file is missing or of another study or database, and those of its runs in
     time, or None.
 
-    database, path : of the database and of the result; factors : of motions in time
+    database : path of the database; path : that of the result; factors : factors of motions in time
     """
     from .in_time import simulated
 

@@ -18,7 +18,7 @@ LOADS = tuple(quantity for quantity in OF_TENSIONS if quantity not in (PRETENSIO
 
 
 class Need(NamedTuple):
-    """what : with the name of its table; quantities : of which one must be limited, the first as an example
+    """what : with the name of its table; quantities : quantities of which one must be limited, the first as an example
 
     hawser : True if the limit must be one for hawsers, False for other lines, None for either
     """

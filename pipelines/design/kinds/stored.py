@@ -61,7 +61,7 @@ def plain(numbers):
 def picture(place, key, draw):
     """Address of a picture (PNG) in `place`, drawn if the file is missing, damaged or of another key
 
-    place : .png; key : of `key_of`; draw : writes the picture to a path
+    place : .png; key : from `key_of`; draw : writes the picture to a path
     """
     place.parent.mkdir(parents=True, exist_ok=True)
 

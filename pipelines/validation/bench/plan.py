@@ -14,7 +14,7 @@ GAUSS = "Gauss-Legendre 2"
 class Job:
     """One process: a program with its settings on a body
 
-    fineness : tolerance, or panels on the whole hull; options : of the program's script
+    fineness : tolerance, or panels on the whole hull; options : options of the program's script
     empty_cache : with nothing compiled or tabulated on disk
     """
 
@@ -36,7 +36,7 @@ class Job:
 def plan(programs, threads, quick=False):
     """The jobs of a bench, in the order in which they run
 
-    programs : of PROGRAMS; threads : numbers of threads, the first with every case; quick : a few of them
+    programs : one of PROGRAMS; threads : numbers of threads, the first with every case; quick : a few of them
     """
     jobs = [] if quick else [job for program in programs for job in COLD[program](threads[0])]
     for number in threads:

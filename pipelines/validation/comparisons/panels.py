@@ -17,7 +17,7 @@ UNITS = {"forces": ("F1", "F2", "F3", "F4", "F5", "F6"),
 
 
 class Line(NamedTuple):
-    """A case in a picture; style : of matplotlib's `plot`"""
+    """A case in a picture; style : style of matplotlib's `plot`"""
 
     results: Results
     label: str

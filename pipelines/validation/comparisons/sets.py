@@ -32,7 +32,7 @@ SETS = {"depth-series": series.DepthSeries(), "length-series": series.LengthSeri
 def make(name, one, folder, xi=None, fresh=False):
     """Databases, result and pictures of a set in `folder`; returns 0, or 1 without a result if a frequency failed.
 
-    one : of `SETS`; xi : frequencies as text, left out: those of the set
+    one : one of `SETS`; xi : frequencies as text, left out: those of the set
     raises : SceneError for frequencies that are none; ValueError for a folder with other content
     """
     if folder.exists() and not folder.is_dir():

@@ -47,7 +47,7 @@ COLUMNS = ("surge_cm", "sway_cm", "heave_cm", "roll_deg", "pitch_deg", "yaw_deg"
 
 
 class Model(NamedTuple):
-    """m, of a box; center : of gravity above the keel; gyration : m, about it; scale : prototype over model"""
+    """m, of a box; center : centre of gravity above the keel; gyration : m, about it; scale : prototype over model"""
 
     length: float
     beam: float

@@ -78,7 +78,7 @@ def scene_of(wide):
 
 
 def study_of(row, scheme=None, seed=1):
-    """Nested dictionaries of the study of a test; seed : of its waves"""
+    """Nested dictionaries of the study of a test; seed : seed of its waves"""
     contact = row["buoy"] == "contact"
     current, height = float(row["current_cm_s"]) / 100, float(row["height_cm"]) / 100
     raw = {
@@ -111,11 +111,11 @@ def study_of(row, scheme=None, seed=1):
 
 
 def computed(row, db, seed=1):
-    """{column: number or text} of a test beside what was measured; seed : of its waves
+    """{column: number or text} of a test beside what was measured; seed : seed of its waves
 
     pitch_deg : significant amplitude; hawser, buoy : kgf significant, of one at the bow, of both, massless by a buoy
-    without mass; settled_s : of the heading to 1° of rest, nan where it is not; slews : whether it goes on
-    periods_s : of the small motions, as text
+    without mass; settled_s : settled s of the heading to 1° of rest, nan where it is not; slews : whether it goes on
+    periods_s : periods s of the small motions, as text
     """
     study = make_study(study_of(row, seed=seed))
     point = point_of(study, db).point

@@ -114,8 +114,9 @@ def _settings(variant, duration):
 def row_of(printed, variant, runs, body):
     """{column: number or text} of a row of the table in a variant
 
-    strain is over the height; off_share : of the time off the fenders; sigma, heave, sway, roll : standard deviations,
-    at the fenders and of the motions; printed_ : of the report, halves of its significant amplitudes
+    strain is over the height; off_share : off share of the time off the fenders; sigma, heave, sway, roll : standard
+    deviations, at the fenders and of the motions; printed_ : printed  of the report, halves of its significant
+    amplitudes
     """
     value = {key: number(text) for key, text in printed.items() if key != "floater"}
     late = runs[0].time >= 0

@@ -48,7 +48,7 @@ def computed(case, db, seeds=1):
     """{column: number or text} of a case, per line as the report prints, averaged over `seeds` records of waves
 
     nan where lines do not hold; apart_m : m of surge head-on from the printed significant tension to the computed one
-    settled_s : of the heading from 2°; note : why a value is missing
+    settled_s : settled s of the heading from 2°; note : why a value is missing
     """
     ours = dict.fromkeys((*PRINTED, "apart_m", "settled_s"), np.nan) | {"note": ""}
     try:

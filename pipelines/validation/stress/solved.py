@@ -20,7 +20,7 @@ QUANTITIES = ("added_mass", "radiation_damping", "excitation_force")
 class Solved:
     """Z = A + iB/ω (6, 6) and excitation X (m, 6), and their sizes as in `bem.checks`.
 
-    panels : on the whole hull, 0 where none is computed with; result : of the solver
+    panels : on the whole hull, 0 where none is computed with; result : result of the solver
     """
 
     method: str
