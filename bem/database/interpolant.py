@@ -176,9 +176,9 @@ class Nodes:
 class Interpolant:
     """Functions known at `nodes`: values (n, g, c), lead (g, c) or (1, c), of all groups, in lengths of the body.
 
-    The c functions of a group share the weights of the members and their estimated error: a Kochin function at its
-    angles is one group, a coefficient is a group by itself.  Complex functions have echoes on one side only (d > 0),
-    real functions on both.
+    A group has c functions, which share the weights of the members and one estimated error: a Kochin function at all
+    its angles is one group, a coefficient is a group by itself.  Complex functions have echoes on one side only
+    (d > 0), real functions on both.
     """
 
     nodes: Nodes
@@ -275,7 +275,7 @@ class Window(NamedTuple):
 def windows(x, real=False, ringing=()):
     """`Window`s of nodes x (n,), rising: one for all nodes, or for many nodes several with neighbours on both sides
 
-    ringing : (p,) poles of the water, in the variable s of x
+    ringing : (p,) poles of the water, in s, the variable made from x
     """
     ringing = np.array(ringing, complex)
     n, out = len(x.smooth), []

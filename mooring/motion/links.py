@@ -272,7 +272,7 @@ def shape_row(links, work, m, turns, row, i):
 
 @kernel(counted=False)
 def fill_rows(links, work, poses, driven):
-    """work.rows, gap and axis with the bodies at poses (N, 6); if `driven` also its travel, pulled and toward"""
+    """Write rows, gap and axis into work for the bodies at poses (N, 6); if `driven` also travel, pulled and toward"""
     R, arms, Q, d, p = work.turn, work.arms, work.Q, work.arm, links.points
     work.rows[:] = 0.0
     for k in range(links.ends.shape[0]):

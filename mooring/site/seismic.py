@@ -5,7 +5,8 @@
     E      K_h = A · B · C · K_b    ground class, damping factor, factor of the natural period, regional coefficient
 
 The user gives the factors; the report prints no tables.  Rules B and D have no formula.  A force is weight times
-coefficient; by C and F of the weight without or with surcharge, the worse, at its centroid.
+coefficient.  By C and F it is taken for the weight without and with surcharge, at the centroid of that weight; the
+worse one counts.
 """
 
 import math

@@ -289,8 +289,8 @@ class HingeTable(Table):
             value = getattr(self, name)
             if not (math.isfinite(value) and value >= 0) or (value and self.kind not in DRIVEN):
                 raise StudyError(
-                    f"{where}.{name} is {value:g} for a {self.kind}; allowed: 0 or more, for a {' or '.join(DRIVEN)} "
-                    f"only"
+                    f"{where}.{name} is {value:g} for a {self.kind}; allowed: 0 or more for a {' or '.join(DRIVEN)}, "
+                    f"else no such key"
                 )
         if not math.isfinite(self.rest) or (self.rest and not self.stiffness):
             raise StudyError(

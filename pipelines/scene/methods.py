@@ -13,8 +13,8 @@ FAR_FIELD = ("kochin_radiation", "kochin_diffraction", "drift_force_fixed", "dri
 
 
 class Method(NamedTuple):
-    """The scenes that a method can represent, and the names in the database that the method does not compute, in deep
-    water or in any depth.
+    """The scenes that a method can represent, and the names in the database that it does not compute: in deep water, or
+    whatever the depth.
 
     fewest, most : bodies
     """

@@ -32,7 +32,7 @@ A_CYCLE = 15.0  # s, of a box on six chains
 
 
 class Found(NamedTuple):
-    """study : Study; point : SinglePoint; rest : all Equilibrium; best : the final one; cycle : LimitCycle or None
+    """study : Study; point : SinglePoint; rest : every Equilibrium; best : the chosen one; cycle : LimitCycle or None
 
     run : `mooring.single_point.in_time.Run` or None; maps : a Map each
     """

@@ -43,8 +43,8 @@ def prepare_several(shapes, places, depth, tolerance=1e-3):
         least = NARROWEST * body.plan.scale
         if gap < least:
             raise ValueError(
-                f"body {number} is {gap:.3g} m from the next; allowed by contours: from {least:.3g} m, {NARROWEST:g} "
-                "of half its width; take the panel method"
+                f"body {number} is {gap:.3g} m from the next; contours need at least {least:.3g} m "
+                f"({NARROWEST:g} times half its width); use the panel method"
             )
     bodies = [replace(body, plan=near(body, gap)) for body, gap in zip(bodies, gaps, strict=True)]
     return SeveralBodies(tuple(bodies), tuple(places), tuple(gaps))

@@ -84,8 +84,8 @@ def moved(system, pose, step):
 def rest(system: System, start: Pose | None = None, steps=2000) -> SystemEquilibrium:
     """The equilibrium of a system under the loads of its bodies, sought from a pose.
 
-    start : Pose, that of the system if not given
-    raises : EquilibriumError with the remaining forces, and their place
+    start : Pose; the pose of the system if not given
+    raises : EquilibriumError, which names the remaining forces and the bodies or points where they act
     """
     from .steps import left_over
 

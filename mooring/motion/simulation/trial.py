@@ -46,7 +46,7 @@ TOO_SMALL = (
 
 
 class Choice(NamedTuple):
-    """settings : with dynamic_lines as names; words, left_out : what was seen, and what has no motion, one line each
+    """settings : dynamic_lines as names in them; words : results of the trial; left_out : lines without own motion
 
     pace : s of computing per simulated s, of (static, moving) lines, nan without a trial
     """

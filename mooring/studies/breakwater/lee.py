@@ -129,9 +129,9 @@ def _axial_stiffness(breakwater):
 
 
 def waves_of(breakwater, asked, reader):
-    """ω (n,) rad/s, directions (n, d) rad travelled to, 90° to leeward, share of the energy (n,), and all in words
+    """Waves of a study: ω (n,) rad/s, directions of travel (n, d) rad, share of the energy (n,), and a text on them
 
-    Raises BreakwaterError for waves outside the database.
+    A wave that travels towards 90° goes straight to leeward.  Raises BreakwaterError for waves outside the database.
     """
     low, high = reader.between.span
     if asked.period is not None:

@@ -178,7 +178,7 @@ def test_gaps_are_taken_from_five_thousandths_of_half_the_width():
     """Of the box 4 m wide on either side of its middle 0.02 m"""
     boxes = [("box", (16.0, 8.0, 3.0))] * 2
     assert prepare_several(boxes, [Place(0, 0, 0), Place(0, 8.021, 0)], DEPTH, 1e-2).gaps[0] == pytest.approx(0.021)
-    with pytest.raises(ValueError, match=r"body 1 is 0.019 m from the next; allowed by contours: from 0.02 m"):
+    with pytest.raises(ValueError, match=r"body 1 is 0.019 m from the next; contours need at least 0.02 m"):
         prepare_several(boxes, [Place(0, 0, 0), Place(0, 8.019, 0)], DEPTH, 1e-2)
 
 

@@ -49,7 +49,7 @@ def test_a_hinge_has_a_finite_place_and_an_axis():
     refused("of which at least one moves", link, bodies=("a", "a"))
     refused("of which at least one moves", link, bodies=("b", "space"))
     refused("hinges[0].damping is -1 for a slider; allowed: 0 or more", link, kind="slider", damping=-1.0)
-    refused("hinges[0].damping is 1 for a rigid; allowed: 0 or more, for a ", link, kind="rigid", damping=1.0)
+    refused("hinges[0].damping is 1 for a rigid; allowed: 0 or more for a ", link, kind="rigid", damping=1.0)
 
 
 def test_lists_in_a_file_may_not_be_nested_for_ever(tmp_path):
