@@ -101,7 +101,8 @@ def time_words(read):
         return ""
     hours = (own.duration or 0.0) / 3600.0 if own.duration_hours is None else own.duration_hours
     count = own.seeds if isinstance(own.seeds, int) else len(own.seeds)
-    return f"Each case is simulated {count} times, for {hours:.3g} h each."
+    often = f"once, for {hours:.3g} h" if count == 1 else f"{count} times, for {hours:.3g} h each"
+    return f"Each case is simulated {often}."
 
 
 def _system(waves):

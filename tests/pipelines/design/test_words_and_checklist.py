@@ -129,6 +129,7 @@ def test_a_share_beyond_its_limit_is_never_told_as_a_round_hundred(used, told):
 
 @pytest.mark.parametrize("duration, hours, seeds, told", [
     (5400.0, None, 3, "Each case is simulated 3 times, for 1.5 h each."),
+    (1800.0, None, 1, "Each case is simulated once, for 0.5 h."),
     (None, 3.0, [4, 7], "Each case is simulated 2 times, for 3 h each."),
 ])  # fmt: skip
 def test_how_long_cases_are_run_is_told_in_hours(duration, hours, seeds, told):
