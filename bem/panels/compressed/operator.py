@@ -373,7 +373,7 @@ class CompressedEquations:
         out = out.view(kind)
         for some, signs in _by_class(columns.signs):
             waves, double = self.standing[tuple(signs)]
-            out[:, some] += 1j * (waves @ (double.T @ values[:, some]))
+            out[:, some] += 1j * _product(waves, _product(double.T, values[:, some]))
         return self.side * out + self.diagonal * columns.values
 
     @property
@@ -384,6 +384,12 @@ class CompressedEquations:
             + sum(a.nbytes for *_, a in self.far.sources)
             + sum(a.nbytes for _, a, _ in self.far.targets)
         )
+
+
+def _product(real, values):
+    """real (a, b) @ complex (b, c) in the precision of the second: numpy would make a complex copy of the first"""
+    part = values.real.dtype
+    return (real.astype(part, copy=False) @ np.ascontiguousarray(values).view(part)).view(values.dtype)
 
 
 def _by_class(signs):
