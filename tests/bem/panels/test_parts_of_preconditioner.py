@@ -51,7 +51,7 @@ def test_blocks_near_and_far_are_reduced_to_the_functions_of_their_cells(far):
 
 
 def test_what_is_smooth_is_solved_by_the_class_of_its_signs_and_the_rest_leaf_by_leaf():
-    """P Â⁻¹ R v + B (v − P R v), Â = side (Σ ± reduced + i waves) and what is on the diagonal, for signs of each column"""
+    """P Â⁻¹ R v + B (v − P R v); Â = side (Σ ± reduced + i waves) and the diagonal, by the signs of each column"""
     rng = np.random.default_rng(7)
     P, R = by_cells(rng)
     one = object.__new__(Preconditioner)
