@@ -15,10 +15,10 @@ from ...kernels.threads import blas_threads, parallel_rows
 from ..elements import Elements
 from ..influence import rankine_of_panels
 from ..standing_waves import standing_waves
-from ..wave_influence import COARSE, PER_WAVE, Pairs
-from ..wave_influence import Sources as Nodes
+from ..wave_influence import COARSE, PER_WAVE
 from .clusters import Clusters
 from .far_blocks import Sources, Water, low_rank_blocks
+from .near_blocks import Panels, near_waves, shares
 
 # most entries of near blocks whose Rankine parts are kept for other frequencies, 8 bytes each: a tenth of their time
 MOST_KEPT = 40_000_000
@@ -83,6 +83,12 @@ class Tree:
                 found.append((m, np.concatenate(ranges)))
             out.append((leaf, found))
         return out
+
+    @cached_property
+    def shares(self):
+        """`bem.panels.compressed.near_blocks.shares` of the near blocks"""
+        spans = {leaf: self.span(leaf) for leaf in self.clusters.leaves.tolist()}
+        return shares(spans, self.near)
 
     def near_rankine(self, number):
         """[(S, D)] (points, nodes) of 1/r + 1/r₂ + 1/r₁ with each image in `neighbours[number]`, in single precision"""
@@ -201,46 +207,65 @@ class CompressedEquations:
 
     def _near_blocks(self, images, sides):
         """[(slice of targets, nodes among all images, matrix)]; adds the single layers of the hull to `sides`"""
-        leaves = self.tree.neighbours
-        found = [None] * len(leaves)
+        tree, n = self.tree, len(self.tree.nodes)
+        found, parts = [None] * len(tree.neighbours), [None] * PARTS
+        for i, (leaf, neighbours) in enumerate(tree.neighbours):
+            places = np.concatenate([m * n + tree.nodes_of(panels) for m, panels in neighbours])
+            span = tree.span(leaf)
+            found[i] = span, places, np.empty((span.stop - span.start, len(places)), self.KEPT)
+        rows = [(span, matrix) for span, _, matrix in found]
 
-        def work(low, high):
+        def rankine(low, high):
             for i in range(low, high):
-                found[i] = self._near_block(i, images, sides)
+                self._put_rankine(i, rows[i], images, sides)
 
-        parallel_rows(work, len(leaves), len(self.tree.nodes) ** 2)
+        def waves(low, high):
+            for part in range(low, high):
+                own = parts[part] = np.zeros_like(sides)
+                for i in range(part, len(found), PARTS):
+                    self._put_waves(i, rows, images, own)
+
+        parallel_rows(rankine, len(found), n**2)
+        parallel_rows(waves, PARTS, n**2)
+        for own in parts:
+            sides += own
         return found
 
-    def _near_block(self, number, images, sides):
-        """The block of one leaf of targets and its neighbours"""
+    def _put_rankine(self, number, row, images, sides):
+        """Put the Rankine part of the block of one leaf of targets into its matrix, its single layer into `sides`"""
         tree, K, mirror = self.tree, self.arguments[0].K, self.arguments[1]
-        leaf, neighbours = tree.neighbours[number]
-        n, span, matrices, places = len(tree.nodes), tree.span(leaf), [], []
+        span, matrix = row
+        neighbours = tree.neighbours[number][1]
         at = tree.elements.nodes[span]
         known = tree.near_rankine(number) if mirror == 1 else [tree.rankine(at, *one) for one in neighbours]
-        for (m, panels), rankine in zip(neighbours, known, strict=True):
+        first = 0
+        for (m, panels), (S, D, *of_mirror) in zip(neighbours, known, strict=True):
             nodes = tree.nodes_of(panels)
-            S, D = (wave + part for wave, part in zip(self._waves(at, m, panels), rankine, strict=False))
             if mirror != 1:
-                S, D = S + (mirror - 1) * rankine[2], D + (mirror - 1) * rankine[3]
-            hull = tree.hull[nodes]
-            if hull.all():
-                sides[span] += (S @ images[m][nodes].view(float)).view(complex)
-            else:  # velocities are zero on the lid
-                sides[span] += S @ images[m][nodes]
-                D = np.where(hull, D, K * S)
-            matrices.append(D.astype(self.KEPT))
-            places.append(m * n + nodes)
-        return span, np.concatenate(places), np.concatenate(matrices, axis=1)
+                S, D = S + (mirror - 1) * of_mirror[0], D + (mirror - 1) * of_mirror[1]
+            sides[span] += (S @ images[m][nodes].view(float)).view(complex)  # velocities are zero on the lid
+            hull, end = tree.hull[nodes], first + len(nodes)
+            matrix[:, first:end] = D if hull.all() else np.where(hull, D, K * S)
+            first = end
 
-    def _waves(self, at, m, panels):
-        """Real wave part of S and D (points, nodes) of one image of some panels"""
-        tree, g, (table, _, depth_values) = self.tree, self.tree.geometry, self.arguments
-        image, one, e, p = g.images[m : m + 1], np.ones((1, 1)), tree.elements_of(panels), tree.per_panel
-        sources = Nodes(np.arange(len(panels)), p * np.arange(len(panels) + 1), np.tile(np.arange(p), len(panels)))
-        quadrature = tree.quadrature._make(a[panels] for a in tree.quadrature)
-        pairs = Pairs(at, sources, e.axes[:, 2].copy(), e.origins, e.sizes, quadrature, image, one, g.depth)
-        return (a[0].real for a in pairs.blocks(table, depth_values))
+    def _put_waves(self, number, rows, images, sides):
+        """Add the wave part of the blocks of one leaf's `Share` to their matrices, their single layers to `sides`"""
+        tree, (span, matrix), share = self.tree, rows[number], self.tree.shares[number]
+        S, D, S_back, D_back = near_waves(span, share, tree.geometry.images, self.panels, self.arguments[0])
+        sides[span] += (S @ images[share.images, share.nodes].view(float)).view(complex)
+        for other, columns, here, there in share.blocks:
+            matrix[:, here : here + columns.stop - columns.start] += D[:, columns]
+            if columns.stop <= share.both:
+                its, back = rows[other]
+                back[:, there : there + span.stop - span.start] += D_back[:, columns].T
+                velocities = images[share.images[columns.start], span].view(float)
+                sides[its] += (S_back[:, columns].T @ velocities).view(complex)
+
+    @cached_property
+    def panels(self):
+        """`bem.panels.compressed.near_blocks.Panels` in the order of the tree"""
+        tree, (table, _, depth_values) = self.tree, self.arguments
+        return Panels.of(tree.elements, tree.quadrature, tree.hull, table, tree.geometry.depth, depth_values)
 
     def _by_cells(self):
         """Sort the blocks: [(near blocks, far targets)] of cells without common nodes, and far targets of more than a
@@ -348,7 +373,7 @@ class CompressedEquations:
         out = out.view(kind)
         for some, signs in _by_class(columns.signs):
             waves, double = self.standing[tuple(signs)]
-            out[:, some] += 1j * (waves @ (double.T @ values[:, some]))
+            out[:, some] += 1j * _product(waves, _product(double.T, values[:, some]))
         return self.side * out + self.diagonal * columns.values
 
     @property
@@ -359,6 +384,12 @@ class CompressedEquations:
             + sum(a.nbytes for *_, a in self.far.sources)
             + sum(a.nbytes for _, a, _ in self.far.targets)
         )
+
+
+def _product(real, values):
+    """real (a, b) @ complex (b, c) in the precision of the second: numpy would make a complex copy of the first"""
+    part = values.real.dtype
+    return (real.astype(part, copy=False) @ np.ascontiguousarray(values).view(part)).view(values.dtype)
 
 
 def _by_class(signs):

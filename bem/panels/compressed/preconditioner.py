@@ -9,6 +9,8 @@ real diagonal blocks of the leaves and Â = R A P for each symmetry class
 where many iterations are needed: waves and the flow through a gap above the bed vary over more than a cell.
 """
 
+from itertools import pairwise
+
 import numpy as np
 
 MOST_FUNCTIONS = 2500  # approximate number of functions on all cells; their equations are solved directly
@@ -56,42 +58,64 @@ class Preconditioner:
         return self.factors[key]
 
     def _reduced(self, equations, spans, starts):
-        """Products R M P of the blocks of each image; shape (images, f, f)"""
+        """Products R M P of the blocks of each image; shape (images, f, f)
+
+        Small dense products: slices of sparse matrices took five times as long
+        """
+        n, f, images = len(equations.tree.nodes), starts[-1], len(equations.tree.geometry.images)
+        own = [slice(*ends) for ends in pairwise(starts.tolist())]
+        cells = [
+            (span, its, self.P[span, its].toarray(), self.R[its, span].toarray())
+            for span, its in zip(spans, own, strict=True)
+        ]
+        cell_of = np.repeat(np.arange(len(spans)), [span.stop - span.start for span in spans])
+
+        def parts(span):
+            """(slice within the span, functions, P, R) of the cells that overlap with a span of nodes"""
+            for nodes, its, P, R in cells[cell_of[span.start] : cell_of[span.stop - 1] + 1]:
+                low, high = max(span.start, nodes.start), min(span.stop, nodes.stop)
+                within = slice(low - nodes.start, high - nodes.start)
+                yield slice(low - span.start, high - span.start), its, P[within], R[:, within]
+
+        out = np.zeros((images, f, f), np.float32)
+        for span, places, matrix in equations.near:
+            image, node = np.divmod(places, n)
+            changes = np.flatnonzero(np.diff(image * len(spans) + cell_of[node])) + 1
+            rows = [(its, R @ matrix[here]) for here, its, _, R in parts(span)]
+            for low, high in pairwise([0, *changes.tolist(), len(places)]):
+                nodes, columns, P, _ = cells[cell_of[node[low]]]
+                P = P[node[low:high] - nodes.start]
+                for its, left in rows:
+                    out[image[low], its, columns] += left[:, low:high] @ P
+        left, right, at = _Entries(), _Entries(), 0
+        for span, U, places in equations.far.targets:
+            for here, its, _, R in parts(span):
+                left.add(R @ U[here], np.arange(its.start, its.stop), places)
+        for m, span, V in equations.far.sources:
+            for here, its, P, _ in parts(span):
+                right.add(V[:, here] @ P, np.arange(at, at + len(V)), m * f + np.arange(its.start, its.stop))
+            at += len(V)
+        rank = equations.far.rank
+        far = (left.matrix((f, rank)) @ right.matrix((rank, images * f))).toarray()
+        return out + far.reshape(f, images, f).swapaxes(0, 1)
+
+
+class _Entries:
+    """Blocks (values, rows, columns) of a sparse matrix"""
+
+    def __init__(self):
+        self.parts = []
+
+    def add(self, block, rows, columns):
+        self.parts.append((block.ravel(), np.repeat(rows, len(columns)), np.tile(columns, len(rows))))
+
+    def matrix(self, shape):
         from scipy.sparse import csr_matrix
 
-        n, f, images = len(equations.tree.nodes), starts[-1], len(equations.tree.geometry.images)
-        out = np.zeros((images, f, f), np.float32)
-        first, end = (np.array(ends) for ends in zip(*((span.start, span.stop) for span in spans), strict=True))
-
-        def functions(span):
-            """slice of the functions on the cells that overlap with a span of nodes"""
-            low, high = np.searchsorted(end, span.start, "right"), np.searchsorted(first, span.stop)
-            return slice(starts[low], starts[high])
-
-        for span, places, matrix in equations.near:
-            own = functions(span)
-            rows = self.R[own, span] @ matrix
-            for m in range(images):
-                some = places // n == m
-                if some.any():
-                    out[m, own] += rows[:, some] @ self.P[places[some] - m * n]
-        rank, lefts, at = equations.far.rank, [], 0
-        for span, U, places in equations.far.targets:
-            own = functions(span)
-            block = self.R[own, span] @ U
-            row, column = np.meshgrid(np.arange(own.start, own.stop), places, indexing="ij")
-            lefts.append((block.ravel(), row.ravel(), column.ravel()))
-        if not lefts:
-            return out
-        data, row, column = (np.concatenate(parts) for parts in zip(*lefts, strict=True))
-        left = csr_matrix((data, (row, column)), (f, rank)).tocsc()
-        for m, span, V in equations.far.sources:
-            own = functions(span)
-            both = left[:, at : at + len(V)]
-            touched = np.unique(both.indices)
-            out[m, touched, own] += both[touched].toarray() @ (V @ self.P[span, own])
-            at += len(V)
-        return out
+        if not self.parts:
+            return csr_matrix(shape, dtype=np.float32)
+        values, rows, columns = (np.concatenate(parts) for parts in zip(*self.parts, strict=True))
+        return csr_matrix((values, (rows, columns)), shape)
 
 
 def _cell_functions(tree):

@@ -51,22 +51,22 @@ def test_blocks_near_and_far_are_reduced_to_the_functions_of_their_cells(far):
 
 
 def test_what_is_smooth_is_solved_by_the_class_of_its_signs_and_the_rest_leaf_by_leaf():
-    """P Â⁻¹ R v + B (v − P R v) for each column's signs, Â = side (Σ ± reduced + i standing waves) and the diagonal"""
+    """P Â⁻¹ R v + B (v − P R v); Â = side (Σ ± reduced + i waves) and the diagonal, by the signs of each column"""
     rng = np.random.default_rng(7)
     P, R = by_cells(rng)
     one = object.__new__(Preconditioner)
     one.P, one.R, one.factors = P, R, {}
     one.by_image = rng.normal(size=(IMAGES, F, F)).astype(np.float32)
+    one.standing = {key: (rng.normal(size=(F, 4)), rng.normal(size=(4, F))) for key in ((1, 1), (1, -1))}
     one.side, one.diagonal = rng.uniform(1, 2, (F, 1)), rng.uniform(20, 30, F)
     one.inverses = [(span, rng.normal(size=(span.stop - span.start,) * 2)) for span in CELLS]
     signs = np.array([[1, 1, 1], [1, -1, 1]])
-    one.standing = {(1, s): (rng.normal(size=(F, 2)), rng.normal(size=(2, F))) for s in (1, -1)}
     v = rng.normal(size=(N, 3)) + 1j * rng.normal(size=(N, 3))
     found = one(v, signs)
     for p in range(3):
-        waves, double = one.standing[tuple(signs[:, p])]
-        real = sum(sign * part for sign, part in zip(signs[:, p], one.by_image, strict=True))
-        matrix = one.side * (real + 1j * waves @ double)
+        reduced = sum(sign * part for sign, part in zip(signs[:, p], one.by_image, strict=True))
+        waves, double = one.standing[tuple(signs[:, p].tolist())]
+        matrix = one.side * (reduced + 1j * waves @ double)
         smooth = R @ v[:, p]
         rest = v[:, p] - P @ smooth
         leaves = np.concatenate([inverse @ rest[span] for span, inverse in one.inverses])
