@@ -3,11 +3,13 @@ along a wave, damping that a record leaves out, a buoy that is pulled under."""
 
 import math
 import tomllib
+from dataclasses import dataclass
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
+from hakobune.bem.modes import Body
 from hakobune.mooring.studies import system_at_rest
 from hakobune.pipelines.breakwater.study import _check_water
 from hakobune.pipelines.common.quantities import StudyError
@@ -19,7 +21,7 @@ from hakobune.pipelines.lines.lines_quantities import stiffness_on
 from hakobune.pipelines.scene.scene import make_scene
 from hakobune.pipelines.scene.tables import SceneError
 from hakobune.pipelines.single_point.study import check_buoy
-from hakobune.pipelines.solve import hull
+from hakobune.pipelines.solve import hull, problem
 from hakobune.pipelines.solve.bending import modes
 
 
@@ -187,3 +189,29 @@ def test_the_water_of_a_breakwater_is_checked_number_by_number(change, says):
     _check_water(SimpleNamespace(**good))
     with pytest.raises(StudyError, match=says):
         _check_water(SimpleNamespace(**good | change))
+
+
+@dataclass(frozen=True)
+class Viscous:
+    names: tuple
+    drag: float = 0.7
+
+
+@pytest.mark.parametrize("viscous", [None, Viscous(("Roll",))])
+def test_shapes_add_to_the_problem_their_stiffness_damping_and_the_names_of_what_moves(viscous, monkeypatch):
+    """A ship beside a pier that stands still, with one shape of the ship and one of both"""
+    own, both = SimpleNamespace(name="bending", body=0, on=()), SimpleNamespace(name="hinge", body=0, on=(0, 1))
+    monkeypatch.setattr(problem, "own_hulls_of_modes", lambda scene, mesh: (scene, mesh))
+    monkeypatch.setattr(problem, "modes_of", lambda scene, hulls: [own, both] if hulls == ("scene", "mesh") else None)
+    waters, steel = np.diag(np.arange(14.0)), np.diag(np.r_[np.zeros(12), 5e6, 7e6])
+    kept = {"hydrostatic_stiffness": waters, "structural_stiffness": steel, "structural_damping": "damping"}
+    bodies = [Body("ship"), Body("pier", fixed=True)]
+    made = problem._with_modes(
+        SimpleNamespace(mesh="mesh", body=kept), "scene", {"bodies": bodies, "viscous": viscous, "depth": 20.0}
+    )
+    assert made["modes"] == [own, both] and made["structural_damping"] == "damping"
+    assert np.diag(made["hydrostatic_stiffness"]).tolist() == [*range(12), 12 + 5e6, 13 + 7e6]
+    moving = ("Surge", "Sway", "Heave", "Roll", "Pitch", "Yaw", "bending")
+    names = (*(f"ship__{name}" for name in moving), "hinge")
+    assert made["viscous"] == (None if viscous is None else Viscous(names))
+    assert len(made) == 4
