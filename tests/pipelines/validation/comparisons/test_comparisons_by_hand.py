@@ -196,3 +196,38 @@ def test_an_axis_begins_at_zero_or_is_logarithmic_where_values_are_positive_and_
 ):
     line = panels.Line(SimpleNamespace(xi=np.array([1.0, 2.0])), "a", {})
     assert panels.panel("t", [line], lambda _: np.array(values), **given).axes == {"xlabel": panels.XI, **wanted}
+
+
+ROLL, PITCH, BOTH, NEITHER = (3,), (4,), (3, 4), ()
+
+
+@pytest.mark.parametrize("alone, coupled, known", [
+    (BOTH, BOTH, BOTH), (NEITHER, BOTH, NEITHER), (BOTH, NEITHER, NEITHER), (ROLL, BOTH, ROLL), (BOTH, PITCH, PITCH),
+    (ROLL, PITCH, NEITHER),
+])  # fmt: skip
+def test_a_period_of_a_model_is_known_where_the_motion_alone_and_coupled_both_lie_within(
+    alone, coupled, known, monkeypatch
+):
+    """Periods of 2 and 1.6 s alone, 2.2 and 1.7 s coupled; 2.07 and 1.87 s measured; A = ω in a unit of 2 of roll, 4
+    of pitch"""
+
+    def periods(reader, coupled=True):
+        within = sides[coupled]
+        values = np.array([0, 0, 0, 2.2, 1.7, 0]) if coupled else np.array([0, 0, 0, 2.0, 1.6, 0])
+        return SimpleNamespace(inside=np.isin(np.arange(6), within), period=values)
+
+    sides = {False: alone, True: coupled}
+    monkeypatch.setattr(models, "natural_periods", periods)
+    monkeypatch.setattr(models, "unit_of_added_mass", lambda db: np.diag([1.0, 1, 1, 2, 4, 1]))
+    case = SimpleNamespace(name="run", columns={"model": "M3A_Bd10", "method": "contour", "other": 1})
+    db = SimpleNamespace(reader=SimpleNamespace(held_added_mass=lambda omega: np.full((1, 6, 6), omega)))
+    (row,) = models.period_rows([SimpleNamespace(db=db, case=case)])
+    by_hand = {"case": "run", "model": "M3A_Bd10", "method": "contour"}
+    roll, pitch = (1.0 if d in known else np.nan for d in (3, 4))
+    by_hand |= {
+        "A44": roll * math.pi / 2, "T_roll_s": roll * 2.0, "T_roll_coupled_s": roll * 2.2, "T_roll_measured_s": 2.07,
+        "T_roll_difference_percent": roll * 100 * (2.0 / 2.07 - 1),
+        "A55": pitch * 2 * math.pi / 1.6 / 4, "T_pitch_s": pitch * 1.6, "T_pitch_coupled_s": pitch * 1.7,
+        "T_pitch_measured_s": 1.87, "T_pitch_difference_percent": pitch * 100 * (1.6 / 1.87 - 1),
+    }  # fmt: skip
+    assert row == pytest.approx(by_hand, nan_ok=True)
