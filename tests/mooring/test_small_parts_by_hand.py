@@ -17,12 +17,14 @@ from hakobune.mooring.downtime import hindcast, planes
 from hakobune.mooring.environment.tables import TableError
 from hakobune.mooring.formats import fast_farm, moorpy
 from hakobune.mooring.formats.fault import FormatError
+from hakobune.mooring.formats.moordyn import parse_moordyn
 from hakobune.mooring.lines.multi_segment.solution import StaticSolution
 from hakobune.mooring.lines.system.parts import Anchor as AnchorPoint
 from hakobune.mooring.lines.system.parts import Fairlead, FreePoint
 from hakobune.mooring.loads.coefficients import shallow_coefficient
-from hakobune.mooring.motion import statistics
+from hakobune.mooring.motion import statistics, wave_loads
 from hakobune.mooring.motion.simulation import bending
+from hakobune.mooring.motion.simulation import run as of_runs
 from hakobune.mooring.on_current.waves import Carrier
 from hakobune.mooring.seas import buoys
 from hakobune.mooring.single_point import equilibria, runs, two_scale, waves
@@ -488,3 +490,27 @@ def test_cycles_are_of_a_row_of_two_finite_tensions_and_more(record):
     with pytest.raises(ValueError, match="gaps or fewer than two samples"):
         rainflow_cycles(record)
     assert set(rainflow_cycles([1.0, 3.0, 1.0])[0].tolist()) == {2.0} and not len(rainflow_cycles([1.0, 3.0])[0])
+
+
+def test_poses_are_predicted_over_1_2_mean_periods_of_the_energy_and_6_s_at_most():
+    """Amplitudes of 1 and 2 m have a fifth and four fifths of it"""
+    made = lambda omega, amplitude: wave_loads._window(np.array(omega), np.array(amplitude))  # noqa: E731
+    assert made([2.0, -7.0], [1.0, 2.0]) == pytest.approx(1.2 * 2 * math.pi / 6.0)
+    assert made([0.5, 1.0], [1.0, 2.0]) == made([2.0], [0.0]) == made([0.0], [1.0]) == 6.0
+
+
+@pytest.mark.parametrize("water, current, on_hull, says", [
+    ("sea", None, None, "incident waves, without"), ("sea", "current", None, "waves and the current, uniform over the"),
+    ("sea", None, "hull", "waves and the current, uniform over the"), ("still", "current", None, "in still water: "),
+])  # fmt: skip
+def test_what_is_around_lines_that_move_is_told_with_the_current_of_a_box_or_of_a_hull(water, current, on_hull, says):
+    weather, settings = SimpleNamespace(current=current, on_hull=on_hull), SimpleNamespace(dynamic_water=water)
+    assert says in of_runs._around(weather, settings)
+
+
+def test_a_column_of_moordyn_that_nobody_knows_is_told_with_the_line_of_the_file():
+    """A column that no version has, in place of another one; the names are in line 4"""
+    text = "a title\n\n--- LINES ---\nID Odd UnstrLen AttachA AttachB NumSegs Outputs\n() () () () () () ()\n"
+    with pytest.raises(FormatError) as refused:
+        parse_moordyn(text + "1 chain 100 1 2 20 -\n")
+    assert " line 4, section LINES: column 'odd' is unknown" in str(refused.value)

@@ -329,3 +329,29 @@ def test_hawsers_that_are_slack_hold_nothing():
     """Where both have fallen slack no lines are asked for their stiffness"""
     slack = Hold(np.zeros(3), np.zeros(2), np.zeros(2))
     assert np.array_equal(SinglePoint.stiffness(None, 0.3, slack), np.zeros((3, 3)))
+
+
+@pytest.mark.parametrize("taut, which", [(25.0, 0), (40.0, 1)])
+def test_of_two_unequal_hawsers_the_one_in_hand_reaches_to_its_own_length_and_the_other_to_that_of_its(taut, which):
+    """Bow ends at (50, ±6), hawsers of 25 and 40 m, a buoy at rest at (100, 0) that yields freely: it lies where the
+    taut hawser ends, in line with its rest"""
+    ends, lengths = np.array([[50.0, 6.0], [50.0, -6.0]]), np.array([25.0, 40.0])
+    asked = []
+
+    def on_circle(bow, length, near):
+        asked.append((bow.tolist(), length, near))
+        return np.array([bow[0] + length, bow[1]]), (3.0, 4.0)
+
+    point = SimpleNamespace(ends=ends, lengths=lengths, origin=np.array([100.0, 0.0]), _on_circle=on_circle)
+    beyond, held = SinglePoint._one(point, np.zeros(2), np.eye(2), which, "near")
+    assert asked == [(ends[which].tolist(), taut, "near")]
+    x = 50.0 + taut
+    assert held.buoy == pytest.approx([x, ends[which, 1]])
+    assert held.tension == pytest.approx(5.0 * np.eye(2)[which])
+    assert held.force == pytest.approx([3.0, 4.0, 50.0 * 4.0 - ends[which, 1] * 3.0])
+    assert beyond == pytest.approx(max(0.0, math.hypot(taut, 12.0) - lengths[1 - which]))
+    point.origin = np.array([80.0, 0.0])  # 30.6 m from both ends: beyond the shorter one, within the longer
+    beyond, held = SinglePoint._one(point, np.zeros(2), np.eye(2), which, None)
+    assert (len(asked) == 2) == (which == 0) and (held.tension.max() > 0) == (which == 0)
+    if which == 1:
+        assert beyond == pytest.approx(math.hypot(30.0, 6.0) - 25.0) and np.all(held.buoy == point.origin)
