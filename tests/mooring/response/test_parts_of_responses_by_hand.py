@@ -268,8 +268,7 @@ def test_a_column_of_a_climate_has_moments_drift_and_what_lies_beyond_in_sizes(m
     (4.0, 45.0, ("one", "two"), 0.1),
 ])  # fmt: skip
 def test_slow_forces_are_sought_to_three_times_the_fastest_of_surge_sway_and_yaw(sway, yaw, bodies, high):
-    """A hull of 400 m: 0.2 √(100/400); springs over 15 kg, kg m² and
-    5 of added mass"""
+    """A hull of 400 m: 0.2 √(100/400); springs over 15 kg and kg m² and 5 of added mass"""
     K = np.zeros((6, 6))
     K[1, 1], K[5, 5], K[2, 2] = sway, yaw, 1e9
     body = SimpleNamespace(between=SimpleNamespace(length=400.0), gravity=9.80665, stiffness=K, bodies=bodies,
