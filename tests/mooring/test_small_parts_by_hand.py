@@ -14,7 +14,7 @@ from hakobune.mooring.berthing.memory import ship_of_database
 from hakobune.mooring.criteria.anchors import Anchor, Chart, stored_anchor
 from hakobune.mooring.criteria.fatigue import rainflow_cycles
 from hakobune.mooring.downtime import hindcast, planes
-from hakobune.mooring.environment.tables import TableError
+from hakobune.mooring.environment.tables import TableError, fault_of_steps
 from hakobune.mooring.formats import fast_farm, moorpy
 from hakobune.mooring.formats.fault import FormatError
 from hakobune.mooring.formats.moordyn import parse_moordyn
@@ -514,3 +514,19 @@ def test_a_column_of_moordyn_that_nobody_knows_is_told_with_the_line_of_the_file
     with pytest.raises(FormatError) as refused:
         parse_moordyn(text + "1 chain 100 1 2 20 -\n")
     assert " line 4, section LINES: column 'odd' is unknown" in str(refused.value)
+
+
+@pytest.mark.parametrize("times, says", [
+    ([0, 1, 2, 2, 3], "line 13: the time stays at 2 s; allowed: increasing times at equal steps"),
+    ([0, 1, 2, 1.5, 3], "line 13: the time goes back from 2 to 1.5 s; allowed"),
+    ([0, 1, 2, 4, 5], "line 13: the time goes from 2 to 4 s, and the step elsewhere is 1 s: 1 row is missing; allowed"),
+    ([0, 1, 4, 5, 6, 8], "line 12: the time goes from 1 to 4 s, and the step elsewhere is 1 s: 2 rows are missing, the "
+     "first of 2 gaps; allowed"),
+    ([0, 1, 2, 3.5, 4.5], "line 13: the time goes from 2 to 3.5 s, and the step elsewhere is 1 s, from 1 to 1.5 s in "
+     "the file; allowed: equal steps; interpolate"),
+    ([0, 1, 3, 4, 4.4], "line 12: the time goes from 1 to 3 s, and the step elsewhere is 1 s, from 0.4 to 2 s in"),
+])  # fmt: skip
+def test_uneven_times_of_a_table_have_their_line_and_the_remedy_of_their_kind(times, says):
+    """Rows are in lines 10, 11, 12 and so on, and steps may be 1 % off"""
+    fault = fault_of_steps("a.csv", np.array(times, float), 0.01, list(range(10, 10 + len(times))))
+    assert isinstance(fault, TableError) and str(fault).startswith(f"a.csv: {says}")

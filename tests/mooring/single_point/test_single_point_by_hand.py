@@ -196,6 +196,9 @@ def test_a_line_that_just_does_not_lift_its_anchor():
     assert float(length_without_uplift(2e4, 1e3, 20.0)) == pytest.approx(20.0)
     with pytest.raises(ValueError, match=r"a tension of 1\.999e\+04 N cannot carry the weight of 20 m"):
         length_without_uplift(1.999e4, 1e3, 20.0)
+    assert length_without_uplift([5e4, 2e4], 1e3, 20.0) == pytest.approx([40.0, 20.0])
+    with pytest.raises(ValueError, match=r"a tension of 1\.9e\+04 N .* allowed: at least 2e\+04 N"):
+        length_without_uplift([5e4, 1.9e4], 1e3, 20.0)
 
 
 def test_significant_values_and_peaks_of_a_record():
