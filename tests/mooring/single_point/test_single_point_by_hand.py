@@ -5,6 +5,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from scipy import signal
 
 from hakobune.mooring.environment.sea import Sea
 from hakobune.mooring.environment.spectra import tabulated
@@ -38,6 +39,7 @@ from hakobune.mooring.single_point.waves import (
     mean_drift,
     mean_frequency,
     share_of_height,
+    slow_part,
     split_frequency,
 )
 from hakobune.mooring.single_point.yaw_criteria import straight_line, yaw_stability
@@ -358,3 +360,13 @@ def test_of_two_unequal_hawsers_the_one_in_hand_reaches_to_its_own_length_and_th
     assert (len(asked) == 2) == (which == 0) and (held.tension.max() > 0) == (which == 0)
     if which == 1:
         assert beyond == pytest.approx(math.hypot(30.0, 6.0) - 25.0) and np.all(held.buoy == point.origin)
+
+
+@pytest.mark.parametrize("count, before", [(400, 75), (60, 59)])
+def test_a_record_goes_on_for_three_periods_of_the_split_turned_about_its_ends(count, before):
+    """0.5 rad/s in steps of 0.5 s: 3 · 2π/0.25 = 75.4 samples, or all that there are"""
+    record = np.random.default_rng(5).normal(size=(count, 2)).cumsum(axis=0)
+    head, tail = 2 * record[0] - record[before:0:-1], 2 * record[-1] - record[-2 : -2 - before : -1]
+    sections = signal.butter(8, 0.25 / math.pi, output="sos")
+    whole = signal.sosfiltfilt(sections, np.concatenate([head, record, tail]), axis=0, padlen=0)
+    assert slow_part(record, 0.5, 0.5) == pytest.approx(whole[before:-before], abs=1e-8)
