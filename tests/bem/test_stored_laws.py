@@ -11,6 +11,7 @@ import pytest
 from exact import maccamy_fuchs
 from exact.water_waves import group_factor, wavenumber
 
+from hakobune.bem.modes import Body
 from hakobune.bem.stored_laws import broken_laws, damping_errors, worst_damping
 from hakobune.meshing.shapes import box
 
@@ -254,3 +255,26 @@ def test_errors_of_damping_are_told_by_its_own_size(db):
     error[0] = np.nan
     assert worst_damping(db) == ("Pitch", "Pitch")
     assert np.isnan(damping_errors(db)[0]) and damping_errors(db)[1] == pytest.approx(expected[1])
+
+
+@pytest.mark.parametrize("fixed", ["_fixed", ""])
+def test_drifts_of_bodies_add_up_to_a_tenth_of_the_largest_force_and_beside_damping_lids_need_not(db, fixed):
+    """The first along the axes, the second turned by 90°: its (x, y) is (−y, x); the largest is 40 kN"""
+    first, second = np.array([[3e4, 1e4, 5e6], [1e4, 0.0, 0.0]]), np.array([[-1e4, 2e4, 7e6], [4e4, 2e4, 1e6]])
+    each = np.stack([first, second], axis=1)
+    whole = np.stack([first[:, 0] - second[:, 1], first[:, 1] + second[:, 0], [9e9, 9e9]], axis=-1)
+    for off, breaks in ((0.098, False), (0.102, True), (-0.102, True)):
+        missed = whole.copy()
+        missed[0, 1] += 4e4 * off
+        values = {f"body_drift_force{fixed}": np.stack([each, 0.5 * each]),
+                  f"drift_force{fixed}": np.stack([missed, 0.5 * whole])}  # fmt: skip
+        pair = (Body("one"), Body("two", heading=np.pi / 2))
+        one = Made(**(vars(db) | {"values": values, "bodies": pair}))
+        law = f"drift_force{fixed} is the sum over the bodies"
+        found = laws(one)
+        assert set(found) == ({law} if breaks else set())
+        if breaks:
+            assert (found[law].worst, found[law].omega, found[law].limit) == (
+                pytest.approx(0.102), OMEGA[0], pytest.approx(0.1))  # fmt: skip
+            one.has_damping_lids = True
+            assert not laws(one)

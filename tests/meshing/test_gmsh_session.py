@@ -1,7 +1,9 @@
+import re
 import signal
 import subprocess
 import sys
 import threading
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -158,6 +160,13 @@ def test_a_session_within_an_open_gmsh_takes_away_its_own_model_alone():
     assert not gmsh.isInitialized()
 
 
+def ignored(number):
+    """Whether this process ignores a signal, as Linux has it in its mask; True where that is not known"""
+    status = Path("/proc/self/status")
+    found = re.search(r"SigIgn:\s*(\w+)", status.read_text() if status.exists() else "")
+    return not found or bool(int(found[1], 16) >> (number - 1) & 1)
+
+
 def test_a_closed_pipe_is_python_s_again_once_gmsh_is_open(monkeypatch):
     """gmsh takes SIGPIPE when it is initialised, and not when it is there already"""
     asked = []
@@ -179,7 +188,7 @@ def test_a_closed_pipe_is_python_s_again_once_gmsh_is_open(monkeypatch):
     monkeypatch.undo()
     before = signal.getsignal(signal.SIGPIPE)
     with session("last"):
-        assert signal.getsignal(signal.SIGPIPE) is before
+        assert signal.getsignal(signal.SIGPIPE) is before and ignored(signal.SIGPIPE)
 
 
 def test_triangles_about_several_poles_have_them_last_whichever_corner_they_are():

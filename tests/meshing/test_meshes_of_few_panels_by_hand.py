@@ -406,3 +406,16 @@ def test_files_are_read_up_to_a_million_bytes_a_megabyte(tmp_path, size, good):
         check_size(tmp_path)
     with pytest.raises(ValueError, match="it is a device or a pipe, which may have no end; give a file"):
         check_size("/dev/null")
+
+
+def test_a_deck_of_aqwa_ends_where_the_next_begins_whatever_is_in_that_one(tmp_path):
+    """Rows of the decks of materials and of masses begin with numbers too, and are no points"""
+    points = "".join(f"  01  {n:5d}{x:10.3f}{y:10.3f}{-1:10.3f}\n" for n, x, y in (
+        (1, 0, 0), (2, 2, 0), (3, 2, 2), (4, 0, 2)))  # fmt: skip
+    panel = "  02QPPL DIFF   10(1)(    1)(    2)(    3)(    4)\n"
+    (tmp_path / "a.dat").write_text(
+        f"**** DECK  1 ****\n  01  COOR\n{points}**** DECK  2 ****\n 02 MATE\n   03    7   5.0\n"
+        f"**** DECK  3 ****\n 02 ELM1\n{panel} END02FINI\n"
+    )
+    mesh = read_dat(tmp_path / "a.dat")
+    assert len(mesh.points) == 4 and corners(mesh) == [FLAT]

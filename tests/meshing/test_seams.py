@@ -9,7 +9,7 @@ from hakobune.meshing.files import read_mesh, write_mesh
 from hakobune.meshing.hydrostatics import hydrostatics
 from hakobune.meshing.panels import PanelMesh, joined, structured
 from hakobune.meshing.quality import findings
-from hakobune.meshing.quality.seams import _pairs, _Ring, rings
+from hakobune.meshing.quality.seams import _divided, _pairs, _Ring, rings
 from hakobune.meshing.shapes import box, buoy
 
 
@@ -247,3 +247,14 @@ def test_an_edge_has_an_image_in_each_plane_and_in_both_together(symmetry, copie
             ends = [tuple(point * [sx, sy, 1]) for point in points]
             wanted.add(tuple(ends if sx * sy > 0 else ends[::-1]))
     assert found == wanted
+
+
+def test_rings_that_touch_twice_are_parted_where_each_turns_back_sharply():
+    """Two slivers of 0.2 m width from (0, 0) to (0, 4), one to the left and one to the right: at both ends an edge of
+    the other one goes on more straight, which would make two rings with all the space between the slivers"""
+    x = np.array([[0, 0, 0], [0, 4, 0], [-1, 2, 0], [-1.2, 2, 0], [1, 2, 0], [1.2, 2, 0]], float)
+    edges = np.array([(0, 2), (2, 1), (1, 5), (5, 0), (0, 4), (4, 1), (1, 3), (3, 0)])
+    for order in (np.arange(8), np.arange(8)[::-1], np.array([4, 0, 2, 6, 1, 3, 5, 7])):
+        start, end = edges[order].T
+        found = [{*start[ring].tolist(), *end[ring].tolist()} for ring in _divided(x, start, end)]
+        assert sorted(map(sorted, found)) == [[0, 1, 2, 3], [0, 1, 4, 5]]

@@ -14,15 +14,17 @@ from hakobune.mooring.berthing.memory import ship_of_database
 from hakobune.mooring.criteria.anchors import Anchor, Chart, stored_anchor
 from hakobune.mooring.criteria.fatigue import rainflow_cycles
 from hakobune.mooring.downtime import hindcast, planes
-from hakobune.mooring.environment.tables import TableError
+from hakobune.mooring.environment.tables import TableError, fault_of_steps
 from hakobune.mooring.formats import fast_farm, moorpy
 from hakobune.mooring.formats.fault import FormatError
+from hakobune.mooring.formats.moordyn import parse_moordyn
 from hakobune.mooring.lines.multi_segment.solution import StaticSolution
 from hakobune.mooring.lines.system.parts import Anchor as AnchorPoint
 from hakobune.mooring.lines.system.parts import Fairlead, FreePoint
 from hakobune.mooring.loads.coefficients import shallow_coefficient
-from hakobune.mooring.motion import statistics
+from hakobune.mooring.motion import statistics, wave_loads
 from hakobune.mooring.motion.simulation import bending
+from hakobune.mooring.motion.simulation import run as of_runs
 from hakobune.mooring.on_current.waves import Carrier
 from hakobune.mooring.seas import buoys
 from hakobune.mooring.single_point import equilibria, runs, two_scale, waves
@@ -488,3 +490,43 @@ def test_cycles_are_of_a_row_of_two_finite_tensions_and_more(record):
     with pytest.raises(ValueError, match="gaps or fewer than two samples"):
         rainflow_cycles(record)
     assert set(rainflow_cycles([1.0, 3.0, 1.0])[0].tolist()) == {2.0} and not len(rainflow_cycles([1.0, 3.0])[0])
+
+
+def test_poses_are_predicted_over_1_2_mean_periods_of_the_energy_and_6_s_at_most():
+    """Amplitudes of 1 and 2 m have a fifth and four fifths of it"""
+    made = lambda omega, amplitude: wave_loads._window(np.array(omega), np.array(amplitude))  # noqa: E731
+    assert made([2.0, -7.0], [1.0, 2.0]) == pytest.approx(1.2 * 2 * math.pi / 6.0)
+    assert made([0.5, 1.0], [1.0, 2.0]) == made([2.0], [0.0]) == made([0.0], [1.0]) == 6.0
+
+
+@pytest.mark.parametrize("water, current, on_hull, says", [
+    ("sea", None, None, "incident waves, without"), ("sea", "current", None, "waves and the current, uniform over the"),
+    ("sea", None, "hull", "waves and the current, uniform over the"), ("still", "current", None, "in still water: "),
+])  # fmt: skip
+def test_what_is_around_lines_that_move_is_told_with_the_current_of_a_box_or_of_a_hull(water, current, on_hull, says):
+    weather, settings = SimpleNamespace(current=current, on_hull=on_hull), SimpleNamespace(dynamic_water=water)
+    assert says in of_runs._around(weather, settings)
+
+
+def test_a_column_of_moordyn_that_nobody_knows_is_told_with_the_line_of_the_file():
+    """A column that no version has, in place of another one; the names are in line 4"""
+    text = "a title\n\n--- LINES ---\nID Odd UnstrLen AttachA AttachB NumSegs Outputs\n() () () () () () ()\n"
+    with pytest.raises(FormatError) as refused:
+        parse_moordyn(text + "1 chain 100 1 2 20 -\n")
+    assert " line 4, section LINES: column 'odd' is unknown" in str(refused.value)
+
+
+@pytest.mark.parametrize("times, says", [
+    ([0, 1, 2, 2, 3], "line 13: the time stays at 2 s; allowed: increasing times at equal steps"),
+    ([0, 1, 2, 1.5, 3], "line 13: the time goes back from 2 to 1.5 s; allowed"),
+    ([0, 1, 2, 4, 5], "line 13: the time goes from 2 to 4 s, and the step elsewhere is 1 s: 1 row is missing; allowed"),
+    ([0, 1, 4, 5, 6, 8], "line 12: the time goes from 1 to 4 s, and the step elsewhere is 1 s: 2 rows are missing, the "
+     "first of 2 gaps; allowed"),
+    ([0, 1, 2, 3.5, 4.5], "line 13: the time goes from 2 to 3.5 s, and the step elsewhere is 1 s, from 1 to 1.5 s in "
+     "the file; allowed: equal steps; interpolate"),
+    ([0, 1, 3, 4, 4.4], "line 12: the time goes from 1 to 3 s, and the step elsewhere is 1 s, from 0.4 to 2 s in"),
+])  # fmt: skip
+def test_uneven_times_of_a_table_have_their_line_and_the_remedy_of_their_kind(times, says):
+    """Rows are in lines 10, 11, 12 and so on, and steps may be 1 % off"""
+    fault = fault_of_steps("a.csv", np.array(times, float), 0.01, list(range(10, 10 + len(times))))
+    assert isinstance(fault, TableError) and str(fault).startswith(f"a.csv: {says}")

@@ -235,3 +235,14 @@ def test_kochin_functions_keep_their_values_where_they_are_small(drifting):
     size = np.abs(db["kochin_diffraction"]).max(axis=-1, keepdims=True)
     assert size[0].max() < size[-1].max() / 100
     assert np.max(np.abs(value - db["kochin_diffraction"]) / size) < 0.01
+
+
+def test_the_variance_left_open_beside_ringing_water_is_that_of_the_kernel_itself():
+    """κ(y, y) − κ(y, x) κ(x, x)⁻¹ κ(x, y) of four nodes far apart, with κ(y, y) above 1 by that of the pole"""
+    omega = np.array([0.3, 0.8, 1.3, 1.9])
+    nodes = Nodes(abscissa(omega, 100.0, GRAVITY, LENGTH), ringing=np.array([1.7 - 0.02j, 3.0 - 0.1j]))
+    y = abscissa(np.array([0.5, 0.55, 1.0, 1.6]), 100.0, GRAVITY, LENGTH)
+    own = np.einsum("kii->ki", nodes._kernels(y, y)).real
+    row, known = nodes._kernels(y, nodes.x), nodes._kernels(nodes.x, nodes.x)
+    seen = np.einsum("kqn,knq->kq", row, np.linalg.solve(known, row.conj().swapaxes(1, 2))).real
+    assert own.max() > 1.5 and nodes.rows(y).left == pytest.approx(own - seen, abs=1e-6)

@@ -3,9 +3,13 @@
 They are of one body at two frequencies, made by hand or as `write` makes them.
 """
 
+import json
+from dataclasses import replace
+
 import h5py
 import numpy as np
 import pytest
+from ruamel.yaml import YAML
 
 from hakobune.bem.formats import aqwa, bemio, capytaine, diodore, hams, hydrostar, nemoh, orcaflex, wamit, wamit_pairs
 from hakobune.bem.formats.values import FormatError, Values, body_of
@@ -310,3 +314,28 @@ def test_a_limit_that_is_infinite_for_some_motions_is_no_row_of_orcaflex(tmp_pat
     for limit, there in ((np.eye(6), True), (np.diag([1.0, 1, np.inf, 1, 1, 1]), False)):
         orcaflex.write(one_body(added_mass_infinity=limit), tmp_path / "a.yml")
         assert ("AMDPeriodOrFrequency: Infinity" in (tmp_path / "a.yml").read_text()) is there
+
+
+@pytest.mark.parametrize("solved, forces, common", [
+    ([1, 2, 3, 4], [2, 2.5, 3, 3.5], [2, 3]), ([1, 2, 3, 4], [3, 4.5], [3]), ([1, 2, 3, 4], [2.5, 3, 3.5], None),
+])  # fmt: skip
+def test_of_a_model_of_orcaflex_the_frequencies_are_kept_that_both_tables_have_and_half_of_the_fewer_must_be(
+    tmp_path, solved, forces, common
+):
+    """The coefficients are 100 times their frequency, in t"""
+    path = tmp_path / "a.yml"
+    A = 1e5 * np.array(solved, float)[:, None, None] * np.eye(6)
+    made = {"added_mass": A, "radiation_damping": A, "excitation_force": np.ones((len(solved), 2, 6)) + 0j}
+    orcaflex.write(replace(one_body(), omega=np.array(solved, float), quantities=made), path)
+    model = YAML(typ="safe", pure=True).load(path.read_text())
+    for heading in model["VesselTypes"][0]["Draughts"][0]["LoadRAOs"]["RAOs"]:
+        heading[orcaflex.RAO_COLUMNS] = [[one, *[one, 0.0] * 6] for one in forces]
+    path.write_text(f"%YAML 1.1\n---\n{json.dumps(model, default=str)}\n")
+    if common is None:
+        with pytest.raises(FormatError, match="LoadRAOs does not have the frequencies of the added mass"):
+            orcaflex.read(path, KNOWN)
+        return
+    found = orcaflex.read(path, KNOWN)
+    assert found.omega == pytest.approx(common)
+    assert found.quantities["added_mass"][:, 0, 0] == pytest.approx(1e5 * np.array(common))
+    assert found.quantities["excitation_force"][:, 1, 2] == pytest.approx(1e3 * np.array(common))

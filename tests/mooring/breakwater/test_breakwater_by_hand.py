@@ -11,6 +11,15 @@ from hakobune.mooring.breakwater.body import FloatingBody, TautBody
 from hakobune.mooring.breakwater.elastic import elastic_exact, stiffness_of
 from hakobune.mooring.breakwater.snap import snap
 from hakobune.mooring.breakwater.taut import TautRectangle, warn_if_unstable
+from hakobune.mooring.studies.breakwater.breakwater import (
+    Body,
+    Breakwater,
+    BreakwaterError,
+    Lines,
+    Section,
+    Water,
+    Waves,
+)
 
 AFLOAT = dict(
     mass=2.4e4, z0=-1.2, inertia=2e5, area=30.0, buoyancy_z=-1.5, waterline=9.0, draft=4.0, depth=12.0, density=1000.0,
@@ -188,3 +197,28 @@ def test_lines_that_would_stretch_by_half_and_more_are_refused():
             snap(BODY, [], EA, 1.0, amplitude)
     with pytest.raises(ValueError, match="EA is 0 N per metre"):
         elastic_exact(BODY, None, 0.0)
+
+
+@pytest.mark.parametrize("body, pretension, says", [
+    ({"mass": 71.75e3}, None, ""), ({"mass": -8000.0}, None,
+     "body.mass is -8 t/m: the body would weigh -8 t/m; allowed: above 0"),
+    ({"mass": 72e3}, None, "body.mass is 72 t/m: the body weighs 72 t/m and displaces 71.75 t/m at least"),
+    ({"free_draft": 3.5}, None, ""),
+    ({"free_draft": 4.5}, None,
+     "body.free_draft is 4.5 m: the body weighs 92.25 t/m and displaces 71.75 t/m at least"),
+    ({}, 1.1e5, ""), ({}, 1e6, "lines.pretension is 1000 kN/m: the body would weigh -18 t/m; allowed: above 0"),
+])  # fmt: skip
+def test_a_breakwater_weighs_something_and_no_more_than_it_displaces_at_low_water(body, pretension, says):
+    """20 m wide, 4 m of draft and 0.5 m of tide; g of 10 m/s² and lines at 30° take P₀/10 kg"""
+    made = (
+        Water(12.0, 0.5, 1025.0, 10.0), Section("rectangle", 4.0, beam=20.0, height=6.0),
+        Waves(1.0, np.array([6.0])), Body(2.0, 5.0, **body),
+        Lines(math.radians(30.0), 10.0, pretension=pretension),
+    )  # fmt: skip
+    if says:
+        with pytest.raises(BreakwaterError) as refused:
+            Breakwater(*made)
+        assert str(refused.value).startswith(says)
+        return
+    wanted = 71.75e3 if pretension is None else 82e3 - pretension / 10.0
+    assert Breakwater(*made).mass == pytest.approx(wanted)

@@ -1,6 +1,7 @@
 """Forces on the nodes of a lumped line, written out once more in vectors, and what a line is made of, by hand."""
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -417,3 +418,35 @@ def test_a_bed_mobilises_its_friction_over_a_tenth_of_the_least_stretch_by_it_or
     assert s.bed_normal == pytest.approx(normal) and s.bed_level == pytest.approx(np.dot(normal, [1.0, 2.0, -21.5]))
     none = DynamicLine(parts, (1.0, 2.0, -20.0), bed=None).system
     assert not none.bed_stiffness.any() and none.bed_normal.tolist() == [0.0, 0.0, 1.0] and none.bed_slip == 1.0
+
+
+def test_bodies_on_a_line_are_spheres_of_their_own_radius_in_water_that_passes():
+    """Of 2 and 0.5 m at nodes 1 and 3, centres 1 m below and 0.25 m above the surface: 27/32 and 5/32 under water;
+    the cap's slope −(3/4)(1 − x²)/R; forces and their derivatives by acceleration as the docstrings of them say"""
+    forces = plain("mooring.lines.dynamics.lumped.forces")
+    body = lambda one, other: np.array([0.0, one, 0.0, other])  # noqa: E731
+    s = SimpleNamespace(body_nodes=np.array([1, 3]), body_radius=body(2.0, 0.5), body_buoyancy=body(800.0, 64.0),
+                        body_drag=body(10.0, 4.0), body_added=body(30.0, 2.0),
+                        body_displaced=body(80.0, 6.4))  # fmt: skip
+    zeros = np.zeros((3, 4))
+    work = SimpleNamespace(q=zeros.copy(), v=zeros.copy(), u=zeros.copy(), du=zeros.copy(), r=zeros.copy(),
+                           D=np.zeros((9, 4)), power=np.zeros(6))  # fmt: skip
+    a = zeros.copy()
+    work.q[2] = 9.0, -1.0, 9.0, 0.25
+    work.u[:, 1], work.v[:, 1], work.v[:, 3] = (3.0, 0.0, 1.0), (0.0, 0.0, -3.0), (0.0, 2.0, 0.0)
+    work.du[:, 1], a[:, 3] = (0.0, 0.5, 0.0), (0.0, 0.0, 1.5)
+    forces.body_forces(s, work, a, 0.1, 0.2)
+    wet = np.array([27, 5]) / 32
+    first = wet[0] * 10.0 * 5.0 * np.array([3.0, 0.0, 4.0]) + [0.0, (30.0 + 80.0 * wet[0]) * 0.5, 800.0 * wet[0]]
+    second = wet[1] * 4.0 * 2.0 * np.array([0.0, -2.0, 0.0]) + [0.0, 0.0, 64.0 * wet[1] - 2.0 * 1.5]
+    assert pytest.approx(np.array([first, second])) == work.r[:, [1, 3]].T and not work.r[:, [0, 2]].any()
+    assert work.power[DRAG] == pytest.approx(wet[0] * 600.0 + wet[1] * 32.0)
+    assert work.power[INERTIA] == pytest.approx(0.0)
+    past = np.array([[3.0, 0.0, 4.0], [0.0, -2.0, 0.0]])
+    for node, speed, c, x, added, lift in (
+        (1, 5.0, 10 * wet[0], past[0], 30.0, 0.1 * 800.0 * 0.75 * 0.75 / 2.0),
+        (3, 2.0, 4 * wet[1], past[1], 2.0, 0.1 * 64.0 * 0.75 * 0.75 / 0.5),
+    ):
+        wanted = added * np.eye(3) + 0.2 * c * (speed * np.eye(3) + np.outer(x, x) / speed)
+        wanted[2, 2] += lift
+        assert work.D[:, node].reshape(3, 3) == pytest.approx(wanted)

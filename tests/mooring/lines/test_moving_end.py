@@ -7,7 +7,7 @@ from plain import plain
 from hakobune.bem.kernels.jit import kernel
 from hakobune.mooring.lines.catenary.flat_bed import ROW, solve_line
 from hakobune.mooring.lines.catenary.moving_end import pull_of_any, tensions_near, workspace
-from hakobune.mooring.lines.catenary.state import GROUNDED
+from hakobune.mooring.lines.catenary.state import BEYOND_REACH, GROUNDED, SUSPENDED
 
 
 def path(rng, length):
@@ -140,3 +140,16 @@ def test_eight_lines_at_once_keep_the_slopes_of_their_pulls(flexibility, frictio
     follow(kept, lines, ends)
     assert ends[2] == pytest.approx(of(x, height), rel=1e-9) and np.array_equal(kept[1:4], [ends[2], x, height])
     assert kept[4] == pytest.approx(by_x, rel=1e-4) and kept[5] == pytest.approx(by_height, rel=1e-4)
+
+
+@pytest.mark.parametrize("before, x, height, flexibility, state", [
+    (SUSPENDED, 99.0, 14.2, 0.0, BEYOND_REACH), (SUSPENDED, 99.0, 14.0, 0.0, SUSPENDED),
+    (SUSPENDED, 99.0, 40.0, 1e-7, SUSPENDED), (GROUNDED, 90.0, 20.0, 0.0, GROUNDED),
+])  # fmt: skip
+def test_an_inextensible_line_that_would_have_to_be_longer_has_no_pull_and_no_state_to_go_on_from(
+    before, x, height, flexibility, state
+):
+    """100 m: 99² + 14.2² is beyond 100², 99² + 14.0² within; √(99² + 40²) is reached by a line that stretches"""
+    ends = plain("mooring.lines.catenary.moving_end")
+    found, H, V, of = ends.pull_anew(before, 0.0, x, height, 100.0, 500.0, flexibility, 0.0)
+    assert found == state and np.isfinite(H) == np.isfinite(V) == np.isfinite(of) == (state != BEYOND_REACH)

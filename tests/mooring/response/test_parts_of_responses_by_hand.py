@@ -9,7 +9,7 @@ import pytest
 from hakobune.mooring.environment.sea import Sea
 from hakobune.mooring.on_current.waves import Carrier
 from hakobune.mooring.response import climate as of_climates
-from hakobune.mooring.response import pair_levels, sea_state, viscous
+from hakobune.mooring.response import pair_levels, sea_state, slow_drift, viscous
 from hakobune.mooring.response import points as of_points
 from hakobune.mooring.response.climate import Climate
 from hakobune.mooring.response.linear import Moments
@@ -261,3 +261,17 @@ def test_a_column_of_a_climate_has_moments_drift_and_what_lies_beyond_in_sizes(m
     assert (found.m0, found.m2) == (("m0", transfer), "m2") and found.drift.tolist() == [7.0, 13.0, 39.0]
     assert found.missed == pytest.approx(0.03) and found.beyond == ("left", (transfer, "weights"))
     assert found.drift_beyond.tolist() == [5.0, 7.0, 9.0]
+
+
+@pytest.mark.parametrize("sway, yaw, bodies, high", [
+    (0.0, 0.0, (), 0.1), (4.0, 0.0, (), 0.3 * math.sqrt(20.0)), (4.0, 45.0, (), 4.5), (45.0, 4.0, (), 4.5),
+    (4.0, 45.0, ("one", "two"), 0.1),
+])  # fmt: skip
+def test_slow_forces_are_sought_to_three_times_the_fastest_of_surge_sway_and_yaw(sway, yaw, bodies, high):
+    """A hull of 400 m: 0.2 √(100/400); springs over 15 kg and kg m² and 5 of added mass"""
+    K = np.zeros((6, 6))
+    K[1, 1], K[5, 5], K[2, 2] = sway, yaw, 1e9
+    body = SimpleNamespace(between=SimpleNamespace(length=400.0), gravity=9.80665, stiffness=K, bodies=bodies,
+                           inertia=15.0 * np.eye(6), held_added_mass=lambda omega: 5.0 * np.eye(6)[None])  # fmt: skip
+    found = slow_drift.differences(body)
+    assert found[0] == 0.0 and found[-1] == pytest.approx(high) and len(found) == slow_drift.STEPS + 1

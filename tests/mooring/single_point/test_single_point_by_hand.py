@@ -5,6 +5,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from scipy import signal
 
 from hakobune.mooring.environment.sea import Sea
 from hakobune.mooring.environment.spectra import tabulated
@@ -38,6 +39,7 @@ from hakobune.mooring.single_point.waves import (
     mean_drift,
     mean_frequency,
     share_of_height,
+    slow_part,
     split_frequency,
 )
 from hakobune.mooring.single_point.yaw_criteria import straight_line, yaw_stability
@@ -196,6 +198,9 @@ def test_a_line_that_just_does_not_lift_its_anchor():
     assert float(length_without_uplift(2e4, 1e3, 20.0)) == pytest.approx(20.0)
     with pytest.raises(ValueError, match=r"a tension of 1\.999e\+04 N cannot carry the weight of 20 m"):
         length_without_uplift(1.999e4, 1e3, 20.0)
+    assert length_without_uplift([5e4, 2e4], 1e3, 20.0) == pytest.approx([40.0, 20.0])
+    with pytest.raises(ValueError, match=r"a tension of 1\.9e\+04 N .* allowed: at least 2e\+04 N"):
+        length_without_uplift([5e4, 1.9e4], 1e3, 20.0)
 
 
 def test_significant_values_and_peaks_of_a_record():
@@ -329,3 +334,39 @@ def test_hawsers_that_are_slack_hold_nothing():
     """Where both have fallen slack no lines are asked for their stiffness"""
     slack = Hold(np.zeros(3), np.zeros(2), np.zeros(2))
     assert np.array_equal(SinglePoint.stiffness(None, 0.3, slack), np.zeros((3, 3)))
+
+
+@pytest.mark.parametrize("taut, which", [(25.0, 0), (40.0, 1)])
+def test_of_two_unequal_hawsers_the_one_in_hand_reaches_to_its_own_length_and_the_other_to_that_of_its(taut, which):
+    """Bow ends at (50, ±6), hawsers of 25 and 40 m, a buoy at rest at (100, 0) that yields freely: it lies where the
+    taut hawser ends, in line with its rest"""
+    ends, lengths = np.array([[50.0, 6.0], [50.0, -6.0]]), np.array([25.0, 40.0])
+    asked = []
+
+    def on_circle(bow, length, near):
+        asked.append((bow.tolist(), length, near))
+        return np.array([bow[0] + length, bow[1]]), (3.0, 4.0)
+
+    point = SimpleNamespace(ends=ends, lengths=lengths, origin=np.array([100.0, 0.0]), _on_circle=on_circle)
+    beyond, held = SinglePoint._one(point, np.zeros(2), np.eye(2), which, "near")
+    assert asked == [(ends[which].tolist(), taut, "near")]
+    x = 50.0 + taut
+    assert held.buoy == pytest.approx([x, ends[which, 1]])
+    assert held.tension == pytest.approx(5.0 * np.eye(2)[which])
+    assert held.force == pytest.approx([3.0, 4.0, 50.0 * 4.0 - ends[which, 1] * 3.0])
+    assert beyond == pytest.approx(max(0.0, math.hypot(taut, 12.0) - lengths[1 - which]))
+    point.origin = np.array([80.0, 0.0])  # 30.6 m from both ends: beyond the shorter one, within the longer
+    beyond, held = SinglePoint._one(point, np.zeros(2), np.eye(2), which, None)
+    assert (len(asked) == 2) == (which == 0) and (held.tension.max() > 0) == (which == 0)
+    if which == 1:
+        assert beyond == pytest.approx(math.hypot(30.0, 6.0) - 25.0) and np.all(held.buoy == point.origin)
+
+
+@pytest.mark.parametrize("count, before", [(400, 75), (60, 59)])
+def test_a_record_goes_on_for_three_periods_of_the_split_turned_about_its_ends(count, before):
+    """0.5 rad/s in steps of 0.5 s: 3 · 2π/0.25 = 75.4 samples, or all that there are"""
+    record = np.random.default_rng(5).normal(size=(count, 2)).cumsum(axis=0)
+    head, tail = 2 * record[0] - record[before:0:-1], 2 * record[-1] - record[-2 : -2 - before : -1]
+    sections = signal.butter(8, 0.25 / math.pi, output="sos")
+    whole = signal.sosfiltfilt(sections, np.concatenate([head, record, tail]), axis=0, padlen=0)
+    assert slow_part(record, 0.5, 0.5) == pytest.approx(whole[before:-before], abs=1e-8)
