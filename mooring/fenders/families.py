@@ -80,7 +80,9 @@ def fender_of_family(family, height, *, length=None, rated_reaction=None, pressu
 
 def _ordinary(label, family, intensity, height, length):
     if intensity is None:
-        raise FenderError(f"{label}: no public source gives its reaction; give the rated reaction of the manufacturer")
+        raise FenderError(
+            f"{label}: no public source gives its reaction; give the rated reaction of the manufacturer, rated_reaction"
+        )
     if family != "cell" and length is None:
         raise FenderError(f"{label}: its length is missing; give the length, or the rated reaction of the manufacturer")
     return 1e3 * intensity * height * (height if family == "cell" else length)

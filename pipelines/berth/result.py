@@ -120,13 +120,13 @@ def _vessel(name, db):
 
 
 def _to_paste(study, approach):
-    """A line with the fenders, and the dolphins behind them, in the form of a simulation study"""
+    """A line with the fenders, and the dolphins behind them, in the form of a simulation study of the ship alongside"""
     fenders, dolphins = [], []
-    for k, (table, (_, x, gap)) in enumerate(zip(study.fender, approach.meetings, strict=True), 1):
+    for k, (table, (_, x, _)) in enumerate(zip(study.fender, approach.meetings, strict=True), 1):
         own = {
             name: value for name, value in asdict(table).items() if name not in BEHIND and value != DEFAULT.get(name)
         }
-        own = {"name": f"fender {k}", "position": [x, round(study.ship.beam / 2 + gap, 6), 0], **own}
+        own = {"name": f"fender {k}", "position": [x, study.ship.beam / 2 + table.gap, 0], **own}
         if table.dolphin is not None:
             own["on"] = f"dolphin {k}"
             values = (own["on"], table.dolphin, table.dolphin_yield, table.dolphin_beyond)

@@ -104,17 +104,50 @@ def _line(message, raw, kind):
     what, _, where = message.partition(" - at ")
     path = where.strip("`").removeprefix("$").removeprefix(".")
     named = re.match(r"Object (contains unknown|missing required) field `(.+)`", what)
+    if named and named[1] == "contains unknown":
+        return _of_unknown(list(_unknown(raw, kind)))
     if named:
         keys = [field.encode_name for field in msgspec.structs.fields(_table(kind, path))]
-        state = "is unknown" if named[1] == "contains unknown" else "is missing"
-        meant = _meant(named[2], keys) if named[1] == "contains unknown" else ""
-        return (
-            f"{path + '.' if path else ''}{named[2]} {state}{meant}; allowed: {', '.join(keys)} "
-            "(hakobune keys explains them)"
-        )
+        return f"{path + '.' if path else ''}{named[2]} is missing; {_allowed(keys)}"
     expected, _, got = what.removeprefix("Expected ").partition(", got ")
     expected = " or ".join(_words(part) for part in expected.split(" | ") if "null" not in part)
     return f"{path or 'the file'} is {_value(raw, path, got)}; allowed: {expected}"
+
+
+def _of_unknown(rows):
+    """Line on all unknown keys of a file; the allowed ones are those beside the first"""
+    (first, key, keys), *others = rows
+    more = "; ".join(name + _meant(other, known) for name, other, known in others)
+    return f"{first} is unknown{_meant(key, keys)}; {_allowed(keys)}" + (f"; also unknown: {more}" if more else "")
+
+
+def _allowed(keys):
+    return f"allowed: {', '.join(keys)} (hakobune keys explains them)"
+
+
+def _unknown(value, hint, path=""):
+    """(path with key, key, allowed keys) of every unknown key, in the order of the file"""
+    parts = typing.get_args(hint)
+    if isinstance(value, list) and typing.get_origin(hint) in (list, tuple):
+        for i, one in enumerate(value):
+            yield from _unknown(one, parts[0], f"{path}[{i}]")
+    elif not isinstance(value, dict):
+        return
+    elif isinstance(hint, type) and issubclass(hint, msgspec.Struct):
+        hints = typing.get_type_hints(hint)
+        known = {field.encode_name: hints[field.name] for field in msgspec.structs.fields(hint)}
+        for key, one in value.items():
+            name = f"{path}.{key}" if path else key
+            if key in known:
+                yield from _unknown(one, known[key], name)
+            else:
+                yield name, key, list(known)
+    elif typing.get_origin(hint) is dict:
+        for key, one in value.items():
+            yield from _unknown(one, parts[1], f"{path}.{key}")
+    else:
+        for part in parts:  # of a union
+            yield from _unknown(value, part, path)
 
 
 def _meant(key, keys):

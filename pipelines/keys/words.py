@@ -56,6 +56,7 @@ OTHER_NAMES = {  # names of keys in other programs and books
     "direction_deg": "heading heading_deg direction dir towards",
     "headings_deg": "heading heading_deg headings",
     "incidence_deg": "incidence from_deg",
+    "beam": "width breadth",
     "swell": "systems system",
     "waves": "sea seas wave",
     "sea": "waves wave",

@@ -382,5 +382,8 @@ def _corner_headings(where, degrees):
     wrong = [value for value in degrees if not 0 <= value <= 90]
     if wrong or not degrees:
         shown = f"{wrong[0]:g}" if wrong else "empty"
-        raise StudyError(f"{where}.corner_headings_deg is {shown}; allowed: 0 to 90, at least one")
+        raise StudyError(
+            f"{where}.corner_headings_deg is {shown}; allowed: 0 to 90, at least one, for the corner +x, +y and "
+            "mirrored at the other three; for any other heading give [[lines]] with fairlead and heading_deg"
+        )
     return np.radians(degrees)

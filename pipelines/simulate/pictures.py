@@ -14,7 +14,8 @@ SHOWN = 600.0  # s of a record
 MOTIONS = (("surge", 1.0, "m"), ("sway", 1.0, "m"), ("heave", 1.0, "m"), ("roll", 180 / np.pi, "°"),
            ("pitch", 180 / np.pi, "°"), ("yaw", 180 / np.pi, "°"))  # fmt: skip
 SMOOTH = 20  # number of neighbouring frequencies averaged in one value of a spectrum
-FINE, BEYOND, LAST = 0.15, 10.0, 2.0  # a value's width and the end of spectra over the split frequency; rad/s, at most
+FINE, BEYOND = 0.15, 10.0  # a value's width and the end of spectra, at most, over the split frequency
+LAST = 2.0  # rad/s, end of spectra, or that of shorter waves
 PLANE = (0, 1, 5)  # motions without hydrostatic restoring
 MOST_POINTS = 20_000
 
@@ -189,10 +190,16 @@ def _has_spectrum(file, name, records):
     return not _still(file, name) and max(map(frequencies_in, records.astype(float))) > FEW
 
 
+def _reach(waves, step):
+    """rad/s, up to which a spectrum of waves (runs, n) has all but 1 % of its energy"""
+    omega, density = (np.asarray(part) for part in spectrum(waves.astype(float), step))
+    return omega[np.searchsorted(np.cumsum(density), 0.99 * density.sum())] if density.any() else 0.0
+
+
 def _spectra(file, kept, path, motions):
     step, worst = float(np.diff(file["time"][:2])[0]), _worst(file)
     split = float(file.attrs["split_frequency"])
-    last = min(LAST, BEYOND * split)
+    last = min(max(LAST, _reach(file["wave"][kept], step)), BEYOND * split)
     figure, axes = _figure(2, 4, (15, 7), 0.32)
     columns = [("wave", 1.0, "m", file["wave"][kept])]
     own = motions.of(file, kept)
@@ -225,7 +232,7 @@ def _offsets(file, kept, path, motions):
     farthest, radius = away.argmax(), away.max()
     angle = np.linspace(0, 2 * np.pi, 200)
     plan.plot(centre[0] + radius * np.cos(angle), centre[1] + radius * np.sin(angle), color="C3", lw=1)
-    plan.plot(x[farthest], y[farthest], ".", ms=6, color="C0", label="farthest")
+    plan.plot(x[farthest], y[farthest], "x", ms=7, color="C3", label="farthest")
     plan.plot(0, 0, "k+", ms=10, label="at rest")
     plan.plot(*centre, "o", color="C3", ms=5, label="mean")
     along, across = ("surge", "sway") if motions.before else ("x", "y")

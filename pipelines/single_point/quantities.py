@@ -10,6 +10,7 @@ from hakobune.mooring.single_point.in_time import ropes_of
 from hakobune.mooring.single_point.scope import length_without_uplift
 from hakobune.mooring.single_point.yaw_criteria import yaw_stability
 
+from ..common.quantities import force
 from ..results.quantity import Quantity, quantities
 from ..results.result import labels, records
 from . import running
@@ -77,6 +78,9 @@ def state_of(found):
         "slewing.time": (1 / abs(s.growth), "s", f"{'grows' if s.growth > 0 else 'decays'} by a factor of e in"),
         "slewing.period": (s.period, "s", "period"),
     }
+    load = None if found.study.hawser is None else force("hawser", found.study.hawser, "breaking_load")
+    if load is not None:
+        state["hawser.used"] = (max(one.hawser) / load, "%", "steady pull over the hawser's breaking load")
     growth = {"slewing.growth": (s.growth, "1/s", "growth, below 0 for decay")}
     return quantities(title, state) | quantities("", growth) | _scope(found) | _criteria(one), {}
 

@@ -311,34 +311,35 @@ def test_panels_of_a_drawing_are_a_thousandth_to_half_of_its_length(monkeypatch,
         lambda gmsh, sides, symmetry, name: SimpleNamespace(sides=list(sides), symmetry=symmetry, name=name, copies=2),
     )
     monkeypatch.setattr(drawing, "outwards", lambda mesh: mesh)
+    monkeypatch.setattr(drawing, "_waterplane", lambda gmsh, body, near: 5.0)
     parts = [({"shape": "box"}, 0.0), ({"shape": "sphere"}, 0.5), ({"shape": "cylinder", "cut": True}, 0.0)]
     one = drawing.Drawing(size, "x", 20, parts)
     if not good:
         with pytest.raises(ValueError, match=rf"size is {size:g} m for a hull of 40 m; allowed: 0\.04 to 20 m"):
-            drawing._panels(one, "", 1.1, 0.2)
+            drawing._panels(one, "", 1.1, 0.2, 6)
         return
-    mesh, volume, center = drawing._panels(one, "", 1.1, 0.2)
+    mesh, (volume, center, plane) = drawing._panels(one, "", 1.1, 0.2, 6)
     assert (
         mesh.sides == [(pytest.approx(4e-5), "x")]
         and (mesh.symmetry, mesh.name) == ("x", "")
         and gmsh.named == ["drawing"]
     )
-    assert volume == 14.0 and center.tolist() == [0, 2, 3]
+    assert volume == 14.0 and center.tolist() == [0, 2, 3] and plane == 10.0
     parts = ("box", 0.0, 1.1, 0.2), ("sphere", 0.5, 1.1, 0.2), ("cylinder", 0.0, 1.1, 0.2)
     assert gmsh.body == [("below", ("cut", ("fused", *parts[:2]), parts[2]))]
     assert gmsh.options == {
         "Mesh.MeshSizeMax": size,
         "Mesh.MeshSizeMin": 0.25 * size,
-        "Mesh.Algorithm": 8,
+        "Mesh.Algorithm": 6,
         "Mesh.MeshSizeFromCurvature": 40,
         "Mesh.RecombineAll": 1,
         "Mesh.MeshSizeExtendFromBoundary": 0,
     }
-    drawing._panels(one, "barge", 1.0, 0.0)
+    drawing._panels(one, "barge", 1.0, 0.0, 8)
     assert gmsh.named[-1] == "barge"
     monkeypatch.setattr(drawing, "_extent", lambda gmsh, body: (np.array([-20.0, -5, 0]), np.array([20.0, 5, 3])))
     with pytest.raises(ValueError, match="no part lies below still water, z = 0"):
-        drawing._panels(one, "", 1.0, 0.0)
+        drawing._panels(one, "", 1.0, 0.0, 8)
 
 
 @pytest.mark.parametrize(

@@ -342,9 +342,9 @@ class Breakwater:
         ways = [(side * lines.attachment + 1j * height, complex(side * down.real, down.imag)) for side in (1, -1)]
         if any(self.outline.meets(top + CLEAR * way, top + way) for top, way in ways):
             raise BreakwaterError(
-                f"lines.angle is {np.degrees(lines.angle):.6g}°: a line from y = {lines.attachment:g} m, "
+                f"lines: at an angle of {np.degrees(lines.angle):.6g}° a line from y = {lines.attachment:g} m, "
                 f"{lines.attachment_height:g} m above the lowest point, passes through the body; allowed: lines that "
-                "stay outside the body; move the attachment"
+                "stay outside the body; change angle, attachment or attachment_height"
             )
 
 

@@ -1,5 +1,6 @@
 """`hakobune berth` as a user calls it."""
 
+import tomllib
 from pathlib import Path
 
 import numpy as np
@@ -61,3 +62,15 @@ def test_a_fender_that_is_too_small_is_told_with_status_1(tmp_path, capsys):
     assert cli.main(["berth", str(study)]) == 1
     told = capsys.readouterr().out
     assert "in time: v 1 m × 5 m" in told and "give an overload stiffness" in told
+
+
+def test_fenders_for_a_simulation_lie_along_the_side_of_the_ship_whatever_the_angle_of_its_approach(tmp_path):
+    study = tmp_path / "study.toml"
+    given = "gap = 0.25\nx = 20.0\n"
+    study.write_text(
+        SCENE.read_text().replace("eccentricity = 0.7", "angle_deg = 6.0").replace("[[fender]]", f"[[fender]]\n{given}")
+    )
+    (line,) = (text for text in hakobune.berth(study).notes if "for the top of a simulation" in text)
+    half = tomllib.loads(SCENE.read_text())["ship"]["beam"] / 2
+    (fender,) = tomllib.loads(line.partition("place of 0: ")[2].replace("; ", "\n"))["fender"]
+    assert fender["position"] == pytest.approx([20.0, half + 0.25, 0.0], abs=1e-9)

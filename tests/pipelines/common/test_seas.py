@@ -169,3 +169,20 @@ def test_what_the_study_says_of_directions_goes_before_what_a_file_says_but_not_
             table.sea("waves", 20.0)
     else:
         assert table.sea("waves", 20.0).spreading is PLANE
+
+
+def test_all_unknown_keys_of_a_file_are_told_at_once(tmp_path):
+    """Three tables deep, in a list of tables and in tables that the user named"""
+    (tmp_path / "study.toml").write_text(
+        "[water]\ndepth = 20.0\n[types.chain]\nfriction = 0.5\n"
+        '[[spreads]]\ntype = "chain"\npretension_t = 3.0\n[[waves.swell]]\nhs = 1.0\n[wind]\nspeed = 3.0\ncolour = 1\n'
+    )
+    with pytest.raises(StudyError) as told:
+        read_study(tmp_path / "study.toml")
+    first, allowed, *more = str(told.value).split("; ")
+    assert first == "types.chain.friction is unknown, bed_friction may be meant" and allowed.startswith("allowed: ")
+    assert more == [
+        "also unknown: spreads[0].pretension_t, pretension_tonf may be meant",
+        "waves.swell[0].hs, height may be meant",
+        "wind.colour",
+    ]

@@ -10,7 +10,7 @@ from test_simulate import folder, plan, simulate  # noqa: F401 - a fixture among
 
 from hakobune.mooring.motion.statistics import windows
 from hakobune.pipelines.common.quantities import StudyError
-from hakobune.pipelines.simulate import berth, findings, over_runs
+from hakobune.pipelines.simulate import berth, findings, over_runs, pictures
 from hakobune.pipelines.simulate import file as stored
 from hakobune.pipelines.simulate.file import SUMMARY, opened
 from hakobune.pipelines.simulate.pictures import draw, spectrum
@@ -254,6 +254,14 @@ def test_a_spectrum_of_one_sine_has_its_variance_at_its_frequency():
     step = omega[1] - omega[0]
     assert density.sum() * step == pytest.approx(1.25, rel=0.02)
     assert omega[np.argmax(density)] == pytest.approx(0.5, abs=step)
+
+
+def test_spectra_reach_to_all_but_a_hundredth_of_the_waves():
+    """Amplitudes of 1 at 1.5 and of 0.2 at 2.6 rad/s, 4 % of the energy; of 0.05, 0.25 %"""
+    t = np.arange(0, 4096) * 0.25
+    waves = [np.sin(1.5 * t) + a * np.sin(2.6 * t) for a in (0.2, 0.05)]
+    assert [pictures._reach(one[None], 0.25) for one in waves] == pytest.approx([2.6, 1.5], abs=0.05)
+    assert pictures._reach(np.zeros((2, 64)), 0.25) == 0
 
 
 def test_a_finding_of_many_runs_is_told_once_with_its_largest_number(monkeypatch):

@@ -98,7 +98,8 @@ def test_all_headings_of_rest_are_in_one_table():
 def test_the_final_heading_has_place_pull_and_the_scope_of_its_most_loaded_line():
     """The catenary without uplift: s² = h² + 2 h H/w, of the tension T at the top: H = T − w h"""
     one, title = at_rest(), "at 270°, the heading at which it comes to rest"
-    made, axes = quantities.state_of(SimpleNamespace(best=one, point=point()))
+    hawser = SimpleNamespace(hawser=SimpleNamespace(breaking_load_kN=800.0, breaking_load_tonf=None))
+    made, axes = quantities.state_of(SimpleNamespace(best=one, point=point(), study=hawser))
     scope, height, w, T = "scope without uplift, under steady loads", 38.5, 1000.0, 4e5
     assert axes == {} and told(made) == {
         "heading": ("rad", "heading, from +x to the bow", title),
@@ -110,21 +111,23 @@ def test_the_final_heading_has_place_pull_and_the_scope_of_its_most_loaded_line(
         "slewing": ("", "slewing", title),
         "slewing.time": ("s", "grows by a factor of e in", title),
         "slewing.period": ("s", "period", title),
+        "hawser.used": ("", "steady pull over the hawser's breaking load", title),
         "slewing.growth": ("1/s", "growth, below 0 for decay", ""),
         "scope.depths": ("", "depths", scope),
         "scope.length": ("m", "length", scope),
         "scope.line": ("m", "length of the line", scope),
     }
     found = {name: one.values.tolist() for name, one in made.items()}
+    assert found["hawser.used"] == pytest.approx(max(one.hawser) / 800e3, rel=1e-12)
     length = math.sqrt(height**2 + 2 * height * (T - w * height) / w)
     assert [found[name] for name in ("place.x", "place.y", "buoy.x", "buoy.y", "pull")] == [10, -20, 3, 4, 2e5]
     assert found["scope.length"] == pytest.approx(length, rel=1e-6)
     assert found["scope.depths"] == pytest.approx(length / 40, rel=1e-6) and found["scope.line"] == 250.0
     light = point()
     light.system = system(0.0)
-    assert "scope.length" not in quantities.state_of(SimpleNamespace(best=one, point=light))[0]
+    assert "scope.length" not in quantities.state_of(SimpleNamespace(best=one, point=light, study=hawser))[0]
     light.system.lines[1] = SimpleNamespace(length=9.0, type=SimpleNamespace(weight=5.0))  # of segments
-    assert "scope.length" not in quantities.state_of(SimpleNamespace(best=one, point=light))[0]
+    assert "scope.length" not in quantities.state_of(SimpleNamespace(best=one, point=light, study=hawser))[0]
 
 
 def test_lines_have_tension_bed_and_the_largest_share_of_their_strength(monkeypatch):
