@@ -129,7 +129,7 @@ def slow_motion(free, held, sea, duration, loads=None, points=()) -> SlowMotion:
         modes.period,
         modes.ratio,
         _estimates((drift + gusts).real, omega, modes),
-        np.abs(offset) + _largest_of_forms(forms, m0 - by_drift + f0, m2 + f2, seen, duration),
+        np.abs(offset) + _largest_of_forms(forms, np.maximum(m0 - by_drift + f0, 0.0), m2 + f2, seen, duration),
         np.abs(offset) + _rule(np.sqrt(m0), _crossing(m0, m2), np.sqrt(f0), _crossing(f0, f2), duration),
         omega,
         (drift + gusts).real,
