@@ -49,13 +49,13 @@ NEAR = 1.5  # a natural period within this factor of a wave period is reported
 
 
 class SlowMotion(NamedTuple):
-    """Values of surge, sway, yaw (3,), m, m, rad, of several bodies (3N,) one after another: mean offset, deviations of slow motion and of that of the waves, with
-    mean zero-crossing periods s; drift_share : of the slow variance, the rest gusts; period s, ratio of damping to
-    critical of each mode; estimates (3, 2) of the deviation, flat spectrum and beating force; largest : of all
-    together, and rule : DNV's, both expected and from rest
+    """Values of surge, sway, yaw (3,), m, m, rad, of several bodies (3N,) one after another: mean offset, deviations of
+    slow motion and of that of the waves, with mean zero-crossing periods s; drift_share : of the slow variance, the
+    rest gusts; period s, ratio of damping to critical of each mode; estimates (3, 2) of the deviation, flat spectrum
+    and beating force; largest : of all together, and rule : DNV's, both expected and from rest
 
-    omega (d,) rad/s; force (d, 3, 3) and spectrum (d, 3) of the slow force and motion; fast : `SeaState` of the moored
-    body, with the slow forces on the free one; duration s
+    omega (d,) rad/s; force (d, 3, 3), its part in phase, and spectrum (d, 3) of the slow force and motion; fast :
+    `SeaState` of the moored body, with the slow forces on the free one; duration s
     """
 
     offset: np.ndarray

@@ -246,7 +246,7 @@ def of_moored(motion, axis="plane"):
     }
     share = ("damping", "drift_share")
     made = {
-        f"moored.{name}": Quantity(values, ("plane",), unit, words, MOORED, name in share)
+        f"moored.{name}": Quantity(values, (axis,), unit, words, MOORED, name in share)
         for name, (values, unit, words) in columns.items()
     }
     of = "of pairs of motions, slow motion"

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from made_up_body import INERTIA, OMEGA, STIFFNESS
-from two_bodies import ASTERN, BODIES, two_bodies
+from two_bodies import BODIES, two_bodies
 
 from hakobune.bem.drift import sum_about_origin
 from hakobune.bem.hinges import Link, driven
@@ -133,14 +133,9 @@ def test_slow_motion_is_that_of_a_simulation_within_its_scatter():
     faint = 1e-4 * two_bodies(AROUND).between.quantities["excitation_force"]
     free, _ = side_by_side(AROUND, excitation_force=faint)
     still = Settings(
-        6 * HOUR,
-        600.0,
-        2.0,
-        memory="constant",
-        constant_period=2 * np.pi / OMEGA[0],
-        wave_drift_damping=False,
+        6 * HOUR, 600.0, 2.0, memory="constant", constant_period=2 * np.pi / OMEGA[0], wave_drift_damping=False,
         tolerance=1e-3,
-    )
+    )  # fmt: skip
     tied = free.linked([Link("tie", ("a", "b"), (0.0, 75.0, 0.0), (0.0, 1.0, 0.0), "slider", stiffness=TIE)])
     spring, own = np.kron(np.eye(2), HELD), np.kron(np.eye(2), DAMPING)
     damping = own + np.kron(np.eye(2), np.diag([1e5, 2e5, 0, 0, 0, 3e7]))
@@ -150,13 +145,8 @@ def test_slow_motion_is_that_of_a_simulation_within_its_scatter():
     sway = run.motion[:, [1, 7]]
     lone = np.sqrt((2e6 + TIE) / (INERTIA[1, 1] * (1 + 0.5 + 0.2 * OMEGA[0])))
     more = (0.01 + 0.02 * OMEGA[0]) * INERTIA[1, 1] * (1 - lone / OMEGA[0])  # of waves that do not fade to long ones
-    found = slow_motion(
-        free,
-        driven(tied).restrained(own, spring),
-        head,
-        HOUR,
-        Loads(np.zeros(6), drag=lambda v: constant(v) + np.tile([0, more, 0], 2)),
-    )
+    loads = Loads(np.zeros(6), drag=lambda speed: constant(speed) + np.tile([0, more, 0], 2))
+    found = slow_motion(free, driven(tied).restrained(own, spring), head, HOUR, loads)
     quarters = sway.reshape(-1, 2)[: 4 * (len(sway) // 4)].reshape(4, -1, 2).std(axis=1)
     assert np.all(np.abs(sway.std(axis=0) - found.slow[[1, 4]]) < 2 * quarters.std(axis=0)), (quarters, found.slow)
     assert found.slow[[1, 4]] == pytest.approx(sway.std(axis=0), rel=0.15)
