@@ -193,16 +193,17 @@ def cross_spectrum(spectrum, omega, products, difference):
     """Cross spectral densities of slow forces; shape (d, 3, 3); products : `signed_products` at omega
 
     In phase: T_ij of two forces in one pair of waves have no lag by Newman's rule.  Its diagonal is `force_spectrum`.
+    Complex products of n forces at several places have their phases there; shape (d, n, n).
     """
-    omega = np.asarray(omega, float)
-    found = _over_pairs(spectrum, omega, products.reshape(len(omega), -1), difference).reshape(-1, 4, 3, 3)
+    omega, shape = np.asarray(omega, float), products.shape[1:]
+    found = _over_pairs(spectrum, omega, products.reshape(len(omega), -1), difference).reshape(-1, *shape)
     return np.einsum("s,dsab->dab", [1.0, -1.0, -1.0, 1.0], found)
 
 
 def _over_pairs(spectrum, omega, values, difference):
-    """Integrals 8 ∫ S(ω) S(ω + Δω) v(ω) v(ω + Δω) dω of values (q, c); shape (d, c)"""
-    first = values * np.asarray(spectrum.density(omega))[:, None]
-    result = np.zeros((len(np.atleast_1d(difference)), first.shape[1]))
+    """Integrals 8 ∫ S(ω) S(ω + Δω) v*(ω) v(ω + Δω) dω of values (q, c); shape (d, c)"""
+    first = values.conj() * np.asarray(spectrum.density(omega))[:, None]
+    result = np.zeros((len(np.atleast_1d(difference)), first.shape[1]), first.dtype)
     for i, step in enumerate(np.atleast_1d(difference)):
         other = omega + step
         second = np.where(other <= omega[-1], spectrum.density(other), 0.0)[:, None]

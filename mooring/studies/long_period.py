@@ -11,6 +11,8 @@ mass of ω₀.  N = ∂F/∂ẋ of the water's drag, averaged over Gaussian velo
 (statistical linearisation, Caughey 1963), of wave drift damping, and of radiation at ω₀.
 """
 
+from dataclasses import replace
+from types import SimpleNamespace
 from typing import NamedTuple
 
 import numpy as np
@@ -21,6 +23,7 @@ from ..on_current.waves import carrier_of
 from ..response.sea_state import sea_state
 from ..response.viscous import in_sea
 from .slow_spectrum import PLANE, drift_of_sea, gust_spectrum, wave_spectrum
+from .steady_loads import with_coefficients
 from .wave_effects import sea_of
 
 LOWEST = 1e-3  # share of the waves' energy below the frequencies that count as slow
@@ -90,6 +93,18 @@ def _one(body, K, mode, omega, force, waves, drag, other):
             break
         slow = 0.5 * (slow + before)
     return 2 * np.pi / natural, N / np.sqrt(mass * K), np.sqrt(np.trapezoid(response, omega))
+
+
+def drag_of_each(conditions, hulls, depth):
+    """Function σ of the velocities of surge, sway and yaw of several bodies (3N,) → E[∂F/∂ẋ] of the water's drag, N s/m
+    and N m s, (3N,); hulls : `conditions.Afloat`s, depth m"""
+    each = []
+    for one in hulls:
+        current = with_coefficients(conditions, one.box, depth).current
+        if current is not None:
+            current = replace(current, direction=current.direction - one.heading)
+        each.append(_drag_of(current, one.box, SimpleNamespace(density=one.density, water_depth=depth)))
+    return lambda speed: np.array([each[i // 3](i % 3, one) for i, one in enumerate(speed)])
 
 
 def _drag_of(current, hull, db):

@@ -10,7 +10,8 @@ are small throughout: loads and motions are those of its heading at rest. Motion
 Several bodies are held by lines to anchors and to each other: forces and motions are six per moving body, one body
 after another, with one equilibrium and one set of natural periods.  A line between two bodies is tightened by the
 largest motions of both.  Fenders and ropes at a berth or between bodies, and hinges, are included in the state of rest,
-the equilibrium and the periods; in waves hinges alone change the motions of the free bodies.
+the equilibrium and the periods; in waves hinges alone change the motions of the free bodies.  Bodies with hinges are
+not trimmed for the weight of their lines, of which the hinges carry a part.
 """
 
 from dataclasses import dataclass, replace
@@ -211,9 +212,12 @@ def _heeled(system, at_rest, hydrostatic, load):
 def _between(system, stays, berth, links, water, load):
     """SystemEquilibrium of bodies under a load (n,) as `_heeled`, that fenders, ropes and links hold too, its stiffness
     that of the lines; (n, n) stiffness of the others along the axes of the bodies; `MultiPoint.contact` and held, there
+
+    With links no ballast balances the weight of the lines: as in a simulation, the bodies sink and links carry a part.
     """
     count = len(system.bodies)
-    balanced = load - np.tile([0, 0, 1, 1, 1, 0], count) * np.asarray(stays.force)[: 6 * count]
+    trim = 0.0 if links is not None else np.tile([0, 0, 1, 1, 1, 0], count) * np.asarray(stays.force)[: 6 * count]
+    balanced = load - trim
     place, mu = rest_between(system, berth, links, water, balanced)
     given = np.array([one.position for one in system.bodies], float)
     poses = given + place.reshape(-1, 6)

@@ -18,8 +18,13 @@ from Gaussian: with independent complex normal z_j
 gives its density f, and a level x is crossed f(x) σ_ẋ/√2π times a second.  The largest value of slow motion in head
 seas is a third above that of a Gaussian of the same variance.  The rule for comparison (DNV-OS-E301, chapter 2, section
 2) is the larger of slow significant + fast largest and slow largest + fast significant, both Gaussian.
+
+Several bodies move together, on the stiffness of lines, fenders and hinges: three slow motions of each in place of
+three, with the mean drift of each body and the phases of the waves at its place.  Damping and stiffness of a mode are
+then those of the coupled natural mode named after the motion; the drag of each hull is linearised in its own velocity.
 """
 
+from collections.abc import Callable
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -30,7 +35,7 @@ from hakobune.bem.database.natural_periods import natural_periods
 from ..response.extremes import EULER, expected_maximum
 from ..response.sea_state import TINY, SeaState, sea_state
 from ..response.slow_drift import differences
-from .slow_spectrum import PLANE, drift_of_sea, gust_spectrum
+from .slow_spectrum import PLANE, between, drift_of_sea, gust_spectrum
 
 NAMES = ("surge", "sway", "yaw")
 ABOUT = 60  # frequencies on either side of a resonance, up to some widths away
@@ -38,17 +43,19 @@ ABOUT = 60  # frequencies on either side of a resonance, up to some widths away
 FEWEST_WAVES, MOST_WAVES = 100, 500
 REACH, POINTS = 30.0, 8192  # deviations, and points over twice that many, of the density of the motion
 SIGNIFICANT = 2.0  # amplitude over deviation, of a narrow spectrum
+SLOW = 0.5  # share of the mean frequency of the waves below which modes of several bodies count as slow
+TURNS, SETTLED = 40, 1e-3  # iterations on the velocity that the drag of several bodies is linearised in
 NEAR = 1.5  # a natural period within this factor of a wave period is reported
 
 
 class SlowMotion(NamedTuple):
-    """Values of surge, sway, yaw (3,), m, m, rad: mean offset, deviations of slow motion and of that of the waves, with
-    mean zero-crossing periods s; drift_share : share of drift in the slow variance, the rest is gusts; period s, ratio
-    of damping to critical of each mode; estimates (3, 2) of the deviation, flat spectrum and beating force; largest :
-    that of all together, and rule : DNV's, both expected and from rest
+    """Values of surge, sway, yaw (3,), m, m, rad, of several bodies (3N,) one after another: mean offset, deviations of
+    slow motion and of that of the waves, with mean zero-crossing periods s; drift_share : share of drift in the slow
+    variance, the rest is gusts; period s, ratio of damping to critical of each mode; estimates (3, 2) of the deviation,
+    flat spectrum and beating force; largest : that of all together, and rule : DNV's, both expected and from rest
 
-    omega (d,) rad/s; force (d, 3, 3) and spectrum (d, 3) of the slow force and motion; fast : `SeaState` of the moored
-    body, with the slow forces on the free one; duration s
+    omega (d,) rad/s; force (d, 3, 3), its part in phase, and spectrum (d, 3) of the slow force and motion; fast :
+    `SeaState` of the moored body, with the slow forces on the free one; duration s
     """
 
     offset: np.ndarray
@@ -82,22 +89,33 @@ def slow_motion(free, held, sea, duration, loads=None, points=()) -> SlowMotion:
             "slow motion needs the mean drift, which the database lacks; repeat the command that made it, "
             "with --only kochin,drift"
         )
-    loads, state = loads or Loads(), sea_state(free, sea, duration)
-    damping = held.damping + _drift_damping(state.slow.damping)
-    of_drift = np.diag(_drift_damping(state.slow.damping))[PLANE]
-    damping[PLANE, PLANE] += np.maximum(np.asarray(loads.water, float) - of_drift, 0.0)
+    loads, state, of_sea = loads or Loads(), sea_state(free, sea, duration), drift_of_sea(free, sea)
+    plane, bodies = _plane(held.inertia), bool(held.bodies)
+    by_drift = _drift_damping(of_sea.damping_of_each() if bodies else state.slow.damping, len(held.inertia) // 6)
+    of_drift = np.diag(by_drift)[plane]
     mass, stiffness = held.inertia + held.held_added_mass(0.0)[0], held.stiffness
-    modes = _modes(held, mass, damping)
-    omega = _places(held, modes)
-    of_sea = drift_of_sea(free, sea)
-    drift, forms = of_sea.slow_spectrum(omega), _forms_of(of_sea, modes, mass, damping, stiffness)
-    gusts = np.zeros_like(drift) if loads.gust is None else gust_spectrum(*loads.gust, omega)
-    respond = _response(omega, mass, damping, stiffness)
-    spectra = [np.einsum("dij,djk,dik->di", respond, force, respond.conj()).real for force in (drift, gusts)]
-    m0, m2 = (np.trapezoid(omega[:, None] ** n * sum(spectra), omega, axis=0) for n in (0, 2))
-    seen = m0 > TINY**2 * np.array([*2 * [m0[:2].max()], m0[2]])
     fast = replace(sea_state(held.without_drift(), sea, duration, points), slow=state.slow)
-    f0, f2 = (moment[PLANE] for moment in (fast.moments.m0, fast.moments.m2))
+    f0, f2 = (moment[plane] for moment in (fast.moments.m0, fast.moments.m2))
+    water, known, m2 = loads.water, None, 0.0
+    for _ in range(TURNS if bodies else 1):
+        speed = np.sqrt(f2 + m2)
+        if bodies:
+            water = of_drift + loads.drag(speed) + _radiated(held)
+        damping = held.damping + by_drift
+        damping[plane, plane] += np.maximum(np.asarray(water, float) - of_drift, 0.0)
+        modes = _modes_together(held, mass, damping) if bodies else _modes(held, mass, damping)
+        omega = _places(held, modes, sea)
+        known = of_sea.coarse(omega[-1]) if known is None else known
+        drift = between(known, omega)
+        gusts = np.zeros_like(drift) if loads.gust is None else gust_spectrum(*loads.gust, omega)
+        respond = _response(omega, mass, damping, stiffness, held.free)
+        spectra = [np.einsum("dij,djk,dik->di", respond, force, respond.conj()).real for force in (drift, gusts)]
+        m0, m2 = (np.trapezoid(omega[:, None] ** n * sum(spectra), omega, axis=0) for n in (0, 2))
+        if np.all(np.abs(np.sqrt(f2 + m2) - speed) <= SETTLED * speed):
+            break
+    forms = _forms_of(of_sea, modes, mass, damping, stiffness, held.free)
+    along, yaw = m0.reshape(-1, 3)[:, :2].max(), m0[2::3].max()
+    seen = m0 > TINY**2 * np.tile([along, along, yaw], len(m0) // 3)
     m0, m2 = np.where(seen, m0, 0.0), np.where(seen, m2, 0.0)
     by_drift = np.trapezoid(spectra[0], omega, axis=0)
     offset = np.asarray(loads.offset, float)
@@ -110,15 +128,15 @@ def slow_motion(free, held, sea, duration, loads=None, points=()) -> SlowMotion:
         np.where(m0 > 0, by_drift / np.maximum(m0, 1e-300), 1.0),
         modes.period,
         modes.ratio,
-        _estimates(drift + gusts, omega, modes),
-        np.abs(offset) + _largest_of_forms(forms, m0 - by_drift + f0, m2 + f2, seen, duration),
+        _estimates((drift + gusts).real, omega, modes),
+        np.abs(offset) + _largest_of_forms(forms, np.maximum(m0 - by_drift + f0, 0.0), m2 + f2, seen, duration),
         np.abs(offset) + _rule(np.sqrt(m0), _crossing(m0, m2), np.sqrt(f0), _crossing(f0, f2), duration),
         omega,
-        drift + gusts,
+        (drift + gusts).real,
         sum(spectra),
         fast,
         float(duration),
-        (*dict.fromkeys((*state.warnings, *fast.warnings)), *_flags(modes, sea)),
+        (*dict.fromkeys((*state.warnings, *fast.warnings)), *_flags(modes, sea, _named(held))),
     )
 
 
@@ -127,11 +145,13 @@ class Loads(NamedTuple):
 
     water : (3,) N s/m, N m s, damping of surge, sway and yaw by the water, including that by wave drift, as in
     `long_period`; the part without wave drift is added to the damping of the moored body
+    drag : of several bodies in place of it, a function of σ of the velocities (3N,) → linearised drag (3N,)
     """
 
     offset: np.ndarray = np.zeros(3)
     gust: tuple | None = None
     water: np.ndarray = np.zeros(3)
+    drag: Callable = np.zeros_like
 
 
 class _Modes(NamedTuple):
@@ -159,45 +179,92 @@ def _modes(held, mass, damping):
     return _Modes(period, C, N, N / (2 * np.sqrt(C * M)))
 
 
-def _drift_damping(damping):
-    """Wave drift damping (3, 2), placed in the motions of the body; shape (6, 6); None for none"""
-    full = np.zeros((6, 6))
-    if damping is not None:
-        full[np.ix_(PLANE, [0, 1])] = damping
+def _modes_together(held, mass, damping):
+    """`_Modes` of several bodies, of the coupled modes named after their slow motions; nan where hinges leave none"""
+    found, words = natural_periods(held), dict(zip(held.names, held.words, strict=True))
+    for name, period in zip(found.names, found.period, strict=True):
+        if not np.isfinite(period):
+            raise ValueError(
+                f"{words[name]} has no restoring by the lines; slow motion of a body that drifts away is not defined"
+            )
+    ways = found.shapes / np.where(held.turning, found.scale, 1.0)
+    M, N, C = (np.einsum("ji,ik,jk->j", ways, matrix, ways) for matrix in (mass, damping, held.stiffness))
+    rows = np.full((4, len(mass) // 2), np.nan)
+    for row, i in zip(rows.T, _plane(mass), strict=True):
+        if held.names[i] in found.names:
+            j = found.names.index(held.names[i])
+            row[:] = found.period[j], C[j] / ways[j, i] ** 2, N[j] / ways[j, i] ** 2, N[j] / (2 * np.sqrt(C[j] * M[j]))
+            if not N[j] > 0:
+                raise ValueError(
+                    f"slow {held.words[i]} has damping {row[2]:.3g} (wave drift and study together); allowed: above "
+                    f'0; give body.damping_ratio = {{ "{held.words[i]}" = 0.05 }} or so for the drag of lines and hull'
+                )
+    return _Modes(*rows)
+
+
+def _radiated(held):
+    """Damping by radiation of the slow motions of several bodies, each at its natural frequency alone; shape (3N,)"""
+    plane = _plane(held.inertia)
+    natural = np.sqrt(np.diag(held.stiffness) / np.diag(held.inertia + held.held_added_mass(0.0)[0]))[plane]
+    inside = np.clip(natural, *held.between.span)
+    own = held.coefficients(inside)[1][np.arange(len(plane)), plane, plane]
+    return own * np.minimum(1.0, natural / inside)
+
+
+def _plane(matrix):
+    """Numbers of surge, sway and yaw of each body, of a matrix (6N, 6N); shape (3N,)"""
+    return [6 * i + k for i in range(len(matrix) // 6) for k in PLANE]
+
+
+def _named(held):
+    return [held.words[i] for i in _plane(held.inertia)] if held.bodies else NAMES
+
+
+def _drift_damping(damping, bodies=1):
+    """Wave drift damping (3N, 2), placed in the motions of N bodies; shape (6N, 6N); None for none"""
+    full = np.zeros((6 * bodies, 6 * bodies))
+    for i in range(0 if damping is None else bodies):
+        full[np.ix_(np.add(PLANE, 6 * i), [6 * i, 6 * i + 1])] = damping[3 * i : 3 * i + 3]
     return full
 
 
-def _places(held, modes):
-    """Frequencies close enough about each resonance, rad/s; shape (d,)"""
-    natural = 2 * np.pi / modes.period
-    high = max(differences(held)[-1], 3 * natural.max())
+def _places(held, modes, sea=None):
+    """Frequencies close enough about each resonance, rad/s; shape (d,)
+
+    sea : of several bodies, of which fenders hold some modes as fast as the waves; those are not slow
+    """
+    natural, ratio = 2 * np.pi / modes.period, modes.ratio
+    if held is not None and held.bodies:
+        slow = natural < SLOW * 2 * np.pi / sea.spectrum.T01
+        natural, ratio = natural[slow], ratio[slow]
+    high = max(differences(held)[-1], 3 * natural.max(initial=0.0))
     steps = np.sinh(np.linspace(0, np.arcsinh(100.0), ABOUT))
-    about = [
-        w * (1 + sign * max(nu, 1e-4) * steps) for w, nu in zip(natural, modes.ratio, strict=True) for sign in (-1, 1)
-    ]
+    about = [w * (1 + sign * max(nu, 1e-4) * steps) for w, nu in zip(natural, ratio, strict=True) for sign in (-1, 1)]
     omega = np.unique(np.concatenate([np.linspace(0, high, 121), *about]))
     return omega[(omega >= 0) & (omega <= high)]
 
 
-def _forms_of(drift, modes, mass, damping, stiffness):
-    """Eigenvalues of the quadratic forms of the slow motion; shape (3, n)"""
+def _forms_of(drift, modes, mass, damping, stiffness, free=None):
+    """Eigenvalues of the quadratic forms of the slow motion; shape (3, n), of several bodies (3N, n)"""
     spectrum, wide, parts = drift.mean_parts()
-    finest = (2 * np.pi / modes.period * modes.ratio).min() / 2
+    finest = np.nanmin(2 * np.pi / modes.period * modes.ratio) / 2
     even = np.linspace(wide[0], wide[-1], int(np.clip(np.ptp(wide) / finest, FEWEST_WAVES, MOST_WAVES)))
     parts = np.stack([np.interp(even, wide, column) for column in parts.reshape(len(wide), -1).T], axis=-1)
     step = even[1] - even[0]
-    root = np.sqrt(2 * spectrum.density(even)[:, None] * step * parts).reshape(len(even), 2, 3)
-    respond = _response(step * np.arange(len(even)), mass, damping, stiffness)
-    return np.array([_eigenvalues(respond[:, mode], root) for mode in range(3)])
+    root = np.sqrt(2 * spectrum.density(even)[:, None] * step * parts).reshape(len(even), 2, -1)
+    if len(mass) > 6:
+        root = root * drift.main_phases(even)
+    respond = _response(step * np.arange(len(even)), mass, damping, stiffness, free)
+    return np.array([_eigenvalues(respond[:, mode], root) for mode in range(root.shape[2])])
 
 
 def _eigenvalues(respond, root):
-    """Eigenvalues of the form Σ_b Σ_± ±H_b(ω_i − ω_l) r_ib± r_lb±; shape (n,); respond (n, 3) at differences, root (n,
+    """Eigenvalues of the form Σ_b Σ_± ±H_b(ω_i − ω_l) r_ib± r*_lb±; shape (n,); respond (n, 3) at differences, root (n,
     2, 3)"""
     n = len(root)
     apart = np.subtract.outer(np.arange(n), np.arange(n))
     H = np.where((apart >= 0)[..., None], respond[np.abs(apart)], respond[np.abs(apart)].conj())
-    signed = np.einsum("s,isb,lsb->ilb", [1.0, -1.0], root, root)
+    signed = np.einsum("s,isb,lsb->ilb", [1.0, -1.0], root, root.conj())
     return np.linalg.eigvalsh(np.sum(H * signed, axis=-1))
 
 
@@ -226,16 +293,22 @@ def _expected_largest(values, gaussian, speed, duration):
     return max(np.abs(x[often > np.exp(-EULER)]).max(initial=0.0), SIGNIFICANT * sigma)
 
 
-def _response(omega, mass, damping, stiffness):
-    """Motions of surge, sway and yaw by forces along them; shape (d, 3, 3); the others follow"""
-    w = omega[:, None, None]
-    return np.linalg.inv(-(w**2) * mass - 1j * w * damping + stiffness)[:, PLANE][:, :, PLANE]
+def _response(omega, mass, damping, stiffness, free=None):
+    """Motions of surge, sway and yaw by forces along them; shape (d, 3, 3), of several bodies (d, 3N, 3N); the others
+    follow
+
+    free : (6N, m) motions that hinges leave free, None without hinges
+    """
+    w, plane = omega[:, None, None], _plane(mass)
+    D = -(w**2) * mass - 1j * w * damping + stiffness
+    moved = np.linalg.inv(D) if free is None else free @ np.linalg.inv(free.T @ D @ free) @ free.T
+    return moved[:, plane][:, :, plane]
 
 
 def _estimates(force, omega, modes):
     """Deviations by a flat spectrum, and by a force that beats at the natural period; shape (3, 2)"""
     own = np.array([np.interp(2 * np.pi / T, omega, force[:, i, i]) for i, T in enumerate(modes.period)])
-    of_force = np.sqrt([np.trapezoid(force[:, i, i], omega) for i in range(3)])
+    of_force = np.sqrt([np.trapezoid(force[:, i, i], omega) for i in range(len(modes.period))])
     flat = np.sqrt(np.pi * own / (2 * modes.damping * modes.stiffness))
     return np.stack([flat, of_force / modes.stiffness / (2 * modes.ratio)], axis=1)
 
@@ -257,17 +330,17 @@ def _rule(slow, slow_period, fast, fast_period, duration):
     return np.maximum(SIGNIFICANT * slow + largest[1], largest[0] + SIGNIFICANT * fast)
 
 
-def _flags(modes, sea):
+def _flags(modes, sea, names=NAMES):
     """Messages on natural periods near a wave period, and on lightly damped ones"""
     for system in getattr(sea, "systems", (sea,)):
         peak = system.spectrum.Tp
-        near = [f"{n} {T:.4g} s" for n, T in zip(NAMES, modes.period, strict=True) if peak / NEAR < T < peak * NEAR]
+        near = [f"{n} {T:.4g} s" for n, T in zip(names, modes.period, strict=True) if peak / NEAR < T < peak * NEAR]
         if near:
             yield (
                 f"natural period of {', '.join(near)} is within a factor of {NEAR:g} of the peak period of the waves, "
                 f"{peak:.4g} s; change the stiffness of the lines"
             )
-    light = [f"{n} {100 * v:.3g} %" for n, v in zip(NAMES, modes.ratio, strict=True) if v < 0.02]
+    light = [f"{n} {100 * v:.3g} %" for n, v in zip(names, modes.ratio, strict=True) if v < 0.02]
     if light:
         yield (
             f"slow motion is lightly damped: {', '.join(light)} of critical; give the drag of lines and hull as "

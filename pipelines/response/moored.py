@@ -1,7 +1,7 @@
 """`hakobune response --moored`: the body of a response study on the lines of a mooring study, with its slow motion.
 
 Of several bodies lines, ropes, fenders and hinges are the linear stiffness that they have where they balance the steady
-forces; slow motion is not computed.
+forces.
 """
 
 from __future__ import annotations
@@ -22,12 +22,15 @@ if TYPE_CHECKING:
 
 class Moored(NamedTuple):
     """motion : `mooring.studies.slow_motion.SlowMotion`; notes, failures : one line each, failures of lines and body by
-    the simplified method; stiffness : (6, 6) N/m … of water and lines"""
+    the simplified method; stiffness : (6, 6) N/m … of water and lines; body : `Reader` of several bodies on their
+    moorings, None for one
+    """
 
     motion: SlowMotion
     notes: tuple[str, ...]
     failures: tuple[str, ...]
     stiffness: np.ndarray
+    body: object = None
 
 
 def moored(path, read, db, sea, duration, points):
@@ -74,34 +77,24 @@ def moored(path, read, db, sea, duration, points):
     ]
     if given.waves is not None:
         notes.append(f"the waves of {path} are not used; the waves are those of the response study")
-    if np.isfinite(db.water_depth):
-        notes += _of_bound_waves(spectrum, db)
+    notes += _of_bound_waves(spectrum, db)
     told = (*notes, *viscous_words(held, laws, damping))
     return Moored(found, told, tuple(failing(statics.warnings)), held.stiffness)
 
 
-class Together(NamedTuple):
-    """body : `Reader` of several bodies on their moorings; offset : (n, 3) m, m, rad of each, by the steady forces
-
-    notes, failures : one line each
-    """
-
-    body: object
-    offset: np.ndarray
-    notes: tuple[str, ...]
-    failures: tuple[str, ...]
-
-
-def moored_together(path, read, db):
-    """`Together` of the mooring study at `path` and a ResponseStudy of a sea.  Raises ValueError, one line."""
+def moored_together(path, read, db, sea, duration, points):
+    """The same for several bodies; slow motions are those of each, one after another"""
     from hakobune.bem.hinges import driven
+    from hakobune.mooring.response.viscous import in_sea
     from hakobune.mooring.studies.conditions import Waves
+    from hakobune.mooring.studies.long_period import drag_of_each
     from hakobune.mooring.studies.multi_point import multi_point
+    from hakobune.mooring.studies.slow_motion import Loads, slow_motion
+    from hakobune.mooring.studies.slow_spectrum import PLANE
 
-    from ..common.quantities import positive
     from ..common.quay_tables import linked
-    from ..common.weather.seas import sea_with_swell
     from ..moor.study import read_study
+    from .study import viscous_laws, viscous_words
 
     for name, given in (("current is", read.current is not None), ("hinges are", bool(read.hinges))):
         if given:
@@ -111,26 +104,38 @@ def moored_together(path, read, db):
     system, berth = study.system_of(db, hulls), study.berth_of(db, hulls)
     if system is None:
         raise StudyError(f"{path} has no lines; give at least one [[spreads]] or [[lines]], or use hakobune simulate")
-    sea = sea_with_swell("sea", read.sea, db.water_depth)
-    duration = positive("sea.duration_hours", read.sea.duration_hours)
     waves = Waves(sea.spectrum.significant_height, sea.spectrum.T01, sea.direction)
-    conditions = replace(study.conditions(), waves=waves, sea=sea, method="irregular", duration=3600 * duration)
-    alone = linked(db.bodies_reader.floating(), study.hinges, db)
+    conditions = replace(study.conditions(), waves=waves, sea=sea, method="irregular", duration=duration)
+    reader, laws = db.bodies_reader, viscous_laws(read, db)
+    alone = linked(reader.floating(), study.hinges, db)
     statics = multi_point(db, system, hulls, conditions, study.allowable, berth, alone)
-    body = read.restrained(alone.restrained(driven(alone).damping - alone.damping, statics.stiffness))
-    return Together(
-        body, statics.displacement.reshape(-1, 3), tuple(_of_stiffness(path, statics)), tuple(failing(statics.warnings))
-    )
+    held = read.restrained(alone.restrained(driven(alone).damping - alone.damping, statics.stiffness))
+    (free, _), (held, damping) = (in_sea(reader, sea, laws, one) for one in (driven(alone), held))
+    turns, gusts = [one.axes[:2, :2] for one in statics.hulls], gusts_of(study.wind)
+    offset = _along(turns, statics.displacement.reshape(-1, 3)).ravel()
+    wind = None if gusts is None else _along(turns, statics.loads["wind"].reshape(-1, 6)[:, PLANE]).ravel()
+    gust = None if gusts is None else (gusts, wind)
+    loads = Loads(offset, gust, drag=drag_of_each(conditions, statics.hulls, system.depth))
+    found = slow_motion(free, held, sea, duration, loads, points)
+    notes = [*_of_stiffness(path, statics, gusts), *_of_bound_waves(sea.spectrum, db)]
+    told = (*notes, *viscous_words(held, laws, damping))
+    return Moored(found, told, tuple(failing(statics.warnings)), held.stiffness, held)
 
 
-def _of_stiffness(path, statics):
-    """Notes on what holds several bodies in a `MultiPoint` of the study at `path`"""
+def _along(turns, rows):
+    """Rows (N, 3) of x, y and yaw in space, along the axes of bodies, columns of `turns`"""
+    return np.array([[*(row[:2] @ turn), row[2]] for turn, row in zip(turns, rows, strict=True)])
+
+
+def _of_stiffness(path, statics, gusts):
+    """Notes on what holds several bodies in a `MultiPoint` of the study at `path`, and moves them slowly"""
     held = [f"{len(statics.system.lines)} lines", *(f"hinge {name}" for name in statics.hinges)]
     for word, parts in (("fender", statics.berth.fenders), ("rope", statics.berth.ropes)):
         held += [f"{len(parts)} {word}{'s' * (len(parts) > 1)}"] * bool(parts)
     yield (
         f"moored by {', '.join(held)} of {path}, with the stiffness that they have under the steady forces of wind, "
-        "current and waves; slow motion is not included; use hakobune simulate for it"
+        "current and waves; slow drift of each body by Newman's rule"
+        + ("" if gusts is None else f", gusts of {gusts.name}")
     )
     if statics.berth.names:
         idle = [name for name, force in zip(statics.berth.names, statics.contact[1, 1], strict=True) if force == 0]
@@ -146,6 +151,8 @@ def _of_bound_waves(spectrum, db):
     """Newman's approximation lacks the force of bound long waves; if kh at the peak is below 1 it may dominate"""
     from hakobune.bem.waves import wavenumber
 
+    if not np.isfinite(db.water_depth):
+        return
     kh = float(wavenumber(spectrum.peak_omega, db.water_depth, db.gravity)) * db.water_depth
     if kh < 1:
         yield (

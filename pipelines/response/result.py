@@ -22,7 +22,6 @@ from ..results.quantity import Quantity
 from ..results.result import Result, labels
 from .effort import check_effort
 from .findings import air_gaps, failures, keel_gaps, notes, turned
-from .moored import moored_together
 from .places import places_of
 from .solved import FRACTILE, solved_in_climate, solved_in_sea, solved_moored
 from .study import ResponseStudy, make_response_study, read_response_study
@@ -34,7 +33,6 @@ KIND = "response"
 MOTIONS, DRIFT, AIR, KEEL = "responses, amplitudes", "drift of the waves", "air gap", "water under the keel"
 DAMPING, EACH = "wave drift damping", "drift of each body, about its own point in its own axes"
 MOORED, PLANE = "moored, mean and slow motion", ("surge", "sway", "yaw")
-OFFSET = "moored, offset by steady forces"
 FORCE, MOVED = ("N", "N", "N m"), ("m", "m", "rad")
 FAR_FROM_DEPTH = 0.2  # change of the gap under the keel, over that of the database, above which a message is printed
 
@@ -56,18 +54,15 @@ def response(study: File | Tables | ResponseStudy, database: File | Database, mo
     if read.sea:
         check_effort(read)
     db = database_of(database)
-    points, held, together = places_of(read, db), None, None
+    points, held = places_of(read, db), None
     body = db.bodies_reader.floating()
     if moored is None:
         body = driven(linked(read.restrained(body), read.hinges, db))
     with heard() as caught:
         try:
-            if moored is not None and db.bodies:
-                together = moored_together(moored, read, db)
-                found, body = solved_in_sea(read, together.body, db, points, place)
-            elif moored is not None:
+            if moored is not None:
                 held = solved_moored(read, db, points, moored)
-                found = held.motion.fast
+                found, body = held.motion.fast, held.body or body
             else:
                 found, body = (solved_in_sea if read.sea else solved_in_climate)(read, body, db, points, place)
         except TypeError as error:
@@ -80,17 +75,13 @@ def response(study: File | Tables | ResponseStudy, database: File | Database, mo
     stiffness, years = (body if held is None else held).stiffness, read.climate and read.climate.years
     quantities, axes = of_sea(found, body.radius, body.bodies) if read.sea else of_climate(found, years, body.radius)
     if held is not None:
-        quantities |= of_moored(held.motion)
-        axes |= labels("plane", PLANE) | labels("moored_omega", held.motion.omega, "rad/s")
-        axes |= labels("with_plane", PLANE)
-    if together is not None:
-        names = [f"{one.name} {motion}" for one in db.bodies if not one.fixed for motion in PLANE]
-        offset = Quantity(together.offset.ravel(), ("horizontal",), MOVED * len(together.offset), "mean", OFFSET)
-        quantities["moored.offset"] = offset
-        axes |= labels("horizontal", names)
-    on_lines = held or together
+        several = [f"{one.name} {motion}" for one in db.bodies if not one.fixed for motion in PLANE]
+        axis = "horizontal" if several else "plane"
+        quantities |= of_moored(held.motion, axis)
+        axes |= labels("moored_omega", held.motion.omega, "rad/s")
+        axes |= labels(axis, several or PLANE) | labels(f"with_{axis}", several or PLANE)
     warned += [
-        *(on_lines.failures if on_lines else ()),
+        *(held.failures if held else ()),
         *failures(found, stiffness, years, body.words),
         *turned(quantities, axes),
     ]
@@ -99,7 +90,7 @@ def response(study: File | Tables | ResponseStudy, database: File | Database, mo
         quantities,
         axes,
         tuple(dict.fromkeys(warned)),
-        (*notes(found, years), *noted, *(on_lines.notes if on_lines else ())),
+        (*notes(found, years), *noted, *(held.notes if held else ())),
         (),
         provenance(text, db),
         found,
@@ -238,28 +229,29 @@ def _with_gaps(made, axes, found, years):
     return made, axes
 
 
-def of_moored(motion):
-    """Quantities of a SlowMotion"""
+def of_moored(motion, axis="plane"):
+    """Quantities of a SlowMotion; axis : name of that of its slow motions"""
+    moved = MOVED * (len(motion.offset) // 3)
     columns = {
-        "offset": (motion.offset, MOVED, "mean"),
+        "offset": (motion.offset, moved, "mean"),
         "natural_period": (motion.period, "s", "natural period"),
         "damping": (motion.ratio, "", "of critical damping"),
-        "slow": (motion.slow, MOVED, "σ slow"),
+        "slow": (motion.slow, moved, "σ slow"),
         "drift_share": (motion.drift_share, "", "of it by drift"),
-        "wave": (motion.fast_sigma, MOVED, "σ of the waves"),
-        "flat_spectrum": (motion.estimates[:, 0], MOVED, "√(πS/2NC)"),
-        "beating_force": (motion.estimates[:, 1], MOVED, "x_s/2ν"),
-        "largest": (motion.largest, MOVED, "largest"),
-        "largest_by_rule": (motion.rule, MOVED, "by rule"),
+        "wave": (motion.fast_sigma, moved, "σ of the waves"),
+        "flat_spectrum": (motion.estimates[:, 0], moved, "√(πS/2NC)"),
+        "beating_force": (motion.estimates[:, 1], moved, "x_s/2ν"),
+        "largest": (motion.largest, moved, "largest"),
+        "largest_by_rule": (motion.rule, moved, "by rule"),
     }
     share = ("damping", "drift_share")
     made = {
-        f"moored.{name}": Quantity(values, ("plane",), unit, words, MOORED, name in share)
+        f"moored.{name}": Quantity(values, (axis,), unit, words, MOORED, name in share)
         for name, (values, unit, words) in columns.items()
     }
     of = "of pairs of motions, slow motion"
     for name, unit in (("force", "N2 s/rad; of moments N m"), ("spectrum", "m2 s/rad, rad for yaw")):
-        values, axes = getattr(motion, name), ("moored_omega", "plane", "with_plane")
+        values, axes = getattr(motion, name), ("moored_omega", axis, f"with_{axis}")
         axes = axes[: np.ndim(values)]
         made[f"moored.{name}"] = Quantity(values, axes, unit, f"{name} {of}", record=True)
     return made

@@ -35,12 +35,13 @@ def solved_in_sea(read, body, db, points, _):
 def solved_moored(read, db, points, path):
     from ..common.quantities import StudyError, positive
     from ..common.weather.seas import sea_with_swell
-    from .moored import moored
+    from .moored import moored, moored_together
 
     if read.sea.qtf != "newman":
         raise StudyError(f"sea.qtf is {read.sea.qtf!r}; allowed with --moored: newman")
     sea = sea_with_swell("sea", read.sea, db.water_depth)
-    return moored(path, read, db, sea, 3600 * positive("sea.duration_hours", read.sea.duration_hours), points)
+    duration = 3600 * positive("sea.duration_hours", read.sea.duration_hours)
+    return (moored_together if db.bodies else moored)(path, read, db, sea, duration, points)
 
 
 def solved_in_climate(read, body, db, points, beside):

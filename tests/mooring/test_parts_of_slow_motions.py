@@ -228,7 +228,8 @@ def test_half_waves_on_a_current_drift_by_the_frequencies_that_are_met(monkeypat
 
 @pytest.mark.parametrize("names, links", [((), None), (("f",), None), ((), "links"), (("f",), "links")])
 def test_what_holds_several_bodies_beside_their_lines_adds_its_stiffness(names, links, monkeypatch):
-    """The rest under the load less what the lines pull down or heel; poses relative to those given, headings kept"""
+    """The rest under the load less what the lines pull down or heel, which links carry a part of; poses relative to
+    those given, headings kept"""
     body = SimpleNamespace(name="p", position=(1.0, 2.0, 3.0, 0.0, 0.0, 0.5))
     asked = {}
     monkeypatch.setattr(
@@ -246,7 +247,7 @@ def test_what_holds_several_bodies_beside_their_lines_adds_its_stiffness(names, 
     system, stays = SimpleNamespace(bodies=[body]), SimpleNamespace(force=np.arange(1.0, 9.0))
     berth = SimpleNamespace(names=names)
     lines, others, contact, held = multi_point._between(system, stays, berth, links, "water", np.full(6, 100.0))
-    assert lines == "lines" and asked["load"].tolist() == [100, 100, 97, 96, 95, 100]
+    assert lines == "lines" and asked["load"].tolist() == ([100.0] * 6 if links else [100, 100, 97, 96, 95, 100])
     assert asked["poses"]["p"] == pytest.approx([1.1, 2.1, 3.1, 0.1, 0.1, 0.6])
     assert others == pytest.approx(np.eye(6) * (2 * bool(names) + 3 * bool(links)))
     assert contact.tolist() == ([[5.0], [6.0]] if names else [[], []])

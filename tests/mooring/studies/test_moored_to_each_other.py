@@ -1,5 +1,6 @@
 """Two bodies on springs to anchors and to each other: offsets, periods and tensions of a chain of two masses."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -7,6 +8,7 @@ import pytest
 
 from hakobune.bem.database.between_frequencies import Between
 from hakobune.bem.database.reader import Reader
+from hakobune.bem.hinges import Link
 from hakobune.bem.modes import Body
 from hakobune.mooring.lines.system.hawser import Hawser, pull_of_points
 from hakobune.mooring.lines.system.moored_body import Leg, moored_bodies
@@ -108,3 +110,23 @@ def test_drift_of_each_on_a_current_that_carries_the_waves_is_refused():
     waves = Conditions(current=Current(0.5, 0.0), waves=Waves(2.0, 12.0, 0.0), method="regular_wave")
     with pytest.raises(ValueError, match='known only for waves in still water; give waves = "still"'):
         multi_point(database(), system(), {"a": BOX, "b": BOX}, waves)
+
+
+def test_a_hinge_carries_its_share_of_the_weight_of_chains():
+    """Two bodies with a pin in the middle, a weight W hung 10 m west of the first; down and east end down are positive
+
+    c z₁ = W − F,  r θ₁ = −10 W − 15 F,  c z₂ = F,  r θ₂ = −15 F,  z₁ + 15 θ₁ = z₂ − 15 θ₂
+    """
+    weight, c, r, k = 5e4, 1e6, 3e7, 5e3
+    west, east = (leg._replace(line=replace(leg.line, length=99.95)) for leg in LEGS[::2])  # 20 kN
+    hung = spring("hung", (-10.0, 0.0, -20.0), (-10.0, 0.0, 0.0), "a", k, slack=0.5)
+    made = database()
+    made.bodies_reader = made.bodies_reader.linked([Link("pin", ("a", "b"), (15.0, 0.0, 0.0))])
+    found = multi_point(
+        made, system([west, hung, east]), {"a": BOX, "b": BOX}, Conditions(), body=made.bodies_reader
+    )  # fmt: skip
+    rows = np.array([[c, 0, 0, 0, 1], [0, r, 0, 0, 15], [0, 0, c, 0, -1], [0, 0, 0, r, 15], [1, 15, -1, 15, 0]], float)
+    rows[:2, :2] += k * np.array([[1, -10], [-10, 100]])  # the spring that it hangs on gives way
+    force = np.linalg.solve(rows, [weight, -10 * weight, 0, 0, 0])[4]
+    assert abs(force) > 0.1 * weight and found.held[0, 0, 2] == pytest.approx(-force, rel=0.02)
+    assert found.held[1] == pytest.approx(found.held[0], abs=1e-3 * weight)

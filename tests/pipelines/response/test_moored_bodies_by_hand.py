@@ -104,7 +104,7 @@ def test_a_body_on_its_mooring_moves_on_the_stiffness_of_its_lines_under_the_ste
     free, held, sea, duration, loads, points = asked["slow_motion"]
     assert free.name == "body, carried by stream" and (sea, duration, points) == (SEA, 3600.0, "points")
     assert held.name == "read floating body on lines, carried by stream"
-    offset, gust, water = loads
+    offset, gust, water, _ = loads
     assert offset is house.statics.displacement and gust is None
     assert water == pytest.approx([0.1 * 4e5 * 100 / (2 * math.pi), 0.0, 0.05 * 5e8 * 50 / (2 * math.pi)])
     assert asked["long_period"] == (house.db, "hull of sizes", house.statics, None)
@@ -124,7 +124,7 @@ def test_gusts_push_with_the_wind_of_the_plane_and_bound_waves_are_told_in_shall
     monkeypatch.setattr(moored, "_of_bound_waves", lambda spectrum, db: [f"bound {db.water_depth:g}"])
     found = moored.moored("m.toml", house.read, house.db, SEA, 3600.0, "points")
     loads = house.asked["slow_motion"][4]
-    _, gust, _ = loads
+    _, gust, *_ = loads
     assert gust[0] is gusts and gust[1].tolist() == [1, 2, 6] and house.asked["long_period"][3] is gusts
     assert "; slow drift by Newman's rule, gusts of NPD; the drag" in found.notes[0] and found.notes[1] == "bound 20"
     house.read.current = "given"
@@ -162,7 +162,7 @@ def statics(fenders=(), ropes=(), hinges=(), force=()):
     ({"ropes": ("r", "s"), "force": (1.0, 2.0)}, "2 lines, 2 ropes", ""),
 ])  # fmt: skip
 def test_what_holds_several_bodies_is_told_with_what_lies_idle(parts, held, idle):
-    said = list(moored._of_stiffness("m.toml", statics(**parts)))
+    said = list(moored._of_stiffness("m.toml", statics(**parts), None))
     assert said[0].startswith(f"moored by {held} of m.toml, with the stiffness that they have under the steady forces")
     assert len(said) == 1 + (idle is not None) + bool(idle)
     if idle is not None:
@@ -174,35 +174,53 @@ def test_what_holds_several_bodies_is_told_with_what_lies_idle(parts, held, idle
 def test_several_bodies_move_on_the_damping_of_what_drives_them_and_the_stiffness_of_all(monkeypatch):
     asked = {}
     linked = SimpleNamespace(damping=2.0, restrained=lambda damping, stiffness: ("held", damping, stiffness))
-    made = statics()
-    made.displacement, made.stiffness, made.warnings = np.arange(12.0), "K", ["FAILS: bow", "stern"]
+    made, system_given = statics(), SimpleNamespace(depth=33.0)
+    made.displacement, made.stiffness, made.warnings = np.arange(6.0), "K", ["FAILS: bow", "stern"]
+    astern = np.diag([-1.0, -1.0, 1.0])
+    made.hulls, made.loads = [SimpleNamespace(axes=np.eye(3)), SimpleNamespace(axes=astern)], {"wind": np.arange(12.0)}
     study = SimpleNamespace(
-        hulls_of=lambda db: "hulls", system_of=lambda db, hulls: "system", berth_of=lambda db, hulls: "berth",
-        conditions=Conditions, hinges="hinges", allowable=0.5,
+        hulls_of=lambda db: "hulls", system_of=lambda db, hulls: system_given, berth_of=lambda db, hulls: "berth",
+        conditions=Conditions, hinges="hinges", allowable=0.5, wind="wind",
     )  # fmt: skip
+    driven, gusts = SimpleNamespace(damping=5.0), SimpleNamespace(name="NPD")
     monkeypatch.setattr(of_study, "read_study", lambda path: (study, ""))
-    monkeypatch.setattr("hakobune.bem.hinges.driven", lambda alone: SimpleNamespace(damping=5.0))
+    monkeypatch.setattr("hakobune.bem.hinges.driven", lambda alone: driven)
+    monkeypatch.setattr(moored, "gusts_of", lambda wind: gusts)
+    monkeypatch.setattr("hakobune.pipelines.response.study.viscous_laws", lambda read, db: "laws")
+    monkeypatch.setattr("hakobune.pipelines.response.study.viscous_words", lambda held, laws, damping: [damping])
+    monkeypatch.setattr(
+        "hakobune.mooring.response.viscous.in_sea",
+        lambda reader, sea, laws, body: (SimpleNamespace(of=body, stiffness="K"), f"damped by {laws}"),
+    )
+    monkeypatch.setattr("hakobune.mooring.studies.long_period.drag_of_each", lambda conditions, hulls, depth: depth)
+    monkeypatch.setattr(
+        "hakobune.mooring.studies.slow_motion.slow_motion", lambda *given: asked.update(slow=given) or "slow"
+    )
+    monkeypatch.setattr(moored, "_of_bound_waves", lambda spectrum, db: [f"bound {db.water_depth:g}"])
     monkeypatch.setattr(
         "hakobune.pipelines.common.quay_tables.linked",
         lambda body, hinges, db: asked.update(linked=(body, hinges)) or linked,
     )
-    monkeypatch.setattr("hakobune.pipelines.common.weather.seas.sea_with_swell", lambda where, sea, depth: SEA)
     monkeypatch.setattr(of_mooring, "multi_point", lambda *given: asked.update(given=given) or made)
-    read = SimpleNamespace(
-        current=None, hinges=(), sea=SimpleNamespace(duration_hours=2.0), restrained=lambda body: (*body, "read")
-    )
+    read = SimpleNamespace(current=None, hinges=(), restrained=lambda body: (*body, "read"))
     db = SimpleNamespace(water_depth=20.0, bodies_reader=SimpleNamespace(floating=lambda: "floating"))
-    found = moored.moored_together("m.toml", read, db)
-    assert found.body == ("held", 3.0, "K", "read") and asked["linked"] == ("floating", "hinges")
-    assert found.offset.tolist() == np.arange(12.0).reshape(4, 3).tolist() and found.failures == ("FAILS: bow",)
+    given = "m.toml", read, db, SEA, 7200.0, "points"
+    found = moored.moored_together(*given)
+    assert found.body.of == ("held", 3.0, "K", "read") and asked["linked"] == ("floating", "hinges")
+    free, held, sea, duration, loads, points = asked["slow"]
+    assert (free.of, held, sea, duration, points) == (driven, found.body, SEA, 7200.0, "points")
+    assert loads.offset.tolist() == [0, 1, 2, -3, -4, 5] and loads.drag == 33.0
+    assert loads.gust[0] is gusts and loads.gust[1].tolist() == [0, 1, 5, -6, -7, 11]
+    assert (found.motion, found.failures, found.stiffness) == ("slow", ("FAILS: bow",), "K")
     of, system, hulls, conditions, allowable, berth, alone = asked["given"]
-    assert (of, system, hulls, allowable, berth, alone) == (db, "system", "hulls", 0.5, "berth", linked)
+    assert (of, system, hulls, allowable, berth, alone) == (db, system_given, "hulls", 0.5, "berth", linked)
     assert (conditions.sea, conditions.method, conditions.duration) == (SEA, "irregular", 7200.0)
-    assert found.notes[0].startswith("moored by 2 lines of m.toml")
+    assert found.notes[0].startswith("moored by 2 lines of m.toml") and found.notes[0].endswith(", gusts of NPD")
+    assert found.notes[1:] == ("bound 20", "damped by laws")
     study.system_of = lambda db, hulls: None
     with pytest.raises(StudyError, match=r"m\.toml has no lines; give at least one \[\[spreads\]\] or \[\[lines\]\]"):
-        moored.moored_together("m.toml", read, db)
+        moored.moored_together(*given)
     for key, value, says in (("hinges", ("h",), "hinges are"), ("current", "c", "current is")):
         setattr(read, key, value)
         with pytest.raises(StudyError, match=rf"{says} given with --moored; allowed: those of m\.toml alone"):
-            moored.moored_together("m.toml", read, db)
+            moored.moored_together(*given)

@@ -23,9 +23,7 @@ def way(monkeypatch):
     found = SimpleNamespace(warnings=["found warns"])
     fast = SimpleNamespace(warnings=["fast warns"])
     motion = SimpleNamespace(fast=fast, warnings=["held warns"], omega=np.array([0.1, 0.2]))
-    held = SimpleNamespace(motion=motion, stiffness="held K", failures=["held fails"], notes=["on lines"])
-    offset = np.array([[1.0, 2.0, 0.3]])
-    together = SimpleNamespace(body="on lines", offset=offset, failures=["parts"], notes=["joined"])
+    held = SimpleNamespace(motion=motion, stiffness="held K", failures=["held fails"], notes=["on lines"], body=None)
 
     def answer(name, value):
         monkeypatch.setattr(result, name, lambda *given: asked.update({name: given}) or value)
@@ -33,7 +31,7 @@ def way(monkeypatch):
     for name, value in (
         ("given", (read, "text")), ("check_effort", None), ("database_of", db), ("places_of", "points"),
         ("linked", "linked"), ("driven", "driven"), ("solved_in_sea", (found, FREE)), ("turned", ["turned"]),
-        ("solved_in_climate", (found, FREE)), ("solved_moored", held), ("moored_together", together),
+        ("solved_in_climate", (found, FREE)), ("solved_moored", held),
         ("resonances", [SHARP, BROAD]), ("of_sea", ({}, {})), ("of_climate", ({}, {})), ("of_moored", {}),
         ("failures", ["fails"]), ("notes", ["noted"]), ("provenance", {}), ("_of_depth", ["deep"]),
     ):  # fmt: skip
@@ -41,7 +39,7 @@ def way(monkeypatch):
     monkeypatch.setattr(result, "underdamped", lambda one: one is SHARP)
     monkeypatch.setattr(result, "resonance_lines", lambda peaks: [f"peak {one}" for one in peaks])
     monkeypatch.setattr(result, "Result", lambda *given: given)
-    return SimpleNamespace(asked=asked, read=read, db=db, found=found, fast=fast)
+    return SimpleNamespace(asked=asked, read=read, db=db, found=found, fast=fast, held=held)
 
 
 def test_a_free_body_in_a_sea_has_its_hinges_and_sharp_peaks_are_warned_of(way):
@@ -53,7 +51,7 @@ def test_a_free_body_in_a_sea_has_its_hinges_and_sharp_peaks_are_warned_of(way):
     assert way.asked["of_sea"] == (way.found, 50.0, ("own",))
     assert way.asked["failures"] == (way.found, "free K", None, "words")
     assert detail is way.found and axes == {} and way.asked["check_effort"] == (way.read,) and kind == result.KIND
-    assert not {"solved_in_climate", "solved_moored", "moored_together"} & set(way.asked)
+    assert not {"solved_in_climate", "solved_moored"} & set(way.asked)
     result.response({"a": "dictionary"}, "a.h5")
     assert str(way.asked["solved_in_sea"][-1]) == "study"
 
@@ -86,10 +84,9 @@ def test_a_body_on_lines_has_its_slow_motion_and_what_is_said_of_the_lines(way):
 
 
 def test_several_bodies_on_lines_have_the_places_of_those_that_move(way):
-    way.db.bodies = way.db.moving
-    _, made, axes, told, noted, *_ = result.response("s.toml", "a.h5", "m.toml")
-    assert way.asked["moored_together"] == ("m.toml", way.read, way.db)
-    assert way.asked["solved_in_sea"][1] == "on lines"
-    assert made["moored.offset"].values.tolist() == [1.0, 2.0, 0.3] and made["moored.offset"].unit == ("m", "m", "rad")
-    assert axes["horizontal"].values.tolist() == ["a surge", "a sway", "a yaw"]
-    assert "parts" in told and noted[-1] == "joined" and "solved_moored" not in way.asked
+    way.db.bodies, way.held.body = way.db.moving, FREE
+    _, _, axes, _, noted, *_ = result.response("s.toml", "a.h5", "m.toml")
+    assert way.asked["resonances"] == (FREE,) and way.asked["of_moored"] == (way.held.motion, "horizontal")
+    assert axes["horizontal"].values.tolist() == axes["with_horizontal"].values.tolist()
+    assert axes["horizontal"].values.tolist() == ["a surge", "a sway", "a yaw"] and "plane" not in axes
+    assert noted[-1] == "on lines" and "solved_in_sea" not in way.asked

@@ -156,6 +156,12 @@ def test_a_moored_body_has_slow_motions_of_the_plane_and_shares_in_per_cent():
     assert made["moored.beating_force"].values.tolist() == [4, 5, 6]
     assert made["moored.force"].axes == ("moored_omega", "plane", "with_plane") and made["moored.force"].record
     assert made["moored.spectrum"].axes == ("moored_omega", "plane")
+    for name in names:
+        setattr(motion, name, np.arange(6.0))
+    motion.estimates = np.ones((6, 2))
+    several = result.of_moored(motion, "horizontal")
+    assert several["moored.offset"].axes == ("horizontal",) and several["moored.offset"].unit == 2 * ("m", "m", "rad")
+    assert several["moored.force"].axes == ("moored_omega", "horizontal", "with_horizontal")
 
 
 @pytest.mark.parametrize(("years", "words"), [(None, "probability"), (50.0, "once in years")])
