@@ -62,6 +62,9 @@ def test_three_panels_a_wave():
     hull = plain(100, 50, 10, (10, 5, 5))  # edges of 5 m at most
     line = both("coarse", {"mesh": hull, "shortest_wave": 15.0}, {"mesh": hull, "shortest_wave": 14.7})
     assert "125 of 125 panels up to 5 m long, coarse for the wave length 14.7 m; good: ≤ 4.9 m" in line
+    hull = plain(100, 50, 10, (20, 5, 5))  # 100 of the sides are 2.5 m
+    (line,) = said("coarse", hull, shortest_wave=14.7)
+    assert "125 of 225 panels up to 5 m long, coarse" in line
 
 
 def test_bottom_panels_as_long_as_the_water_under_them_is_deep():
