@@ -149,6 +149,6 @@ def _each(hinges, forces):
     out, first = np.zeros((len(hinges), 3), complex), 0
     for i, hinge in enumerate(hinges):
         count = 3 if hinge.kind == "rigid" else 2
-        out[i, :count] = -forces[first : first + count]
+        out[i, :count] = forces[first : first + count]
         first += count
     return out

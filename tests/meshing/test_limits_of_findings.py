@@ -62,6 +62,9 @@ def test_three_panels_a_wave():
     hull = plain(100, 50, 10, (10, 5, 5))  # edges of 5 m at most
     line = both("coarse", {"mesh": hull, "shortest_wave": 15.0}, {"mesh": hull, "shortest_wave": 14.7})
     assert "125 of 125 panels up to 5 m long, coarse for the wave length 14.7 m; good: ≤ 4.9 m" in line
+    hull = plain(100, 50, 10, (20, 5, 5))  # 100 of the sides are 2.5 m
+    (line,) = said("coarse", hull, shortest_wave=14.7)
+    assert "125 of 225 panels up to 5 m long, coarse" in line
 
 
 def test_bottom_panels_as_long_as_the_water_under_them_is_deep():
@@ -258,3 +261,14 @@ def test_edges_of_inner_walls_are_counted_with_the_most_panels_that_meet_in_one(
         walls.append(PanelMesh([foot, (0.5 + n, -0.5, -1.0), (0.5 + n, -0.5, 0.0), top], [[0, 1, 2, 3]]))
     (line,) = said("more than two panels", joined([hull, *walls]))
     assert f"2 edges with more than two panels (up to {most}), the first near" in line and "remove inner" in line
+
+
+def test_a_panel_that_faces_up_lies_in_the_surface_with_all_of_its_corners_a_millionth_of_the_draft_deep_at_most():
+    """A hull of 5 m; one corner at 6 or 4 µm, the others in the surface"""
+
+    def under(deep):
+        plate = PanelMesh([[1, 1, 0], [2, 1, 0], [2, 2, 0], [1, 2, -deep]], [[0, 1, 2, 3]])
+        return {"mesh": joined([plain(20.0, 10.0, 5.0).whole(), plate])}
+
+    line = both("in the water surface", under(6e-6), under(4e-6), "error")
+    assert "1 of " in line and "facing up: they are dry; remove them" in line

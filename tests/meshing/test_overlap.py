@@ -72,3 +72,14 @@ def test_a_hull_and_its_image_wind_once_about_what_is_inside():
     inside = np.array([[0.0, 0, -1], [9.5, 4.5, -3.5], [-6.0, 2.0, 3.0]])
     assert np.abs(winding(inside, panels)) == pytest.approx([1.0] * 3, abs=1e-9)
     assert winding(np.array([[11.0, 0, -1], [0, 0, -4.5], [0, 5.5, 2.0]]), panels) == pytest.approx([0.0] * 3, abs=1e-9)
+
+
+def test_the_place_of_an_overlap_is_a_panel_of_one_hull_within_the_other():
+    """The end of a raft of 2 m of draft in the side of a pontoon of 5 m, whose bottom there is below the raft"""
+    raft = box(20, 10, 2, panels=80).whole().moved(24.0, 2.0, 0.0)
+    both = joined([PONTOON, raft]).merged()
+    found = overlaps(both)
+    assert len(found) == 2
+    for inside, of, place in found:
+        assert 0 < inside < of and 14.0 <= place[0] <= 20.0 and -3.0 <= place[1] <= 5.0 and -2.0 <= place[2] < 0.0
+        assert np.abs(both.centroids - place).sum(axis=1).min() < 1e-12

@@ -127,3 +127,13 @@ def test_edges_that_touch_from_aside_are_found_and_those_of_one_line_apart_are_n
     closed(np.array([0, 4, 4 + 2j, 3 + 2j, 2 + 0.01j, 1 + 2j, 0 + 2j]))
     box = rectangle(4.0, 2.0)
     assert box.meets(-3 + 1j, 3 + 1j) and not box.meets(-3 + 3j, 3 + 3j) and not box.meets(-1 + 1j, 1 + 1j)
+
+
+@pytest.mark.parametrize("point, distance", [
+    (4 + 3j, 2.4), (1 - 0.5j, 0.5), (3.5 - 0.5j, 0.5), (-0.7 + 2.2j, 0.7), (7 - 4j, 5.0), (-3 + 7j, 5.0), (1 + 1j, 0.0),
+    (2.4 + 4.4j, 2.56),
+])  # fmt: skip
+def test_the_nearest_point_of_a_triangle_is_a_foot_on_a_side_or_a_corner(point, distance):
+    """Corners (0, 0), (4, 0) and (0, 3): 3y + 4z = 12 of the long side"""
+    sides = closed([0, 4, 3j])
+    assert sides.distance(point) == pytest.approx(distance)
