@@ -46,7 +46,7 @@ MOST_TRIES, SAME_VOLUME = 8, 2e-3  # tries; relative error of the enclosed volum
 # 8 up to 8 % less than the column, so that radii for the right volume give a waterplane that is up to 6 % too large
 TRIES = ((0.5 * math.pi, 1.0, 8), (0.0, 1.0, 8), (0.5 * math.pi, 1.5, 8), (0.5 * math.pi, 1.0, 6))
 SAME_CENTER = 1e-3  # distance in plan of the centres of buoyancy of drawing and panels, over the length
-SAME_PLANE = 0.015  # relative difference of the waterplanes of drawing and panels, and of their volumes
+SAME_PLANE = 0.03  # relative difference of the waterplanes of drawing and panels, and of their volumes
 AT_SURFACE = 1e-6  # distance from z = 0 below which a point lies in the surface, as a share of the hull's size
 
 

@@ -117,7 +117,7 @@ def test_radii_grow_until_the_panels_hold_the_volume_and_no_longer(lost, monkeyp
 
 
 def test_columns_on_footings_have_the_waterplane_of_their_circles():
-    """n π r², within 1.5 % as the volume; radii that make up for panels within the columns were up to 6 % too large"""
+    """n π r² within 1.5 %; radii that make up for panels within the columns were up to 6 % too large"""
     turns, draft, r, foot, high, at = 4, 23.7, 7.0, 10.1, 5.5, 27.1
     parts = [
         {"shape": "cylinder", "from": [-at, 0, -draft], "to": [-at, 0, top], "radius": radius, "turns": turns}
