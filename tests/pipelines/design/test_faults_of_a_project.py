@@ -234,7 +234,7 @@ FAULTS = {
     ),
     "radii of gyration": ("lines", [(scene("bodies", 0, "gyration"), ...)], ("radii of gyration", "give gyration")),
     "what of the waves is wanted": (
-        "lines", [(scene("want"), ["radiation", "diffraction"])], ("does not include drift_force", "leave out want"),
+        "lines", [(scene("want"), ["radiation", "diffraction"])], ("does not list drift_force", "leave the key out"),
     ),
     "shape": ("lines", [(scene("bodies", 0, "shape"), "bax")], ("bodies[0].shape is 'bax'", "box, buoy")),
     "size of another hull": ("lines", [(study("hull", "length"), 90.0)], ("hull.length is 90 m", "100 m")),
