@@ -2,8 +2,9 @@
 
     F(t) = Re Σ aᵢ X(ωᵢ, βᵢ − ψ) exp{i(kᵢ·r + εᵢ − ωᵢt)},    D(t) = |Σ aᵢ √D⁺ᵢ e^{…}|² − |Σ aᵢ √D⁻ᵢ e^{…}|²
 
-in axes that turn with the slow heading ψ; r is the origin of the database's axes at its slow position. The drift is
-Newman's approximation with the root of both diagonals (`mooring.response.slow_drift`). On a current V waves at a place
+in axes that turn with the slow heading ψ; r is the origin of the database's axes at its slow position, in the drift the
+rotation centre of the body, so that groups of waves reach several bodies one after another. The drift is Newman's
+approximation with the root of both diagonals (`mooring.response.slow_drift`). On a current V waves at a place
 have ωᵢ + kᵢ·V in the exponent, and Dᵢ is D + B V of each (`mooring.response.wave_drift_damping`). Time is divided into
 windows. A slow pose is predicted for the end of each window, and forces change linearly from those of the pose at its
 begin to those of the pose at its end, so that they are continuous for any motion. Around the instant between two

@@ -101,8 +101,8 @@ def fill_rows(waves, pose, start, body=0):
     """
     table, turns, parts = waves.table, waves.turns, waves.parts
     cos, sin = np.cos(pose[2]), np.sin(pose[2])
-    cx, cy, ax, ay = table.center[body, 0], table.center[body, 1], table.arm[body, 0], table.arm[body, 1]
-    turn_waves(table, cx + pose[0] - cos * ax + sin * ay, cy + pose[1] - sin * ax - cos * ay, start, turns)
+    ax, ay = cos * table.arm[body, 0] - sin * table.arm[body, 1], sin * table.arm[body, 0] + cos * table.arm[body, 1]
+    turn_waves(table, table.center[body, 0] + pose[0] - ax, table.center[body, 1] + pose[1] - ay, start, turns)
     weights, first, towards = waves.weights, 0, np.nan
     force, into = address(table.force), address(parts)
     for i in range(table.omega.size):
@@ -119,25 +119,27 @@ def fill_rows(waves, pose, start, body=0):
             high = high + load_vector(force, at + 8) * weights[n]
         store_vector(into, 0, low)
         store_vector(into, 8, high)
-        put_rows(waves.rows[i, 0], waves.rows[i, 1], turns[0, i], turns[1, i], parts)
+        a, b = turns[0, i], turns[1, i]
+        sine, cosine = sine_and_cosine(table.number[0, i] * ax + table.number[1, i] * ay)
+        put_rows(waves.rows[i, 0], waves.rows[i, 1], a, b, a * cosine - b * sine, a * sine + b * cosine, parts)
 
 
 @kernel(inline=True, counted=False)
-def put_rows(by_cos, by_sin, a, b, parts):
-    """Rows of a wave of amplitude a + ib m at the body: parts (16,) are the forces and drift of the wave as in a
-    `WaveTable`"""
+def put_rows(by_cos, by_sin, a, b, c, d, parts):
+    """Rows of a wave of amplitude a + ib m at the body's moved origin, which its forces refer to, and c + id at its
+    rotation centre, where its drift beats; parts (16,) : forces and drift of the wave as in a `WaveTable`"""
     for j in range(6):
         by_cos[j], by_sin[j] = a * parts[j] - b * parts[6 + j], b * parts[j] + a * parts[6 + j]
     by_cos[6], by_sin[6] = a, b
     for j in range(3):
-        d = parts[12 + j]
-        root = np.sqrt(abs(d))
-        up, down = (root, 0.0) if d > 0.0 else (0.0, root)
+        drift = parts[12 + j]
+        root = np.sqrt(abs(drift))
+        up, down = (root, 0.0) if drift > 0.0 else (0.0, root)
         p = 7 + 4 * j
-        by_cos[p], by_sin[p] = up * a, up * b
-        by_cos[p + 1], by_sin[p + 1] = up * b, -up * a
-        by_cos[p + 2], by_sin[p + 2] = down * a, down * b
-        by_cos[p + 3], by_sin[p + 3] = down * b, -down * a
+        by_cos[p], by_sin[p] = up * c, up * d
+        by_cos[p + 1], by_sin[p + 1] = up * d, -up * c
+        by_cos[p + 2], by_sin[p + 2] = down * c, down * d
+        by_cos[p + 3], by_sin[p + 3] = down * d, -down * c
 
 
 @kernel(counted=False)

@@ -46,7 +46,9 @@ def in_waves(body, pose, t):
     parts = PARTS[body, :, 0] + PARTS[body, :, 1] * np.cos(chi)[:, None] + PARTS[body, :, 2] * np.sin(chi)[:, None]
     force = (crest @ (parts[:, :6] + 1j * parts[:, 6:12])).real
     up, down = np.sqrt(np.maximum(parts[:, 12:], 0)), np.sqrt(np.maximum(-parts[:, 12:], 0))
-    return force, abs(crest @ up) ** 2 - abs(crest @ down) ** 2, AMPLITUDE**2 @ parts[:, 12:], crest.sum().real
+    x, y = CENTER[body] + pose[:2]  # groups of waves are those that pass the rotation centre
+    there = AMPLITUDE * np.exp(1j * (NUMBER[0] * x + NUMBER[1] * y + PHASE - OMEGA * t))
+    return force, abs(there @ up) ** 2 - abs(there @ down) ** 2, AMPLITUDE**2 @ parts[:, 12:], crest.sum().real
 
 
 @pytest.mark.parametrize("mean", [True, False])
