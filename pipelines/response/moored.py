@@ -17,6 +17,7 @@ from ..common.quantities import StudyError
 from ..common.weather.gusts import gusts_of
 
 if TYPE_CHECKING:
+    from hakobune.bem.database.reader import Reader
     from hakobune.mooring.studies.slow_motion import SlowMotion
 
 
@@ -30,7 +31,7 @@ class Moored(NamedTuple):
     notes: tuple[str, ...]
     failures: tuple[str, ...]
     stiffness: np.ndarray
-    body: object = None
+    body: Reader | None = None
 
 
 def moored(path, read, db, sea, duration, points):
