@@ -25,6 +25,7 @@ import tomllib
 from dataclasses import dataclass, field, replace
 from itertools import groupby
 from typing import NamedTuple
+from warnings import warn
 
 import numpy as np
 
@@ -138,7 +139,9 @@ def _number(table, key, where):
 
 
 def meshed(drawing, name=""):
-    """PanelMesh of a `Drawing`: the first of `TRIES` with the right centre of buoyancy in plan, else the nearest.
+    """PanelMesh of a `Drawing`: the first of `TRIES` with its centre in plan, volume and waterplane, else the nearest
+
+    Warns where none is within their limits.
 
     Raises ValueError where nothing lies below the surface, or where the panels fail a check.
     """
@@ -147,10 +150,18 @@ def meshed(drawing, name=""):
     found = []
     for seam, more, algorithm in TRIES:
         mesh, body = _of_volume(replace(drawing, around=math.ceil(more * drawing.around)), name, seam, algorithm)
-        found.append((_off(mesh, body), mesh))
+        found.append((_off(mesh, body), mesh, body))
         if found[-1][0] <= 1.0:
             break
-    return min(found, key=lambda one: one[0])[1]
+    off, mesh, body = min(found, key=lambda one: one[0])
+    if off > 1.0:
+        warn(
+            f"{name or 'drawing'}: the panels have a volume of {mesh.volume:.4g} m³ and a waterplane of "
+            f"{waterplane_area(mesh):.4g} m², the drawing {body.volume:.4g} m³ and {body.plane:.4g} m²; allowed: "
+            f"{100 * SAME_PLANE:g} % apart, and the same middle; give smaller panels or a larger `around`",
+            stacklevel=2,
+        )
+    return mesh
 
 
 def _off(mesh, body):

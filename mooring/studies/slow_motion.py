@@ -111,8 +111,12 @@ def slow_motion(free, held, sea, duration, loads=None, points=()) -> SlowMotion:
         respond = _response(omega, mass, damping, stiffness, held.free)
         spectra = [np.einsum("dij,djk,dik->di", respond, force, respond.conj()).real for force in (drift, gusts)]
         m0, m2 = (np.trapezoid(omega[:, None] ** n * sum(spectra), omega, axis=0) for n in (0, 2))
-        if np.all(np.abs(np.sqrt(f2 + m2) - speed) <= SETTLED * speed):
+        off = np.abs(np.sqrt(f2 + m2) - speed)
+        if np.all(off <= SETTLED * speed):
             break
+    unsettled = ()
+    if bodies and not np.all(off <= SETTLED * speed):
+        unsettled = (f"slow motion: the drag of the hulls did not settle in {TURNS} turns; use `hakobune simulate`",)
     forms = _forms_of(of_sea, modes, mass, damping, stiffness, held.free)
     along, yaw = m0.reshape(-1, 3)[:, :2].max(), m0[2::3].max()
     seen = m0 > TINY**2 * np.tile([along, along, yaw], len(m0) // 3)
@@ -136,7 +140,7 @@ def slow_motion(free, held, sea, duration, loads=None, points=()) -> SlowMotion:
         sum(spectra),
         fast,
         float(duration),
-        (*dict.fromkeys((*state.warnings, *fast.warnings)), *_flags(modes, sea, _named(held))),
+        (*dict.fromkeys((*state.warnings, *fast.warnings)), *unsettled, *_flags(modes, sea, _named(held))),
     )
 
 

@@ -1,5 +1,6 @@
 """Hulls drawn from parts: the volumes of plane and solid geometry, panels without a finding, faults named."""
 
+import warnings
 from dataclasses import replace
 from types import SimpleNamespace
 
@@ -10,6 +11,7 @@ from hakobune.meshing import drawing as module
 from hakobune.meshing.drawing import Drawing, drawing_of, meshed
 from hakobune.meshing.files import read_mesh
 from hakobune.meshing.hydrostatics import hydrostatics
+from hakobune.meshing.panels import PanelMesh
 from hakobune.meshing.quality import findings
 
 COLUMN = {"shape": "cylinder", "from": [10.0, 0.0, -8.0], "to": [10.0, 0.0, 5.0], "radius": 3.0, "turns": 3}
@@ -127,3 +129,19 @@ def test_columns_on_footings_have_the_waterplane_of_their_circles():
     plane, volume = turns * np.pi * r**2, turns * np.pi * (foot**2 * high + r**2 * (draft - high))
     assert -mesh.whole().area_vectors[:, 2].sum() == pytest.approx(plane, rel=0.015)
     assert mesh.volume == pytest.approx(volume, rel=0.015)
+
+
+@pytest.mark.parametrize("plane", [103.5, 102.5])
+def test_panels_whose_waterplane_stays_off_are_told_and_those_within_three_per_cent_are_not(plane, monkeypatch):
+    """A box of 10 × 10 × 1 m, whatever is tried, for a drawing of another waterplane"""
+    x, y = np.array([[-5.0, 5.0, 5.0, -5.0], [-5.0, -5.0, 5.0, 5.0]])
+    points = np.column_stack([np.tile(x, 2), np.tile(y, 2), np.repeat([0.0, -1.0], 4)])
+    sides = [[i, (i + 1) % 4, 4 + (i + 1) % 4, 4 + i] for i in range(4)]
+    mesh = PanelMesh(points, np.array([[4, 7, 6, 5], *[side[::-1] for side in sides]]))
+    body = module.Drawn(100.0, np.array([0.0, 0.0, -0.5]), plane)
+    monkeypatch.setattr(module, "_of_volume", lambda *given: (mesh, body))
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        assert meshed(Drawing(1.0, parts=[({"shape": "cylinder"}, 0.0)]), "raft") is mesh
+    told = [str(one.message) for one in caught]
+    assert len(told) == (plane > 103) and all("raft: the panels" in one and "3 % apart" in one for one in told)

@@ -126,6 +126,21 @@ def test_a_hinge_moves_both_slowly_alike():
     assert np.isnan(found.period).any()  # two motions in one mode
 
 
+def test_a_drag_that_does_not_settle_is_told():
+    """A drag that is another one at every turn"""
+    turns = []
+
+    def restless(speed):
+        turns.append(speed)
+        return constant(speed) * (1.0 + len(turns) % 2)
+
+    free, held = side_by_side()
+    found = slow_motion(free, held, BEAM, HOUR, Loads(np.zeros(6), drag=restless))
+    assert len(turns) == 40 and any("did not settle in 40 turns" in line for line in found.warnings)
+    settled = slow_motion(free, held, BEAM, HOUR, Loads(np.zeros(6), drag=constant))
+    assert not any("settle" in line for line in settled.warnings)
+
+
 @pytest.mark.filterwarnings("ignore")  # 5 % of the energy is beyond what is stored
 def test_slow_motion_is_that_of_a_simulation_within_its_scatter():
     """Waves that push by drift alone, six hours, on a slider with a spring between them: σ of both sways within the
