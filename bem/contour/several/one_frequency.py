@@ -56,8 +56,8 @@ class SeveralFrequency:
         out = np.empty((self.fixed.size, wall.shape[1]), complex)
         for rows, own, gap, side in zip(self.wave_rows, self.fixed.functions, *self.fixed.layout, strict=True):
             whole = np.multiply.outer(rows, wall[own])
-            out[gap] = whole[:-2].reshape(-1, wall.shape[1])
-            out[side] = whole[-2:].reshape(-1, wall.shape[1])
+            out[gap] = whole[:-2].reshape(out[gap].shape)
+            out[side] = whole[-2:].reshape(out[side].shape)
         return out
 
     @cached_property

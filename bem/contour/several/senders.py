@@ -25,6 +25,7 @@ from ..plan.panels import quarter_panels
 
 PER_GAP = 2.0  # gaps in a panel of a rectangle at most
 INSIDE = 8  # points inside a plan at least, for waves
+FALLEN = 100.0  # κ(r − R) beyond which a decaying wave is zero; e^(−100) = 4e-44
 
 
 class Kernel(NamedTuple):
@@ -165,6 +166,7 @@ def _on_circle(kernel, R, r, last):
             slope = ive(m - 1, x) - m / x * ive(m, x)
             slope[0] = ive(1, x)
             found = R * ive(m, x) * fall, x * slope * fall
+            far = tuple(part * (y - x < FALLEN) for part in far)
         else:
             out = r >= R
             one = np.where(out, jv(m, x) * hankel1(m, y), hankel1(m, x) * jv(m, y))

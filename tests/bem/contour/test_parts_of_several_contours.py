@@ -140,6 +140,13 @@ def test_orders_that_underflow_go_with_the_power_of_the_distance():
     assert S[0, 120] == pytest.approx(1.5 / 240 * (1 / 3) ** 120) and D[0, 120] == pytest.approx(-0.5 * (1 / 3) ** 120)
 
 
+@pytest.mark.parametrize("far", [150.0, 800.0, 5000.0])
+def test_a_wave_that_has_decayed_sends_nothing(far):
+    """κ(r − R) of 150 is a factor of e^(−150), and beyond 745 the smallest of all numbers: no order goes with a power"""
+    S, D = _on_circle(Kernel("decaying", 8.0), 10.0, np.array([10.0 + far / 8.0]), 60)
+    assert np.abs(S).max() < 1e-60 and np.abs(D).max() < 1e-60
+
+
 def test_a_sender_has_nodes_for_its_orders_and_points_inside_for_its_waves():
     """Of a circle the larger of degree + 4 and digits ln 10/arccosh(1 + g/2R); 8 points and k times size over 2 or 4"""
     far, close = sender(CIRCLE, 3, 0.0, 40.0, 3.0, 1.0), sender(CIRCLE, 3, 0.0, 0.1, 3.0, 1.0)

@@ -44,6 +44,17 @@ def test_two_truncated_cylinders_of_published_coefficients():
     assert abs(force[[0, 6]] - [-2518943 - 1332175j, 2322799 - 1051619j]).max() < 1.5
 
 
+def test_a_third_cylinder_300_m_away_is_not_felt_but_by_its_waves():
+    """Close pairs need decaying modes that have fallen by e^(−800) at the third; without waves it is not there"""
+    near = [Place(0.0, 0.0, 0.0), Place(24.0, 0.0, 0.0)]
+    three = prepare_several([("buoy", (10.0, 10.0))] * 3, [*near, Place(24.0, 300.0, 0.0)], 20.0, 1e-3)
+    two = prepare_several([("buoy", (10.0, 10.0))] * 2, near, 20.0, 1e-3)
+    Z = three.first_order(0.8).radiation
+    assert abs(Z - Z.T).max() < 1e-10 * abs(Z).max()
+    high = [bodies.added_mass_limit("infinity")[:12, :12] for bodies in (three, two)]
+    assert abs(high[0] - high[1]).max() < 1e-5 * abs(high[1]).max()
+
+
 def test_their_mean_drift_is_the_published_one():
     bodies = Body("west", (-12.5, 0, 0), place=(-12.5, 0)), Body("east", (12.5, 0, 0), place=(12.5, 0))
     problem = ShapeProblem(method="contour", shapes=(("buoy", (10.0, 10.0)),) * 2, bodies=bodies, depth=20.0,
