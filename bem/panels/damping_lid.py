@@ -116,6 +116,13 @@ class DampedRun(PanelRun):
         return self.solutions[cls][self.on_lids].T
 
     @property
+    def mean_rise(self):
+        """Elevation of the water, in the mean over all damping lids, beside bodies at rest, m per m; shape (m,)"""
+        weights = self.geometry.elements.weights[self.on_lids]
+        _ = self.potentials
+        return 1j * self.omega / self.problem.gravity * self._of_waves[1, 1] @ weights / weights.sum()
+
+    @property
     def senders(self):
         e, n = self.geometry.elements, self.on_lids.stop
         return e.nodes[:n], e.weights[:n], e.normals[:n]

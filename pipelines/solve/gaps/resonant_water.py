@@ -9,16 +9,20 @@ The natural frequency follows from the mass of this water and of the water below
 The first formula is for two dimensions and deep water; in water twice as deep as the draft it is 5 % too high, in less
 10 %.  Around its frequency two equal rectangles are solved (`bem.sections.side_by_side`): they give the period,
 and how far the water rises between long hulls.  Before a wall the gap counts twice, with the image of the hull.
+
+The second formula is for deep water; over a low gap under the keel it is up to 40 % too high.  Around its frequency the
+hull itself is solved (`bem.methods.moonpool`), if it has not too many panels, a draft, and no wall beside it.
 """
 
 import math
 
 import numpy as np
 
-from hakobune.meshing.surface.patches import moonpools
+from hakobune.meshing.surface.patches import counter_clockwise, moonpools
 
 NARROW = 1.0  # width over the draft above which a gap does not trap its water
 SPREAD = 1.15  # largest ratio of the frequency by the formulas to the true one
+SHALLOW = 1.5  # the same of a moonpool, where its hull can be solved
 AROUND = np.linspace(0.8, 1.1, 9)  # frequencies over that of the formula in which the peak is looked for
 REFINED = np.linspace(-0.9, 0.9, 7)  # of its steps, around the largest
 
@@ -38,22 +42,49 @@ def resonant_water(scene, mesh, gaps=()):
             own = math.sqrt(g / (draft + clear / math.pi * (1.5 + math.log(whole / (2 * clear)))))
             sizes = clear, draft, (whole - clear) / 2
             said.append((f"the water between {names}, {gap:.3g} m wide,", own, sizes))
-    for corners in _moonpools(mesh) if mesh.bodies == 1 else ():
-        x, y = corners[:, 0], corners[:, 1]
-        area = 0.5 * abs(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)))
-        own = math.sqrt(g / (mesh.draft + 0.41 * math.sqrt(area)))
-        said.append((f"the water of the moonpool of {area:.3g} m²", own, None))
+    found = [_message(water, own, sizes, scene) for water, own, sizes in said if _among(own, scene, SPREAD)]
+    pools = _moonpools(mesh) if mesh.bodies == 1 else ()
+    return (*found, *(text for corners in pools for text in _of_moonpool(corners, mesh, scene)))
+
+
+def _among(omega, scene, spread):
+    """Whether a frequency that may be too high by a factor `spread`, or too low by `SPREAD`, is among the waves"""
     omegas = scene.omegas()
-    return tuple(
-        _message(water, own, sizes, scene)
-        for water, own, sizes in said
-        if omegas[0] / SPREAD <= own <= omegas[-1] * SPREAD
-    )
+    return omegas[0] / SPREAD <= omega <= omegas[-1] * spread
+
+
+def _of_moonpool(corners, mesh, scene):
+    """The message on one moonpool, if any"""
+    x, y = corners[:, 0], corners[:, 1]
+    area = 0.5 * abs(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)))
+    own, rise = math.sqrt(scene.water.gravity / (mesh.draft + 0.41 * math.sqrt(area))), ""
+    found = _piston(corners, mesh, scene, own) if _among(own, scene, SHALLOW) else None
+    if found is not None:
+        own, rise = found.omega, f", with the hull held {found.rise:.2g} times the wave"
+    if _among(own, scene, SPREAD):
+        yield _text(f"the water of the moonpool of {area:.3g} m²", own, rise)
+
+
+def _piston(corners, mesh, scene, near):
+    """`bem.methods.moonpool.Piston`, or None where it cannot be solved"""
+    from hakobune.bem.methods.moonpool import piston
+
+    if scene.wall is not None or scene.solved_by == "pressure":
+        return None
+    try:
+        polygon = counter_clockwise(corners)
+    except ValueError:
+        return None
+    return piston(mesh, polygon, scene.water.depth, scene.headings(), near, scene.water.gravity)
 
 
 def _message(water, own, sizes, scene):
-    found = None if sizes is None else peak(*sizes, scene.water.depth, own, scene.water.gravity)
+    found = peak(*sizes, scene.water.depth, own, scene.water.gravity)
     omega, rise = (own, "") if found is None else (found[0], f", as long hulls {found[1]:.2g} times the wave")
+    return _text(water, omega, rise)
+
+
+def _text(water, omega, rise):
     return (
         f"{water} resonates near T = {2 * math.pi / omega:.3g} s; without losses its elevation and its forces are "
         f"several times too large{rise}; give [[damping_lids]] with damping 0.02 to 0.07 for the loss in eddies"

@@ -142,7 +142,7 @@ def test_orders_that_underflow_go_with_the_power_of_the_distance():
 
 @pytest.mark.parametrize("far", [150.0, 800.0, 5000.0])
 def test_a_wave_that_has_decayed_sends_nothing(far):
-    """κ(r − R) of 150 is a factor of e^(−150), and beyond 745 the smallest of all numbers: no order goes with a power"""
+    """κ(r − R) of 150 is a factor of e^(−150), one of 800 is below the smallest number: no order goes with a power"""
     S, D = _on_circle(Kernel("decaying", 8.0), 10.0, np.array([10.0 + far / 8.0]), 60)
     assert np.abs(S).max() < 1e-60 and np.abs(D).max() < 1e-60
 

@@ -59,17 +59,33 @@ def test_a_lid_without_corners_needs_a_moonpool():
 
 
 def test_a_moonpool_is_found_and_named(tmp_path):
-    """4 × 3 m in a draft of 2 m: ω² = g/(2 + 0.41 √12), T = 3.71 s by Fukuda's formula"""
+    """4 × 3 m in a draft of 2 m: ω² = g/(2 + 0.41 √12), T = 3.71 s by Fukuda's formula of deep water"""
     (tmp_path / "barge.toml").write_text(MOONPOOL)
     body = {"shape": "mesh", "file": str(tmp_path / "barge.toml")}
     alone = tables(None, omegas=(1.2, 2.0), bodies=[body], panels=None)
     said = [line for line in make_hull(make_scene(alone)).findings if "resonates" in line]
-    assert len(said) == 1 and said[0].startswith("the water of the moonpool of 12 m² resonates near T = 3.71 s")
+    assert len(said) == 1 and said[0].startswith("the water of the moonpool of 12 m² resonates near T = ")
+    assert float(said[0].partition("T = ")[2].split()[0]) == pytest.approx(3.71, rel=0.02)
+    assert "too large, with the hull held 11 times the wave; give [[damping_lids]]" in said[0]
     lidded = make_scene({**alone, "damping_lids": [{"damping": 0.05}]})
     hull = make_hull(lidded)
     assert not [line for line in hull.findings if "resonates" in line]
     (lid,) = damping_lids_of(lidded, hull.mesh)
     assert np.ptp(lid.corners, axis=0) == pytest.approx([4, 3]) and hull.mesh.symmetry == "xy"
+
+
+def test_a_moonpool_over_a_low_gap_is_slower_and_beside_a_wall_known_by_the_formula_alone(tmp_path):
+    """0.4 m under the keel: the water below moves sideways with it, and its period is half as long again"""
+    (tmp_path / "barge.toml").write_text(MOONPOOL)
+    low = {**tables(None, bodies=[{"shape": "mesh", "file": str(tmp_path / "barge.toml")}], panels=None)}
+    low |= {"water": {"depth": 2.4}}
+
+    def period(omegas, **more):
+        found = make_hull(make_scene(low | {"waves": {"omegas": omegas, "headings_deg": [0.0]}} | more)).findings
+        return [float(text.partition("T = ")[2].split()[0]) for text in found if "moonpool" in text]
+
+    assert period([0.9, 1.2]) == [pytest.approx(5.7, abs=0.2)] and period([1.5, 2.0]) == []
+    assert period([1.5, 2.0], wall=9.0) == [pytest.approx(3.71, abs=0.01)]
 
 
 def test_a_waterline_that_does_not_close_is_left_to_the_findings_of_the_mesh():

@@ -1,0 +1,99 @@
+"""Water in a moonpool beside an expansion in eigenfunctions of a ring, and the search for its largest rise."""
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq, minimize_scalar
+from scipy.special import hankel1, ive, jv, kve
+
+from hakobune.bem.methods import moonpool
+from hakobune.bem.methods.moonpool import piston
+from hakobune.meshing.drawing import read_drawing
+from hakobune.meshing.surface.patches import counter_clockwise, moonpools
+
+G = 9.81
+RING = """
+size = 1.0
+symmetry = "xy"
+around = 32
+[[parts]]
+shape = "cylinder"
+from = [0, 0, -2]
+to = [0, 0, 2]
+radius = 4
+[[parts]]
+shape = "cylinder"
+from = [0, 0, -4]
+to = [0, 0, 4]
+radius = 2
+cut = true
+"""
+
+
+def rise_in_ring(omega, depth, a=2.0, b=4.0, draft=2.0, gap_modes=20, modes=40):
+    """Mean rise inside a held ring a < r < b per unit amplitude of the wave, by matching at r = a and r = b
+
+    Only the part without angle counts.  Inside and outside φ = Σ Rₙ(r) cos kₙ(z + h), k₀ = −ik; under the ring Σ
+    (I₀ and K₀ of λ_q r) cos λ_q(z + h), λ_q = qπ/(h − d).
+    """
+    K, h, s = omega**2 / G, depth, depth - draft
+    k = brentq(lambda k: k * np.tanh(k * h) - K, 1e-9, 10 * max(K, 1 / h) + 10)
+    ends = np.arange(1, modes) * np.pi / h
+    decaying = [brentq(lambda k: k * np.sin(k * h) + K * np.cos(k * h), e - np.pi / 2 / h, e) for e in ends]
+    n, decaying = np.array([-1j * k, *decaying])[:, None], np.array(decaying)
+    norm = np.sqrt(0.5 * (h + np.sin(2 * n * h) / (2 * n)))
+    lam = np.arange(gap_modes) * np.pi / s
+    size = np.where(lam > 0, np.sqrt(2 / s), np.sqrt(1 / s))
+    C = np.cos(lam * s) * n * np.sin(n * s) / (n**2 - lam**2) * size / norm
+    outer = np.array(
+        [-k * hankel1(1, k * b) / hankel1(0, k * b), *(-decaying * kve(1, decaying * b) / kve(0, decaying * b))]
+    )
+    inner = np.array([-k * jv(1, k * a) / jv(0, k * a), *(decaying * ive(1, decaying * a) / ive(0, decaying * a))])
+    slopes = np.empty((gap_modes, 2, 2))  # of φ at a and b from its values there
+    slopes[0] = np.array([[-1 / a, 1 / a], [-1 / b, 1 / b]]) / np.log(b / a)
+    for q, m in enumerate(lam[1:], 1):
+        x, fall = m * np.array([a, b]), np.exp(-m * (b - a))
+        I, II, L, LL = ive(0, x), ive(1, x), kve(0, x), kve(1, x)
+        values = np.array([[I[0] * fall, L[0]], [I[1], L[1] * fall]])
+        slopes[q] = m * np.array([[II[0] * fall, -LL[0]], [II[1], -LL[1] * fall]]) @ np.linalg.inv(values)
+    wave = np.zeros(modes, complex)
+    wave[0] = -1j * G / omega * norm[0, 0] / np.cosh(k * h)
+    coming = C.T @ (wave * (jv(0, k * b) + k * jv(1, k * b) / outer))
+    one, two = C.T @ (C / inner[:, None]), C.T @ (C / outer[:, None])
+    E, D = np.eye(gap_modes), slopes.transpose(1, 2, 0)
+    matrix = np.block([[E - one * D[0, 0], -one * D[0, 1]], [-two * D[1, 0], E - two * D[1, 1]]])
+    at = np.linalg.solve(matrix, np.concatenate([np.zeros(gap_modes), coming]))
+    flow = C @ (D[0, 0] * at[:gap_modes] + D[0, 1] * at[gap_modes:])
+    return omega / G * abs((2 / a * flow / n[:, 0] ** 2 * (np.cos(n * h) / norm)[:, 0]).sum())
+
+
+@pytest.fixture(scope="module")
+def ring(tmp_path_factory):
+    path = tmp_path_factory.mktemp("ring") / "ring.toml"
+    path.write_text(RING)
+    mesh = read_drawing(path)
+    (corners,) = moonpools(mesh)
+    return mesh, counter_clockwise(corners)
+
+
+@pytest.mark.parametrize(("depth", "formula"), [(9.0, 1.68), (2.4, 1.68)])
+def test_the_water_of_a_ring_rises_as_by_eigenfunctions(ring, depth, formula):
+    """In 9 m 7.9 times the wave at 1.717 rad/s, over a gap of a fifth of the draft 7.3 times at 1.18 rad/s"""
+    mesh, corners = ring
+    found = piston(mesh, corners, depth, np.array([0.0, 0.7]), formula, G)
+    around = (0.97 * found.omega, 1.03 * found.omega)
+    exact = minimize_scalar(lambda w: -rise_in_ring(w, depth), bounds=around, method="bounded", options={"xatol": 2e-3})
+    assert found.omega == pytest.approx(exact.x, rel=0.03)
+    assert found.rise == pytest.approx(-exact.fun, rel=0.06)
+
+
+def test_the_largest_rise_is_found_in_few_frequencies():
+    """A mass on a spring at 1.21 rad/s that rises 40 times the wave, 0.9 rad/s by the formula"""
+    asked = []
+
+    def rise(omega):
+        asked.append(omega)
+        return np.array([0.5, 1.0]) * 1.21**2 / (1.21**2 - omega**2 - 1j * 1.21 * omega / 40)
+
+    omega, size = moonpool._largest(rise, 1.05)
+    assert omega == pytest.approx(1.21, rel=2e-3) and size == pytest.approx(40, rel=0.01) and len(asked) <= 6
+    assert moonpool._largest(rise, 3.0) is None
