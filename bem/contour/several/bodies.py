@@ -14,6 +14,7 @@ import numpy as np
 from ...kernels.threads import blas_threads
 from ...modes import reference_change, turned, with_net_flux
 from ...waves import wavenumber
+from ..accuracy import accuracy
 from ..body import SMALL, memoised
 from ..modal_sums import ChebyshevNodes, contracted
 from ..one_frequency import degrees
@@ -26,6 +27,10 @@ from .one_frequency import SeveralFrequency
 from .senders import Kernel, sender
 
 NARROWEST = 0.005  # smallest gap over half the width of a body; a hundredth takes minutes per frequency
+# digits more for the functions under each keel, since bodies may couple by a hundredth of their own added mass.  At a
+# tolerance of 1e-4 the largest error of 14 random arrangements, in coefficients above 0.005 √|ZᵢᵢZⱼⱼ|, is then 1.3e-5
+# of their own size (5e-4 without), that of the two published cylinders 1e-6 (2e-4).  A frequency takes a tenth longer.
+COUPLED = 1.0
 
 
 def prepare_several(shapes, places, depth, tolerance=1e-3):
@@ -46,8 +51,17 @@ def prepare_several(shapes, places, depth, tolerance=1e-3):
                 f"body {number} is {gap:.3g} m from the next; contours need at least {least:.3g} m "
                 f"({NARROWEST:g} times half its width); use the panel method"
             )
-    bodies = [replace(body, plan=near(body, gap)) for body, gap in zip(bodies, gaps, strict=True)]
+    bodies = [beside(body, gap) for body, gap in zip(bodies, gaps, strict=True)]
     return SeveralBodies(tuple(bodies), tuple(places), tuple(gaps))
+
+
+def beside(body, gap):
+    """The body with the plan of `near`, and functions under its keel for `COUPLED` digits more"""
+    height, fine = body.depth - body.draft, body.accuracy
+    if height > 0:
+        more = accuracy(fine.digits + COUPLED, body.draft, height, body.plan.scale)
+        fine = fine._replace(terms=max(fine.terms, more.terms))
+    return replace(body, plan=near(body, gap), accuracy=fine, cache={})
 
 
 def near(body, gap):
@@ -210,7 +224,7 @@ class SeveralBodies:
 
     def _by(self, better):
         made = [better(body) for body in self.bodies]
-        made = [replace(body, plan=near(body, gap)) for body, gap in zip(made, self.gaps, strict=True)]
+        made = [beside(body, gap) for body, gap in zip(made, self.gaps, strict=True)]
         return replace(self, bodies=tuple(made), cache={})
 
     @cached_property

@@ -44,6 +44,16 @@ def test_two_truncated_cylinders_of_published_coefficients():
     assert abs(force[[0, 6]] - [-2518943 - 1332175j, 2322799 - 1051619j]).max() < 1.5
 
 
+def test_at_a_tolerance_of_1e_4_each_of_their_coefficients_keeps_it_by_its_own_size():
+    """and the stated error of each is that from its published value, or less than a tenth of the tolerance"""
+    pair = prepare_several([("buoy", (10.0, 10.0))] * 2, [Place(-12.5, 0, 0), Place(12.5, 0, 0)], 20.0, 1e-4)
+    found, finer = (one.first_order(0.8, (), (), None, 1000.0, 9.81).radiation for one in (pair, pair.finer))
+    A, B, error = found.real, 0.8 * found.imag, finer - found
+    assert [A[0, 0], A[0, 6], A[2, 2]] == pytest.approx([2954147.8, -1562178.2, 1812068.2], rel=1e-5)
+    assert [A[2, 8], B[2, 2], B[2, 8]] == pytest.approx([-15769.4, 460981.0, 237206.5], rel=1e-5)
+    assert A[2, 8] + error[2, 8].real == pytest.approx(-15769.4, rel=1e-5)
+
+
 def test_a_third_cylinder_300_m_away_is_not_felt_but_by_its_waves():
     """Close pairs need decaying modes that have fallen by e^(−800) at the third; without waves it is not there"""
     near = [Place(0.0, 0.0, 0.0), Place(24.0, 0.0, 0.0)]
@@ -94,13 +104,13 @@ def test_the_slope_of_kochin_functions_is_their_derivative(pair):
 
 
 def test_bodies_far_apart_are_as_if_alone():
-    """Across 2 km nothing of what decays gets through"""
-    both = prepare_several(SHAPES, [Place(0.0, 0.0, 0.0), Place(0.0, 2000.0, 0.4)], DEPTH, 1e-3)
+    """Across 2 km nothing of what decays gets through: at a tolerance of 1e-5 beside each alone at a tenth of it"""
+    both = prepare_several(SHAPES, [Place(0.0, 0.0, 0.0), Place(0.0, 2000.0, 0.4)], DEPTH, 1e-5)
     found = both.added_mass_limit("infinity", 1.0)
-    alone = prepare_box(16.0, 8.0, 3.0, DEPTH, 1e-3).added_mass_limit("infinity", 1.0)
-    assert found[:6, :6] == pytest.approx(alone, rel=5e-6, abs=1e-4)
-    alone = prepare_cylinder(3.0, 4.0, DEPTH, 1e-3).added_mass_limit("infinity", 1.0)
-    assert found[6:9, 6:9] == pytest.approx(alone[:3, :3], rel=5e-5, abs=1e-6)
+    alone = prepare_box(16.0, 8.0, 3.0, DEPTH, 1e-6).added_mass_limit("infinity", 1.0)
+    assert found[:6, :6] == pytest.approx(alone, rel=1e-5, abs=1e-5)
+    alone = prepare_cylinder(3.0, 4.0, DEPTH, 1e-6).added_mass_limit("infinity", 1.0)
+    assert found[6:9, 6:9] == pytest.approx(alone[:3, :3], rel=1e-6, abs=1e-6)
     assert np.abs(found[:3, 6:9]).max() < 1e-6
 
 
