@@ -20,6 +20,7 @@ from .waves import group_factor
 
 ROUNDING = 1e-6  # tolerance of laws that the computation of the numbers uses
 SUM = 0.1  # tolerance of drift by pressure, whose error is of first order in that of potentials, motions and waves
+SUMS = " is the sum over the bodies"
 PRINTED = 1e-4  # the same for files of other programs with seven digits, whose rounding a resonance magnifies
 
 
@@ -40,8 +41,13 @@ def broken_laws(db, tolerance):
     """
     stored = np.array(list(db.checks().values()))
     allowed = 1.01 * np.fmax(tolerance, np.fmax.reduce(np.vstack([stored, np.zeros((1, len(db.omega)))])))
-    found, rounding = [], PRINTED if "imported" in db.attributes else ROUNDING
-    for law, values, limit in _laws(db, rounding):
+    return _violated(db, _laws(db, PRINTED if "imported" in db.attributes else ROUNDING), allowed)
+
+
+def _violated(db, laws, allowed):
+    """[Broken] of laws as of `_laws`; allowed : (n,) limits of laws without one"""
+    found = []
+    for law, values, limit in laws:
         limit = allowed if limit is None else np.full(len(db.omega), limit)
         over = np.nan_to_num(values, nan=0.0, posinf=np.inf) / limit if len(values) else np.zeros(0)
         if np.any(over > 1):
@@ -96,9 +102,18 @@ def _laws(db, rounding):
         yield "motions obey their equation", _motion_defect(db), rounding
     if "kochin_diffraction" in there:
         yield from _far_field_laws(db, there)
+    yield from _drift_laws(db, there)
+
+
+def unequal_drift(db):
+    """[Broken] of drift forces whose sum over the bodies, by pressure, is not that of the far field"""
+    return _violated(db, _drift_laws(db, set(db.names)), None)
+
+
+def _drift_laws(db, there):
     for each, whole in zip(OF_EACH, ("drift_force_fixed", "drift_force"), strict=True):
         if {each, whole} <= there and not db.has_damping_lids:  # damping lids change the drift of the far field
-            yield f"{whole} is the sum over the bodies", _sum_defect(db, db[each], db[whole]), SUM
+            yield whole + SUMS, _sum_defect(db, db[each], db[whole]), SUM
 
 
 def _radiation_laws(db, there):

@@ -20,7 +20,7 @@ from ..common.typed import typed
 from ..printing.verdict import tell
 from ..scene.methods import METHODS
 from ..scene.scene import Scene, SceneError
-from .report import CHECKED, checked, checks_table, resonances_of
+from .report import CHECKED, checked, checks_table, resonances_of, way_out
 
 
 def check(path, console, repair=False):
@@ -79,7 +79,7 @@ def _broken(db):
         Finding(
             "error",
             f"stored numbers: {law} is broken by {worst:.2g} at ω = {omega:.4g} rad/s; "
-            f"allowed: {limit:.2g}; solve it again with --fresh",
+            f"allowed: {limit:.2g}; {way_out(law)}",
         )
         for law, worst, omega, limit in laws
     ]

@@ -8,7 +8,7 @@ from hakobune.bem.bodies.one_of_several import each_body
 from hakobune.bem.database.between_frequencies import BetweenError
 from hakobune.bem.database.natural_periods import natural_periods
 from hakobune.bem.database.resonances import resonances
-from hakobune.bem.stored_laws import damping_errors
+from hakobune.bem.stored_laws import SUMS, damping_errors, unequal_drift
 from hakobune.mooring.criteria.failing import fails
 
 from ..common.resonances import resonance_lines
@@ -91,13 +91,28 @@ def missed_tolerance(db):
     )
 
 
+def way_out(law):
+    """What helps against a violated law of stored numbers"""
+    if law.endswith(SUMS):
+        return "the drift of each body, by pressure, is too uncertain there; solve with more panels"
+    return "solve it again with --fresh"
+
+
+def uncertain_drift(db):
+    """One line on drift forces of each body that do not sum up to those of the far field, "" if they do"""
+    said = ", ".join(
+        f"{law} is broken by {worst:.2g} at ω = {omega:.4g} rad/s" for law, worst, omega, _ in unequal_drift(db)
+    )
+    return f"checks failed: {said}; {way_out(SUMS)}" if said else ""
+
+
 def gives_panels(scene):
     """Whether a scene gives panels, as a number or a mesh file, so that no tolerance applies"""
     return scene.panels is not None or any(body.shape == "mesh" for body in scene.bodies)
 
 
 def failures(outcome, db, own_panels):
-    """Failures of a run: frequencies without a result, laws, and the requested tolerance
+    """Failures of a run: frequencies without a result, laws, the requested tolerance, and drift of several bodies
 
     outcome : `run.Outcome`; own_panels : from `gives_panels`
     """
@@ -105,7 +120,7 @@ def failures(outcome, db, own_panels):
         name = where if isinstance(where, str) else f"ω = {where:.6g} rad/s"
         yield fails(f"{name} is not solved: {reason}")
     if outcome.stored:
-        said = (failed_laws(db, own_panels), "" if own_panels else missed_tolerance(db))
+        said = (failed_laws(db, own_panels), "" if own_panels else missed_tolerance(db), uncertain_drift(db))
         yield from (fails(text) for text in said if text)
 
 

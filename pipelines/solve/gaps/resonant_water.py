@@ -43,8 +43,10 @@ def resonant_water(scene, mesh, gaps=()):
             sizes = clear, draft, (whole - clear) / 2
             said.append((f"the water between {names}, {gap:.3g} m wide,", own, sizes))
     found = [_message(water, own, sizes, scene) for water, own, sizes in said if _among(own, scene, SPREAD)]
-    pools = _moonpools(mesh) if mesh.bodies == 1 else ()
-    return (*found, *(text for corners in pools for text in _of_moonpool(corners, mesh, scene)))
+    hulls = [("", mesh)]
+    if mesh.bodies > 1:
+        hulls = [(f" in {body.name}", mesh.of_body(i)) for i, body in enumerate(scene.bodies)]
+    return (*found, *(text for where, hull in hulls for text in _of_moonpools(where, hull, scene)))
 
 
 def _among(omega, scene, spread):
@@ -53,16 +55,17 @@ def _among(omega, scene, spread):
     return omegas[0] / SPREAD <= omega <= omegas[-1] * spread
 
 
-def _of_moonpool(corners, mesh, scene):
-    """The message on one moonpool, if any"""
-    x, y = corners[:, 0], corners[:, 1]
-    area = 0.5 * abs(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)))
-    own, rise = math.sqrt(scene.water.gravity / (mesh.draft + 0.41 * math.sqrt(area))), ""
-    found = _piston(corners, mesh, scene, own) if _among(own, scene, SHALLOW) else None
-    if found is not None:
-        own, rise = found.omega, f", with the hull held {found.rise:.2g} times the wave"
-    if _among(own, scene, SPREAD):
-        yield _text(f"the water of the moonpool of {area:.3g} m²", own, rise)
+def _of_moonpools(where, hull, scene):
+    """The messages on the moonpools of a hull; where : words for it among several"""
+    for corners in _moonpools(hull):
+        x, y = corners[:, 0], corners[:, 1]
+        area = 0.5 * abs(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)))
+        own, rise = math.sqrt(scene.water.gravity / (hull.draft + 0.41 * math.sqrt(area))), ""
+        found = _piston(corners, hull, scene, own) if _among(own, scene, SHALLOW) else None
+        if found is not None:
+            own, rise = found.omega, f", with the hull held {'alone ' * bool(where)}{found.rise:.2g} times the wave"
+        if _among(own, scene, SPREAD):
+            yield _text(f"the water of the moonpool of {area:.3g} m²{where}", own, rise)
 
 
 def _piston(corners, mesh, scene, near):

@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from hakobune.bem.stored_laws import Broken
 from hakobune.pipelines.scene.places import in_scene
 from hakobune.pipelines.solve import adaptive, checking, report
 
@@ -90,6 +91,18 @@ def stored(names=(), rows=(True, True), about=(0, 0, 0), **values):
     db = Stored(values)
     db.rows, db.names, db.path, db.complete = np.array(rows), tuple(names), "box.h5", all(rows)
     return db, SimpleNamespace(rotation_center=np.array(about, float))
+
+
+def test_drift_of_bodies_that_does_not_add_up_is_told_by_both_commands_with_more_panels_as_the_way_out(monkeypatch):
+    """The same numbers would come of the same panels: --fresh is no way out"""
+    sums = [Broken("drift_force is the sum over the bodies", 0.17, 1.0, 0.1)]
+    monkeypatch.setattr(report, "unequal_drift", lambda db: sums)
+    said = report.uncertain_drift(None)
+    assert said.startswith("checks failed: drift_force is the sum over the bodies is broken by 0.17 at ω = 1 rad/s; ")
+    assert said.endswith("solve with more panels") and "--fresh" not in said
+    assert report.way_out("reciprocity") == "solve it again with --fresh"
+    monkeypatch.setattr(report, "unequal_drift", lambda db: [])
+    assert report.uncertain_drift(None) == ""
 
 
 def test_every_stored_number_is_read_for_its_checksum_and_a_broken_law_is_told(monkeypatch):

@@ -88,6 +88,15 @@ def test_a_moonpool_over_a_low_gap_is_slower_and_beside_a_wall_known_by_the_form
     assert period([1.5, 2.0], wall=9.0) == [pytest.approx(3.71, abs=0.01)]
 
 
+def test_the_moonpool_of_one_of_several_bodies_is_named_with_its_body(tmp_path):
+    (tmp_path / "barge.toml").write_text(MOONPOOL)
+    hull = {"shape": "mesh", "file": str(tmp_path / "barge.toml"), "name": "hull", "place": [0, 0, 0]}
+    both = tables(None, omegas=(1.2, 2.0), bodies=[hull, {**SIDE, "name": "b", "place": [0, 20, 0]}], panels=None)
+    (said,) = [text for text in make_hull(make_scene(both)).findings if "moonpool" in text]
+    assert said.startswith("the water of the moonpool of 12 m² in hull resonates near T = 3.7")
+    assert "with the hull held alone 11 times the wave" in said
+
+
 def test_a_waterline_that_does_not_close_is_left_to_the_findings_of_the_mesh():
     """Of the panels of a box on one side alone nothing is said of moonpools, and nothing is raised"""
     whole = box(12, 5, 1.5, panels=200).whole()
