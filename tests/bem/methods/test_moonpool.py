@@ -27,6 +27,19 @@ to = [0, 0, 4]
 radius = 2
 cut = true
 """
+WIDE = """
+size = 3.0
+symmetry = "xy"
+[[parts]]
+shape = "box"
+center = [0, 0, 0]
+size = [60, 60, 10]
+[[parts]]
+shape = "box"
+center = [0, 0, 0]
+size = [8, 8, 20]
+cut = true
+"""
 
 
 def rise_in_ring(omega, depth, a=2.0, b=4.0, draft=2.0, gap_modes=20, modes=40):
@@ -84,6 +97,17 @@ def test_the_water_of_a_ring_rises_as_by_eigenfunctions(ring, depth, formula):
     exact = minimize_scalar(lambda w: -rise_in_ring(w, depth), bounds=around, method="bounded", options={"xatol": 2e-3})
     assert found.omega == pytest.approx(exact.x, rel=0.03)
     assert found.rise == pytest.approx(-exact.fun, rel=0.06)
+
+
+def test_a_square_moonpool_in_a_wide_barge_has_the_period_of_molin(tmp_path):
+    """Deep water, endless barge, side b: ω² = g / (d + b f), f = (2 asinh 1 + 2/3 − 2√2/3) / π (Molin, J. Fluid Mech.
+    430, 2001, piston mode with one mode); here a barge of 7.5 b"""
+    (tmp_path / "wide.toml").write_text(WIDE)
+    mesh = read_drawing(tmp_path / "wide.toml")
+    (corners,) = moonpools(mesh)
+    found = piston(mesh, counter_clockwise(corners), np.inf, np.array([0.0]), 1.09, G)
+    f = (2 * np.arcsinh(1) + 2 / 3 - 2 * np.sqrt(2) / 3) / np.pi
+    assert found.omega == pytest.approx(np.sqrt(G / (5 + 8 * f)), rel=0.01)
 
 
 def test_the_largest_rise_is_found_in_few_frequencies():
