@@ -100,7 +100,7 @@ def moored(
     apply
     berth : `contacts.Berth`, fenders and ropes
     waves : WaveForces, memory : a Memory, by default those of the database
-    spring, damping : (n, n) SI; quadratic : (n,) N s²/m² …; both in addition to the viscous damping of the database's
+    spring, damping : (n, n) SI, of the spring none between two bodies; quadratic : (n,) N s²/m² …; both in addition to the viscous damping of the database's
         scene
     linearised_in : waves as of `response.viscous.in_time`, for the part of that damping that is not drag, and for the
         drift
@@ -118,6 +118,7 @@ def moored(
     # has to find those of the one that made it
     body.between.forget()
     spring, damping = np.zeros_like(body.damping) if spring is None else np.asarray(spring, float), viscous.damping
+    _check_spring(spring, body)
     findings = (*findings, *_of_viscous(reader, linearised_in))
     start, stiffness, tables, links = np.zeros(len(spring)), body.stiffness + spring, ((), ()), links_of(body)
     if system is not None:
@@ -155,6 +156,20 @@ def moored(
     return Moored(
         body, system, hull, memory, start, spring, damping, viscous.quadratic, stiffness, slow, *rest_of_it, free=free
     )
+
+
+def _check_spring(spring, body):
+    """Raise ValueError for a spring (n, n) of another number of motions, or between two bodies"""
+    if spring.shape != body.inertia.shape:
+        raise ValueError(f"spring has the shape {spring.shape}; allowed: {body.inertia.shape}, a row for each motion")
+    body_of = np.arange(body.rigid) // 6
+    between = np.where(body_of[:, None] != body_of, spring[: body.rigid, : body.rigid], 0.0)
+    if between.any():
+        i, j = np.unravel_index(np.argmax(np.abs(between)), between.shape)
+        raise ValueError(
+            f"spring between {body.words[i]} and {body.words[j]} is {between[i, j]:.4g} (SI); allowed: 0; "
+            "give a line, a fender, or a hinge with a stiffness there"
+        )
 
 
 def _of_viscous(reader, waves):
