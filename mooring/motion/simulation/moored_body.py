@@ -100,8 +100,8 @@ def moored(
     apply
     berth : `contacts.Berth`, fenders and ropes
     waves : WaveForces, memory : a Memory, by default those of the database
-    spring, damping : (n, n) SI, of the spring none between two bodies; quadratic : (n,) N s²/m² …; both in addition to the viscous damping of the database's
-        scene
+    spring, damping : (n, n) SI; quadratic : (n,) N s²/m² …; all in addition to the viscous damping of the database's
+        scene; no spring between two bodies
     linearised_in : waves as of `response.viscous.in_time`, for the part of that damping that is not drag, and for the
         drift
     motions : numbers of the free motions, None for all

@@ -57,8 +57,11 @@ def amplitudes(run, series, late=40):
     return found[0] + 1j * found[1]
 
 
-@pytest.mark.parametrize(("make", "to_shapes"), [(bending, 0.0), (two_of_which_one_bends, 0.0),
-                                                 (two_of_which_one_bends, 1e6)], ids=["one", "of two", "sprung"])  # fmt: skip
+@pytest.mark.parametrize(
+    ("make", "to_shapes"),
+    [(bending, 0.0), (two_of_which_one_bends, 0.0), (two_of_which_one_bends, 1e6)],
+    ids=["one", "of two", "sprung"],
+)
 def test_regular_waves_bend_a_body_as_in_the_frequency_domain(make, to_shapes):
     """Six motions and shapes, eight of them in two groups, amplitude and phase, with the memory of the water"""
     body, a = make(4), 1e-3

@@ -72,7 +72,9 @@ def test_regular_waves_move_both_as_in_the_frequency_domain(pair):
 def test_a_spring_between_two_bodies_is_refused(coupled):
     spring = np.kron(np.eye(2), SPRING)
     spring[1, 7] = spring[7, 1] = -4e5
-    with pytest.raises(ValueError, match=r"spring between ship sway and barge sway is -4e\+05 .*allowed: 0; give a line"):
+    with pytest.raises(
+        ValueError, match=r"spring between ship sway and barge sway is -4e\+05 .*allowed: 0; give a line"
+    ):
         moored(coupled[0], memory=no_memory(coupled[0]), spring=spring)
     with pytest.raises(ValueError, match=r"spring has the shape \(6, 6\); allowed: \(12, 12\)"):
         moored(coupled[0], memory=no_memory(coupled[0]), spring=SPRING)
