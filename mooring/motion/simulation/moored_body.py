@@ -10,19 +10,26 @@ from hakobune.bem.database.reader import Reader
 from hakobune.bem.hinges import driven
 from hakobune.bem.viscous import Quadratic
 
-from ...lines.system.bodies import places_along
 from ...lines.system.equilibrium import rest
 from ...response.viscous import in_time, laws_of
 from ...studies.conditions import afloat, alone
-from ..contacts import at_rest, berth_force, berth_stiffness, no_berth, rest_together, stiffness_together, with_shapes
+from ..contacts import (
+    at_rest,
+    berth_force,
+    berth_stiffness,
+    no_berth,
+    rest_bent,
+    rest_together,
+    stiffness_together,
+    units_of,
+    with_shapes,
+)
 from ..force_tables import TOLERANCE
-from ..line_loads import body_lines, line_work, loads_at, tables_of
-from ..line_loads import with_shapes as with_shapes_of_lines
+from ..line_loads import body_lines, but_berth, tables_of
 from ..links import links_of
 from ..wave_loads import WaveForces, wave_forces
-from .bending import check_bending, rest_bent
-from .body import in_space, of_each, on_places
-from .expected import units_of
+from .bending import check_bending
+from .body import in_space, of_each
 from .linked import check_held
 from .memory import fitted_memory
 
@@ -134,7 +141,7 @@ def moored(
         berth = with_shapes(berth, body)
     if body.modes and links is None:
         if system is not None or berth.names:
-            others = _but_berth(system, tables, body, spring)
+            others = but_berth(system, tables, body, spring)
             start, stiffness = rest_bent(body, berth, others, start, units_of(body), free)
         _check_upright(stiffness, body, free)
     elif links is not None:
@@ -147,7 +154,7 @@ def moored(
             )
     else:
         if berth.names:
-            start = at_rest(berth, _but_berth(system, tables, body, spring), start, units_of(body))
+            start = at_rest(berth, but_berth(system, tables, body, spring), start, units_of(body))
             stiffness = stiffness + berth_stiffness(berth, start)
             findings = (*findings, *_of_loose(stiffness, body, free))
         _check_upright(stiffness, body, free)
@@ -224,31 +231,9 @@ def _rest(system, body, spring):
     return start, in_space(stiffness, -body.axes_at_rest[:, 5])
 
 
-def _but_berth(system, tables, body, spring):
-    """Function of places (n,) in space: forces (n,), along the axes of the bodies there, of lines, water and springs
-
-    Amplitudes of shapes, and forces on them, come after those of all bodies.
-    """
-    headings, rigid = body.axes_at_rest[:, 5], body.rigid
-    count, held = len(headings), on_places(spring[:rigid, :rigid], headings)
-    lines = with_shapes_of_lines(body_lines(system, (), tables, bodies=count), body)
-    work = line_work(lines)
-    R, out, of_shapes = np.zeros((count, 3, 3)), np.zeros((count, 6)), spring[rigid:, rigid:]
-
-    def others(place):
-        poses = place[:rigid].reshape(-1, 6).copy()
-        poses[:, 5] += headings
-        work.bent[:] = place[rigid:]
-        loads_at(lines, work, poses, R, out)
-        pulls = places_along(poses[:, 5]).T @ (held @ place[:rigid])
-        return np.append(out.ravel(), work.push) - body.stiffness @ place - np.append(pulls, of_shapes @ place[rigid:])
-
-    return others
-
-
 def _rest_together(links, berth, system, tables, body, spring, start):
     """Places at rest of bodies with hinges, shape (n,), and stiffness there, shape (n, n)"""
-    headings, others = body.axes_at_rest[:, 5], _but_berth(system, tables, body, spring)
+    headings, others = body.axes_at_rest[:, 5], but_berth(system, tables, body, spring)
 
     def forces(place):
         return others(place) + (berth_force(berth, place) if berth.names else 0.0)

@@ -222,6 +222,17 @@ def test_what_cannot_be_is_refused_in_a_line(database, tmp_path, name):
     assert words in str(error.value) and "\n" not in str(error.value)
 
 
+@pytest.mark.parametrize(("change", "words"), [
+    ({"lines": [], "fender": [], "rope": []}, "barge has 0 lines, fenders, ropes and hinges; allowed: at least 1"),
+    (FAULTS["torn"][0] | {"waves": None}, FAULTS["torn"][1]),
+], ids=["apart", "torn"])  # fmt: skip
+def test_moor_refuses_what_nothing_holds_and_what_hinges_drown(database, change, words):
+    given = {key: value for key, value in (STUDY | change).items() if key != "simulation" and value is not None}
+    with pytest.raises(ValueError) as error:
+        hakobune.moor(given, database)
+    assert words in str(error.value) and "\n" not in str(error.value)
+
+
 def test_a_berth_of_one_body_takes_no_names(tmp_path):
     study = make_study({"water": {"depth": 12.0}, "fender": [FENDER]})
     with pytest.raises(StudyError, match="fender F: body 'barge' is given, but the database contains one body; "):
