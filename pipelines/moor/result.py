@@ -98,10 +98,11 @@ def result_of(made, hull, text, db, first=(), anchors=()):
     """
     names = [body.name for body in db.bodies if not body.fixed]
     of_each = partial(_of_each, names)
-    waves = _waves(made, db.bodies_reader)
+    reader, shapes = db.bodies_reader, tuple("rad" if mode.turns else "m" for mode in db.modes)
+    waves = _waves(made, shapes)
     quantities = {**_steady(made), **_periods(made), **_lines(made), **_held(made), **waves, **_place(made)}
     quantities |= quantities_of_anchors(anchors, *_at_anchors(made))
-    bending, told = _bent(made, db.bodies_reader)
+    bending, told = _bent(made, reader, shapes)
     quantities |= bending
     words = dict(zip(db.bodies_reader.names, db.bodies_reader.words, strict=True))
     axes = labels("mode", [words[name] for name in made.at_rest.names]) | labels("line", made.system.line_names)
@@ -161,7 +162,7 @@ def _lines(made):
     return found
 
 
-def _bent(made, reader):
+def _bent(made, reader, shapes):
     """Amplitudes of shapes, deflections and loads in the middle of beams, at rest and under the steady forces, and
     their names"""
     if made.bent is None:
@@ -170,16 +171,10 @@ def _bent(made, reader):
     rows = [(f"{one.name} {word}", unit, part) for one in middles(reader) for word, unit, part in of_station(
         reader, motions, one)]  # fmt: skip
     names = (*reader.words[reader.rigid :], *(name for name, _, _ in rows))
-    units = (*_units(made, reader)[reader.rigid :], *(unit for _, unit, _ in rows))
+    units = (*shapes, *(unit for _, unit, _ in rows))
     values = np.column_stack([made.bent, *(part for _, _, part in rows)])
     states = zip(("at_rest", "steady"), ("at rest", "steady"), values, strict=True)
     return {f"bend.{name}": Quantity(row, ("bend",), units, words, BENT) for name, words, row in states}, names
-
-
-def _units(made, reader):
-    """Units of all motions, shapes last"""
-    shapes = ["rad" if mode.turns else "m" for mode in reader.modes]
-    return (*MOTION_UNITS * len(made.hulls), *shapes)
 
 
 def _held(made):
@@ -197,8 +192,10 @@ def _held(made):
     return found
 
 
-def _waves(made, reader):
-    count, units = len(made.hulls), _units(made, reader)
+def _waves(made, shapes=()):
+    """Motions and drift in waves; shapes : units of the shapes of bodies that bend, whose motions come last"""
+    count = (len(made.amplitudes) - len(shapes)) // 6
+    units = (*MOTION_UNITS * count, *shapes)
     found = {"motion.amplitude": Quantity(made.amplitudes, ("motion",), units, "amplitude applied to the lines")}
     for method, effects in made.waves.items():
         words = ("" if method == made.conditions.method else UNUSED) + WORDS[method]
