@@ -8,11 +8,12 @@ from hakobune.mooring.motion.statistics import FEW, frequencies_in, slow_part
 
 from ..common.picture import save
 from ..common.units import KN
-from .file import STATISTICS, bodies_of, whole_rows
+from .file import STATISTICS, bodies_of, units_of, whole_rows
 
 SHOWN = 600.0  # s of a record
 MOTIONS = (("surge", 1.0, "m"), ("sway", 1.0, "m"), ("heave", 1.0, "m"), ("roll", 180 / np.pi, "°"),
            ("pitch", 180 / np.pi, "°"), ("yaw", 180 / np.pi, "°"))  # fmt: skip
+OF_HINGES = {"N": (1 / KN, "kN"), "N m": (1 / KN, "kN m"), "m": (1.0, "m"), "rad": (180 / np.pi, "°")}
 SMOOTH = 20  # number of neighbouring frequencies averaged in one value of a spectrum
 FINE, BEYOND = 0.15, 10.0  # a value's width and the end of spectra, at most, over the split frequency
 LAST = 2.0  # rad/s, end of spectra, or that of shorter waves
@@ -34,6 +35,10 @@ def draw(file, output):
             path = output.with_name("_".join(filter(None, (output.stem, body, name))) + ".png")
             picture(file, kept, path, motions)
             made.append(path.name)
+    if "hinge" in file:
+        path = output.with_name(f"{output.stem}_hinges.png")
+        _hinges(file, kept, path)
+        made.append(path.name)
     return made
 
 
@@ -152,6 +157,33 @@ def _records(file, kept, path, motions):
     axes[0].set_title(f"seed {file['seed'][row]}, around the largest {worst.kind}, in {worst.name}{slow}", loc="left")
     for one in axes:
         one.grid(alpha=0.3)
+    save(figure, path, 110)
+
+
+def _hinges(file, kept, path):
+    """All numbers of the hinge with the largest force, in the minutes around it, in its run"""
+    names, units = (
+        file["hinge"].asstr()[()].tolist(),
+        dict(zip(file["quantity"].asstr()[()], units_of(file), strict=True)),
+    )
+    forces = [i for i, name in enumerate(names) if units[name] == "N"]
+    pulls = np.abs(file["links"][kept][:, :, forces])
+    run, at, which = np.unravel_index(int(np.argmax(pulls)), pulls.shape)
+    hinge = names[forces[which]].rpartition(" force ")[0]
+    own = [
+        i for i, name in enumerate(names) if name.startswith((f"{hinge} force ", f"{hinge} moment ", f"{hinge} travel"))
+    ]
+    time = file["time"][()]
+    begin = min(max(time[at] - SHOWN / 2, time[0]), max(time[-1] - SHOWN, time[0]))
+    part = (time >= begin) & (time <= begin + SHOWN)
+    figure, axes = _figure(len(own), 1, (11, 1 + 1.5 * len(own)), sharex=True)
+    for one, i in zip(axes[:, 0], own, strict=True):
+        factor, unit = OF_HINGES[units[names[i]]]
+        one.plot(time[part], factor * file["links"][kept[run], part, i], color="0.25", lw=0.9)
+        one.set_ylabel(f"{names[i].removeprefix(hinge).strip()}, {unit}")
+        one.grid(alpha=0.3)
+    axes[-1, 0].set(xlabel="s after the ramp", xlim=(begin, min(begin + SHOWN, time[-1])))
+    axes[0, 0].set_title(f"seed {file['seed'][kept[run]]}, around the largest force of a hinge, in {hinge}", loc="left")
     save(figure, path, 110)
 
 
