@@ -252,7 +252,7 @@ def test_a_twentieth_of_a_motion_or_drift_between_stored_waves_is_told(error, to
     """A small motion is judged by a tenth of the largest of its kind"""
 
     class Body:
-        words = WORDS
+        words, rigid = WORDS, 6
 
         def at(self, omega, name, headings):
             if name == "rao":
@@ -276,7 +276,7 @@ def test_roll_near_the_waves_without_viscous_damping_is_told(monkeypatch, ratio,
     """Roll always, pitch where waves damp it less than a tenth of critical: here not; 1e-4 rad per metre is rounding"""
     monkeypatch.setattr(told, "known_resonances", lambda reader: [SimpleNamespace(mode=4, damping=0.101)])
     result = SimpleNamespace(at_equilibrium=periods(99, 99, 99, 10 * ratio, 10, 99), amplitudes=np.full(6, amplitude))
-    db = SimpleNamespace(bodies_reader=SimpleNamespace(words=WORDS, names=NAMES))
+    db = SimpleNamespace(bodies_reader=SimpleNamespace(words=WORDS, names=NAMES, rigid=6))
     said = list(told._undamped(result, db, Waves(2.0, 10.0, 0.0)))
     assert len(said) == count
     assert all("natural period of roll" in line and "its amplitude 5.73° has" in line for line in said)
