@@ -76,6 +76,18 @@ def test_two_hulls_are_simulated_stored_and_told(database, tmp_path, capsys):
     assert main(film) == 0 and "film.gif: 3 frames" in capsys.readouterr().out
 
 
+def test_records_have_the_fender_that_is_pressed_most(database, tmp_path, monkeypatch):
+    run, drawn = tmp_path / "run.h5", []
+    hakobune.simulate(STUDY | TIGHT | {"simulation": SHORT}, database, run)
+    monkeypatch.setattr(pictures, "save", lambda figure, path, density: drawn.append(figure.axes))
+    with h5py.File(run) as file:
+        pictures.draw_one(file, "records", tmp_path / "run.png", 1)
+        pressed, names = file["deflection"][0].astype(float), file["fender"].asstr()[()]
+    most, (*_, line, last) = int(np.argmax(pressed.max(axis=0))), drawn[0]
+    assert last.get_ylabel() == f"deflection, m\n{names[most]}" and line.get_ylabel().startswith("tension, kN")
+    assert last.lines[0].get_ydata() == pytest.approx(pressed[:, most]) and pressed.max() > 1e-3
+
+
 def test_a_film_has_the_hulls_and_the_ropes_between_them_where_the_run_has_them(database, tmp_path):
     """The barge heads the other way: a metre ahead along its own axis is a metre astern in the scene"""
     hakobune.simulate({**STUDY, **TIGHT, "simulation": SHORT}, database, tmp_path / "run.h5")
