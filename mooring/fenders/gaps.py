@@ -5,6 +5,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+CORNERS = np.array([[1, 1], [1, -1], [-1, -1], [-1, 1]])
+ROUNDING = 1e-9  # m, and share of a hull
+
 
 class Side(NamedTuple):
     """name : name of a body; half : (2,) m, half of its length and beam; own : (2,) m, origin of the axes of the
@@ -22,14 +25,15 @@ class Side(NamedTuple):
 
 
 def pairs_of(sides):
-    """Pairs (Side, Side) of which at least one moves, and whose boxes do not overlap at rest, unlike a float and its
-    spar"""
+    """Pairs (Side, Side) of which at least one moves, whose boxes do not overlap at rest, unlike a float and its spar,
+    and that no third hull keeps apart, as the middle one of three in a row"""
     rest = np.zeros((1, 1 + max((one.moves for one in sides), default=0), 6))
     for one in sides:
         if one.moves >= 0:
             rest[0, one.moves, 5] = one.place[2]
     moving = (pair for pair in combinations(sides, 2) if max(one.moves for one in pair) >= 0)
-    return [pair for pair in moving if _gap(*pair, rest)[0] >= 0]
+    apart = [pair for pair in moving if _gap(*pair, rest)[0] >= 0]
+    return [pair for pair in apart if not any(_parted(*pair, one, rest) for one in sides if one not in pair)]
 
 
 def gaps(sides, poses):
@@ -49,12 +53,27 @@ def _gap(one, other, poses):
         np.abs(np.einsum("tij,tik,j->tkj", turn, axes, side.half)).sum(axis=2) for turn, side in ((P, one), (Q, other))
     )
     apart = (np.abs(np.einsum("ti,tik->tk", away, axes)) - reach).max(axis=1)
-    signs, found = np.array([[1, 1], [1, -1], [-1, -1], [-1, 1]]), []
+    found = []
     for (a, b), (mine, their) in (((one, other), frames), ((other, one), frames[::-1])):
-        corners = mine[0][:, None] + np.einsum("tij,kj->tki", mine[1], signs * a.half)
+        corners = mine[0][:, None] + np.einsum("tij,kj->tki", mine[1], CORNERS * a.half)
         local = np.einsum("tji,tkj->tki", their[1], corners - their[0][:, None])
         found.append(np.hypot(*np.moveaxis(np.maximum(np.abs(local) - b.half, 0.0), -1, 0)).min(axis=1))
     return np.where(apart < 0, apart, np.minimum(*found))
+
+
+def _parted(one, other, third, poses):
+    """Whether every straight way between corners of two hulls leads through a third, with the bodies at poses (1, N,
+    6)"""
+    origin, axes = (part[0] for part in _frame(third, poses))
+    ends = []
+    for side in (one, other):
+        place, turn = (part[0] for part in _frame(side, poses))
+        ends.append((place + CORNERS * side.half @ turn.T - origin) @ axes)
+    begin, way = ends[0][:, None], ends[1] - ends[0][:, None]
+    way = np.where(np.abs(way) < ROUNDING, ROUNDING, way)
+    cross = np.sort([(sign * third.half * (1 + ROUNDING) - begin) / way for sign in (-1, 1)], axis=0)
+    enter, leave = cross[0].max(axis=-1), cross[1].min(axis=-1)
+    return bool(np.all((enter <= leave) & (leave >= 0) & (enter <= 1)))
 
 
 def _frame(side, poses):

@@ -15,6 +15,7 @@ from .links import rows_at, springs_at
 from .tables.groups import moved_by_shapes
 
 STEP = np.array([1e-4, 1e-4, 1e-4, 1e-6, 1e-6, 1e-6])  # m, rad, of a difference quotient
+SMALL = 1e-9  # of the weight, forces that are rounding
 RESTS = 1e-6  # residual over the largest force of a fender or rope
 TOGETHER = 1e-12  # m, rad: apart by less is rounding
 
@@ -227,6 +228,49 @@ def stiffness_together(links, forces, place, mu, headings):
     for j, h in enumerate(np.append(np.tile(STEP, len(headings)), np.full(len(place) - rigid, STEP[0]))):
         out[:, j] = (total(place - h * along[:, j]) - total(place + h * along[:, j])) / (2 * h)
     return out
+
+
+def units_of(reader):
+    """Amplitudes that are comparable for the motions of a Reader, m or rad; shape (n,): 1 m, or 1 m over the radius of
+    gyration; shapes that rotate have the value of roll"""
+    inertia = np.diag(reader.inertia)[: reader.rigid].reshape(-1, 6)
+    radius = np.sqrt(inertia[:, 3:] / inertia[:, :1])
+    unit = np.concatenate([np.ones_like(radius), 1 / radius], axis=1).ravel()
+    return np.append(unit, [1 / radius[0, 0] if mode.turns else 1.0 for mode in reader.modes])
+
+
+def rest_bent(body, berth, others, start, unit, free):
+    """Places in space and amplitudes of shapes at rest, shape (n,), and stiffness there along the axes of the bodies,
+    shape (n, n)
+
+    berth : `contacts.Berth`; others : function of the place, (n,) N of lines, water and springs; unit : (n,) m, rad
+    free : numbers of the motions that are not held; bodies come to rest in all of theirs
+    raises : ValueError where there is no balance
+    """
+    moves = np.array([*range(body.rigid), *(i for i in free if i >= body.rigid)])
+
+    def forces(place):
+        return others(place) + (berth_force(berth, place) if berth.names else 0.0)
+
+    def at(x):
+        place = np.array(start)
+        place[moves] = x * unit[moves]
+        return place
+
+    size = max(np.abs(forces(start) * unit).max(), SMALL * body.inertia[0, 0] * body.gravity)
+    found = balanced(lambda x: (forces(at(x)) * unit)[moves] / size, (start / unit)[moves])
+    if not np.abs(found.fun).max() <= RESTS:
+        raise ValueError(
+            f"no equilibrium of the body that bends was found: {np.abs(found.fun).max():.2g} of the largest force "
+            "remains; check for lines that are too tight for its stiffness"
+        )
+    place = at(found.x)
+    along = np.eye(len(place))
+    along[: body.rigid, : body.rigid] = places_along(body.axes_at_rest[:, 5])
+    steps = np.append(np.tile(STEP, body.rigid // 6), np.full(len(body.modes), STEP[0]))
+    pairs = ((place - h * way, place + h * way) for h, way in zip(steps, along.T, strict=True))
+    columns = [(forces(behind) - forces(ahead)) for behind, ahead in pairs]
+    return place, np.array(columns).T / (2 * steps)
 
 
 def rest_between(system, berth, links, water, load):

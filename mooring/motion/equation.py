@@ -369,6 +369,10 @@ def of_group(scene, g, t, y, rate):
     for i in range(6):
         row, pull, drag = 6 * b + i, 0.0, body.quadratic[6 * b + i] * own[6 + i] * abs(own[6 + i])
         for c in range(count):
+            x, across, turned = y[BLOCK * c], y[BLOCK * c + 1], y[BLOCK * c + 5] - body.heading[c]
+            cos, sin = np.cos(y[BLOCK * c + 5]), np.sin(y[BLOCK * c + 5])
+            pull += K[row, 6 * c] * (cos * x + sin * across) + K[row, 6 * c + 1] * (cos * across - sin * x)
+            pull += K[row, 6 * c + 5] * turned
             for j in range(2, 5):
                 pull += K[row, 6 * c + j] * y[BLOCK * c + j]
             for j in range(6):

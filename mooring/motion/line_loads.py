@@ -24,7 +24,7 @@ from hakobune.bem.kernels.simd import WIDTH
 from ..fenders.hysteresis import ContactTable, contact_table, reaction_of
 from ..lines.catenary.moving_end import pull_of_any, tensions_near, workspace
 from ..lines.catenary.state import GROUNDED
-from ..lines.system.bodies import rotation
+from ..lines.system.bodies import places_along, rotation
 from ..lines.system.hawser import Hawser
 from ..lines.system.parts import Anchor, Fairlead, UniformLine
 from .force_tables import Packed, packed, packed_pull, tabulate
@@ -450,6 +450,29 @@ def line_loads(lines, work, positions, R, out):
 def loads_at(lines, work, positions, R, out):
     """`line_loads` for calls from Python, without which `line_loads` would be compiled a second time"""
     return line_loads(lines, work, positions, R, out)
+
+
+def but_berth(system, tables, body, spring):
+    """Function of places (n,) in space: forces (n,), along the axes of the bodies there, of lines, water and springs
+
+    Amplitudes of shapes, and forces on them, come after those of all bodies.
+    """
+    headings, rigid = body.axes_at_rest[:, 5], body.rigid
+    turn = places_along(headings)
+    count, held = len(headings), turn @ spring[:rigid, :rigid] @ turn.T
+    lines = with_shapes(body_lines(system, (), tables, bodies=count), body)
+    work = line_work(lines)
+    R, out, of_shapes = np.zeros((count, 3, 3)), np.zeros((count, 6)), spring[rigid:, rigid:]
+
+    def others(place):
+        poses = place[:rigid].reshape(-1, 6).copy()
+        poses[:, 5] += headings
+        work.bent[:] = place[rigid:]
+        loads_at(lines, work, poses, R, out)
+        pulls = places_along(poses[:, 5]).T @ (held @ place[:rigid])
+        return np.append(out.ravel(), work.push) - body.stiffness @ place - np.append(pulls, of_shapes @ place[rigid:])
+
+    return others
 
 
 @kernel()

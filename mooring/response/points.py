@@ -203,6 +203,14 @@ def of_station(body, motion, station):
     return [(*key, value) for key, value in made.items()]
 
 
+def middles(body):
+    """`Station` in the middle of every beam of a `Reader`"""
+    beams = {mode.body: mode.shape for mode in body.modes if isinstance(mode.shape, Beam)}
+    names = {number: body.bodies[number].name if body.bodies else "" for number in beams}
+    places = {number: 0.5 * (beam.start + beam.end) for number, beam in beams.items()}
+    return [Station(f"{names[number]} x {x:g}".strip(), x, names[number]) for number, x in places.items()]
+
+
 def apart(body, motion, first, second):
     """Displacement of the point `second` of one body from the point `first` of another, along the axes of the body of
     the first; shape (q, p, 3)"""

@@ -12,6 +12,9 @@ after another, with one equilibrium and one set of natural periods.  A line betw
 largest motions of both.  Fenders and ropes at a berth or between bodies, and hinges, are included in the state of rest,
 the equilibrium and the periods; in waves hinges alone change the motions of the free bodies.  Bodies with hinges are
 not trimmed for the weight of their lines, of which the hinges carry a part.
+
+Bodies that bend have the amplitudes of their shapes after these motions; lines, fenders and ropes bend them, and their
+fairleads move with the shapes.  They are not trimmed either; wind, current and drift have no force on shapes.
 """
 
 from dataclasses import dataclass, replace
@@ -27,11 +30,22 @@ from ..lines.system.bodies import rotation
 from ..lines.system.equilibrium import SystemEquilibrium, held_at, rest
 from ..lines.system.graph import LineForces, System
 from ..lines.system.parts import Anchor, Fairlead
-from ..motion.contacts import berth_stiffness, courses, no_berth, rest_between, stiffness_together
+from ..motion.contacts import (
+    berth_stiffness,
+    courses,
+    no_berth,
+    rest_bent,
+    rest_between,
+    stiffness_together,
+    units_of,
+    with_shapes,
+)
+from ..motion.line_loads import but_berth, generalized, tables_of
 from ..motion.links import held_by, links_of
+from ..motion.tables.groups import moved_by_shapes, with_bent_fairleads
 from .conditions import Conditions, afloat, in_motions
 from .multi_point_findings import HORIZONTAL, findings
-from .places import check_places, place_findings
+from .places import check_floats, check_places, place_findings
 from .steady_loads import steady_loads, with_coefficients
 from .wave_effects import WaveEffects, wave_effects
 
@@ -43,16 +57,17 @@ class MultiPoint:
     """Result of a study; per-line arrays follow the lines of the system.
 
     at_rest, at_equilibrium : natural periods without and with the steady forces
-    loads : {"wind", "current", "drift": (n,)} N, N m about the rotation centre, n = 6 per body along space axes
+    loads : {"wind", "current", "drift": (6b,)} N, N m about the rotation centre, six per body along space axes
     rest, equilibrium : SystemEquilibrium without and with the steady forces; extreme : lines at their largest
     waves : {method: `WaveEffects`}, of the chosen method and of the other one if possible; empty without waves
-    amplitudes : (n,) m, rad; outward, upward : (n,) m, largest displacement of each fairlead, by `motion_factor` times
-        the amplitudes
+    amplitudes : (n,) m, rad, of all motions, shapes last
+    outward, upward : (l,) m, largest displacement of each fairlead, by `motion_factor` times the amplitudes
     hulls : `conditions.Afloat` of every body; berth : `motion.contacts.Berth`, None for none
     contact : (2, 2, m) deflection or elongation, m, and force, N, of its fenders and ropes, at rest and in equilibrium
     held : (3, k, 6) N, N m exerted by the first body of each of k `hinges` on the second, along its axes, at rest and
         in equilibrium, and the largest, increased by `motion_factor` times the effect of motions in waves
     stiffness : (n, n) N/m … in equilibrium of lines, fenders, ropes, hinges and springs, along axes of the motions
+    bent : (2, f) amplitudes of the shapes of bodies that bend, at rest and in equilibrium
     warnings : findings, one line each; failures are marked as in `criteria.failing.fails`
     """
 
@@ -76,6 +91,7 @@ class MultiPoint:
     held: np.ndarray | None = None
     hinges: tuple[str, ...] = ()
     stiffness: np.ndarray | None = None
+    bent: np.ndarray | None = None
 
     def __repr__(self):
         worst = int(np.argmax(self.tension))
@@ -87,7 +103,7 @@ class MultiPoint:
     @cached_property
     def steady_force(self):
         """Sum of the steady loads, N, N m; shape (n,)"""
-        return sum(self.loads.values(), np.zeros(len(self.amplitudes)))
+        return sum(self.loads.values(), np.zeros(6 * len(self.hulls)))
 
     @cached_property
     def displacement(self):
@@ -129,30 +145,38 @@ def multi_point(db, system, hull, conditions, allowable=0.4, berth=None, body=No
     """
     hulls, body = afloat(db, hull, system.bodies[0].name), db.bodies_reader if body is None else body
     berth = no_berth() if berth is None else berth
-    if body.modes:
-        db.require_rigid()
     _check(db, system, hulls, allowable)
+    _check_held(system, berth, body)
     if not db.bodies:
         conditions = with_coefficients(conditions, hull, system.depth)
     stays = rest(held_at(system, {one.name: one.position for one in system.bodies}))
     hydrostatic = [body.stiffness[6 * i : 6 * i + 6, 6 * i : 6 * i + 6] for i in range(len(hulls))]
     waves = wave_effects(db, conditions, driven(body)) if conditions.waves else {}
-    effects = waves.get(conditions.method, WaveEffects(None, np.zeros(6 * len(hulls))))
+    effects = waves.get(conditions.method, WaveEffects(None, np.zeros(len(body.words))))
     loads = _loads(hulls, conditions, system.depth, effects.drift)
     steady, links = sum(loads.values(), np.zeros(6 * len(hulls))), links_of(body)
-    if berth.names or links is not None:
+    bent = np.zeros((2, len(body.modes)))
+    if body.modes:
+        berth = with_shapes(berth, body)
+        given = system, berth, body
+        (at_rest, bent[0], *first), (equilibrium, bent[1], *second) = _bent(*given, 0 * steady), _bent(*given, steady)
+    elif berth.names or links is not None:
         given = system, stays, berth, links, body.stiffness
         (at_rest, *first), (equilibrium, *second) = _between(*given, 0 * steady), _between(*given, steady)
     else:
         first = second = 0.0, np.zeros((2, 0)), np.zeros((0, 6))
         at_rest, equilibrium = stays, _heeled(system, stays, hydrostatic, steady)
     beside, contact, held = zip(first, second, strict=True)
-    held_by_all = [
-        in_motions(state.stiffness, hulls) + more for state, more in zip((at_rest, equilibrium), beside, strict=True)
-    ]
+    if links is not None:
+        rises = at_rest.position[:, 2] - [one.position[2] for one in system.bodies]
+        check_floats([(one.name, one.box) for one in hulls], rises)
+    held_by_all = beside
+    if not body.modes:
+        states = zip((at_rest, equilibrium), beside, strict=True)
+        held_by_all = [in_motions(state.stiffness, hulls) + more for state, more in states]
     periods = [natural_periods(body.restrained(stiffness=one)) for one in held_by_all]
     added = np.zeros(np.shape(held[1])) if effects.held is None else effects.held
-    outward, upward = fairlead_displacements(equilibrium, conditions.motion_factor * effects.amplitudes)
+    outward, upward = fairlead_displacements(equilibrium, conditions.motion_factor * effects.amplitudes, body)
     anchors, fairleads = line_ends(equilibrium)
     moved = fairleads + np.column_stack([outward[:, None] * outward_directions(equilibrium), upward])
     result = MultiPoint(
@@ -175,6 +199,7 @@ def multi_point(db, system, hull, conditions, allowable=0.4, berth=None, body=No
         np.array([*held, held[1] + np.copysign(conditions.motion_factor * added, held[1])]),
         tuple(link.name for link in body.links),
         held_by_all[1],
+        bent if body.modes else None,
     )
     return replace(result, warnings=(*place_findings(system, hulls), *findings(result, db)))
 
@@ -232,6 +257,37 @@ def _between(system, stays, berth, links, water, load):
     return lines, others, contact, held
 
 
+def _bent(system, berth, body, load):
+    """SystemEquilibrium of bodies that bend under a load (6b,), amplitudes (f,) of their shapes, (n, n) stiffness of
+    lines, fenders and ropes, `MultiPoint.contact` and held, there
+
+    raises : ValueError for hinges, and where there is no balance
+    """
+    if body.links:
+        raise ValueError(
+            f"hinges {', '.join(one.name for one in body.links)} are given for a body that bends; allowed: none in a "
+            "static study; use hakobune simulate, or solve the scene without [[modes]]"
+        )
+    count, rigid = len(system.bodies), body.rigid
+    given = np.array([one.position for one in system.bodies], float)
+    others = but_berth(system, tables_of(system, np.zeros(rigid)), body, np.zeros_like(body.stiffness))
+
+    def forces(place):
+        own = np.zeros((count, 6))
+        for pose, pull, out in zip(given + place[:rigid].reshape(-1, 6), load.reshape(-1, 6), own, strict=True):
+            generalized(pose, *pull, out)
+        return others(place) + np.append(own, np.zeros(len(body.modes)))
+
+    place, whole = rest_bent(body, berth, forces, np.zeros(len(body.words)), units_of(body), range(len(body.words)))
+    poses, shapes = given + place[:rigid].reshape(-1, 6), place[rigid:]
+    at = {one.name: pose for one, pose in zip(system.bodies, poses, strict=True)}
+    lines = rest(held_at(with_bent_fairleads(system, body, shapes), at))
+    contact = np.zeros((2, 0))
+    if berth.names:
+        contact = np.concatenate(courses(berth, (poses - given * [1, 1, 1, 0, 0, 0])[None], shapes[None]))
+    return lines, shapes, whole - body.stiffness, contact, np.zeros((0, 6))
+
+
 def line_ends(state):
     """Anchors and fairleads of the lines of a SystemEquilibrium, (n, 3) m in space each"""
     ends = state.system.arrays.ends
@@ -246,10 +302,10 @@ def outward_directions(state):
     return np.where(span > 0, away / np.where(span > 0, span, 1.0), [1.0, 0.0])
 
 
-def fairlead_displacements(state, amplitudes):
+def fairlead_displacements(state, amplitudes, reader=None):
     """Largest displacement of each fairlead outward along its line and upward, all modes in phase: two (l,) m.
 
-    amplitudes : (n,) of all bodies; of a line between two both ends are summed
+    amplitudes : (n,) of all bodies, of a line between two both ends are summed; reader : `Reader` of bodies that bend
     Σⱼ |Dⱼ| Xⱼ with Dⱼ the displacement per unit of mode j; signs are chosen for each line and direction. The sum is an
     upper bound of the displacement; its excess depends on the origin of the body's axes, to which the motions refer.
     """
@@ -265,6 +321,11 @@ def fairlead_displacements(state, amplitudes):
             along = np.einsum("jni,ni->jn", modes[..., :2], towards[mine])
             outward[mine] += np.abs(along).T @ X
             upward[mine] += np.abs(modes[..., 2]).T @ X
+            if reader is not None and reader.modes:
+                bent = moved_by_shapes(reader, i, arrays.position[ends[mine]]) @ axes
+                size = amplitudes[6 * len(state.system.bodies) :]
+                outward[mine] += np.abs(np.einsum("nki,ni->nk", bent[..., :2], towards[mine])) @ size
+                upward[mine] += np.abs(bent[..., 2]) @ size
     return outward, upward
 
 
@@ -285,6 +346,18 @@ def _check(db, system, hulls, allowable):
         raise ValueError("the database has no inertia of the body; give --gyration kxx,kyy,kzz and solve again")
     _check_bodies(system, hulls)
     check_places(system, hulls)
+
+
+def _check_held(system, berth, body):
+    """Raise ValueError for one of several bodies that no line, fender, rope or hinge holds."""
+    held = {*system.arrays.owner[system.arrays.ends].ravel(), *berth.arrays.body, *berth.arrays.other}
+    held |= {name for link in body.links for name in link.bodies}
+    for i, one in enumerate(system.bodies):
+        if not held & {i, one.name}:
+            raise ValueError(
+                f"{one.name} has 0 lines, fenders, ropes and hinges; allowed: at least 1, since steady forces carry "
+                "it away; hold it, or use hakobune simulate"
+            )
 
 
 def _check_bodies(system, hulls):

@@ -35,14 +35,19 @@ def findings(result, db):
         yield from _of_the_sea(result) if irregular else _uncertain(db.bodies_reader, waves)
         yield from () if irregular else result.waves["regular_wave"].warnings
         yield from large_rotations(
-            {name: a for d, (name, a) in enumerate(zip(words, np.degrees(result.amplitudes), strict=True)) if d % 6 > 2}
+            {words[d]: np.degrees(result.amplitudes[d]) for d in range(db.bodies_reader.rigid) if d % 6 > 2}
         )
         yield from resonances(result, waves.period)
         if db.has_viscous_motions:
             yield "motions and drift include the viscous damping of the database's scene, linearised in these waves"
         else:
             yield from _undamped(result, db, waves)
-        yield from _stiff_modes(result, db.bodies_reader.stiffness, words)
+        yield from _stiff_modes(result, db.bodies_reader.stiffness, words[: db.bodies_reader.rigid])
+    if result.bent is not None:
+        yield (
+            "bodies that bend are not trimmed for the weight of their lines at rest, and wind, current and drift have "
+            "no force on their shapes"
+        )
     yield from _held(result.at_rest)
     yield from _unstable(result)
     yield from _outside_the_method(result, db.water_depth)
@@ -52,6 +57,7 @@ def findings(result, db):
 def _uncertain(body, waves):
     """Estimated errors of motions and drift between stored waves, over the largest of their kind in this wave"""
     motion, wrong = (part[0, 0] for part in body.at([waves.omega], "rao", [waves.direction]))
+    motion, wrong = motion[: body.rigid], wrong[: body.rigid]
     largest = np.abs(motion).reshape(-1, 2, 3).max(axis=(0, 2))
     largest = np.tile(np.repeat(largest, 3), len(motion) // 6)
     share = wrong / np.maximum(np.abs(motion), largest / 10)
@@ -99,7 +105,7 @@ def _undamped(result, db, waves):
     body = db.bodies_reader
     weak = {one.mode for one in known_resonances(body) if one.damping < WEAK}
     periods = dict(zip(result.at_equilibrium.names, result.at_equilibrium.period, strict=True))
-    for mode, name in enumerate(body.names):  # hinges leave fewer modes than motions
+    for mode, name in enumerate(body.names[: body.rigid]):  # hinges leave fewer modes than motions
         if name not in periods or (mode % 6 != 3 and not (mode in weak and mode % 6 in (2, 4))):
             continue
         period, amplitude = periods[name], result.amplitudes[mode]

@@ -35,6 +35,21 @@ def check_places(system, hulls):
             )
 
 
+def check_floats(hulls, rises):
+    """Raise ValueError if hinges hold a body at rest out of the water or under it.
+
+    hulls : (name, `conditions.ExposedBox`) of each; rises : m, by which each rises at rest
+    """
+    for (name, box), up in zip(hulls, rises, strict=True):
+        if not -box.freeboard < up < box.draft:
+            way, limit = ("up", box.draft) if up > 0 else ("down", box.freeboard)
+            raise ValueError(
+                f"hinges move {name} {way} by {abs(up):.3g} m at rest, limit {limit:.3g} m, its "
+                f"{'draft' if up > 0 else 'freeboard'}; check for lines that pull one body under water, or "
+                f"leave out the hinge"
+            )
+
+
 def place_findings(system, hulls):
     """Messages on fairleads off their hull, and on lines whose straight way to the other end crosses the hull"""
     beside, through, limit = [], [], f"limit {NEAR * max(one.box.length for one in hulls):.3g} m"

@@ -37,7 +37,6 @@ from ..response.sea_state import TINY, SeaState, sea_state
 from ..response.slow_drift import differences
 from .slow_spectrum import PLANE, between, drift_of_sea, gust_spectrum
 
-NAMES = ("surge", "sway", "yaw")
 ABOUT = 60  # frequencies on either side of a resonance, up to some widths away
 # fewest and most waves of the quadratic form, two within the half width of a resonance if possible
 FEWEST_WAVES, MOST_WAVES = 100, 500
@@ -90,20 +89,19 @@ def slow_motion(free, held, sea, duration, loads=None, points=()) -> SlowMotion:
             "with --only kochin,drift"
         )
     loads, state, of_sea = loads or Loads(), sea_state(free, sea, duration), drift_of_sea(free, sea)
-    plane, bodies = _plane(held.inertia), bool(held.bodies)
-    by_drift = _drift_damping(of_sea.damping_of_each() if bodies else state.slow.damping, len(held.inertia) // 6)
-    of_drift = np.diag(by_drift)[plane]
+    plane, by_drift = _plane(held.inertia), _drift_damping(of_sea.damping(), len(held.inertia) // 6)
     mass, stiffness = held.inertia + held.held_added_mass(0.0)[0], held.stiffness
     fast = replace(sea_state(held.without_drift(), sea, duration, points), slow=state.slow)
     f0, f2 = (moment[plane] for moment in (fast.moments.m0, fast.moments.m2))
-    water, known, m2 = loads.water, None, 0.0
-    for _ in range(TURNS if bodies else 1):
-        speed = np.sqrt(f2 + m2)
-        if bodies:
-            water = of_drift + loads.drag(speed) + _radiated(held)
+    drag = _water(loads, np.diag(by_drift)[plane], held)
+    known, water, m2, unsettled = None, np.inf, 0.0, ()
+    for _ in range(TURNS):
+        before, water = water, drag(np.sqrt(f2 + m2))
+        if np.all(np.abs(water - before) <= SETTLED * np.abs(water)):
+            break
         damping = held.damping + by_drift
-        damping[plane, plane] += np.maximum(np.asarray(water, float) - of_drift, 0.0)
-        modes = _modes_together(held, mass, damping) if bodies else _modes(held, mass, damping)
+        damping[plane, plane] += water
+        modes = _modes(held, mass, damping)
         omega = _places(held, modes, sea)
         known = of_sea.coarse(omega[-1]) if known is None else known
         drift = between(known, omega)
@@ -111,11 +109,7 @@ def slow_motion(free, held, sea, duration, loads=None, points=()) -> SlowMotion:
         respond = _response(omega, mass, damping, stiffness, held.free)
         spectra = [np.einsum("dij,djk,dik->di", respond, force, respond.conj()).real for force in (drift, gusts)]
         m0, m2 = (np.trapezoid(omega[:, None] ** n * sum(spectra), omega, axis=0) for n in (0, 2))
-        off = np.abs(np.sqrt(f2 + m2) - speed)
-        if np.all(off <= SETTLED * speed):
-            break
-    unsettled = ()
-    if bodies and not np.all(off <= SETTLED * speed):
+    else:
         unsettled = (f"slow motion: the drag of the hulls did not settle in {TURNS} turns; use `hakobune simulate`",)
     forms = _forms_of(of_sea, modes, mass, damping, stiffness, held.free)
     along, yaw = m0.reshape(-1, 3)[:, :2].max(), m0[2::3].max()
@@ -140,7 +134,11 @@ def slow_motion(free, held, sea, duration, loads=None, points=()) -> SlowMotion:
         sum(spectra),
         fast,
         float(duration),
-        (*dict.fromkeys((*state.warnings, *fast.warnings)), *unsettled, *_flags(modes, sea, _named(held))),
+        (
+            *dict.fromkeys((*state.warnings, *fast.warnings)),
+            *unsettled,
+            *_flags(modes, sea, [held.words[i] for i in plane]),
+        ),
     )
 
 
@@ -149,17 +147,20 @@ class Loads(NamedTuple):
 
     water : (3,) N s/m, N m s, damping of surge, sway and yaw by the water, including that by wave drift, as in
     `long_period`; the part without wave drift is added to the damping of the moored body
-    drag : of several bodies in place of it, a function of σ of the velocities (3N,) → linearised drag (3N,)
+    drag : in place of it, a function of σ of the velocities (3N,) → linearised drag (3N,), without radiation
     """
 
     offset: np.ndarray = np.zeros(3)
     gust: tuple | None = None
-    water: np.ndarray = np.zeros(3)
-    drag: Callable = np.zeros_like
+    water: np.ndarray | float = 0.0
+    drag: Callable | None = None
 
 
 class _Modes(NamedTuple):
-    """Surge, sway and yaw (3,): natural period s, stiffness, damping and its ratio to critical, each alone"""
+    """Modes of surge, sway and yaw (3N,): natural period s, stiffness, damping and its ratio to critical, each alone
+
+    Those of several bodies are the coupled modes named after them; nan where hinges leave none.
+    """
 
     period: np.ndarray
     stiffness: np.ndarray
@@ -168,46 +169,42 @@ class _Modes(NamedTuple):
 
 
 def _modes(held, mass, damping):
-    period = natural_periods(held).period[PLANE]
-    C, N, M = (np.diag(matrix)[PLANE] for matrix in (held.stiffness, damping, mass))
-    for i, name in enumerate(NAMES):
-        if not (np.isfinite(period[i]) and C[i] > 0):
+    found, rows, words = natural_periods(held), [], dict(zip(held.names, held.words, strict=True))
+    loose = [name for name, T in zip(found.names, found.period, strict=True) if not np.isfinite(T)]
+    for i in _plane(mass):
+        name, word = held.names[i], held.words[i]
+        if name not in found.names:
+            rows.append(np.full(4, np.nan))
+            continue
+        j = found.names.index(name)
+        own = found.shapes[j] / np.where(held.turning, found.scale, 1.0) if held.bodies else np.eye(len(mass))[i]
+        M, N, C = (own @ matrix @ own / own[i] ** 2 for matrix in (mass, damping, held.stiffness))
+        if name in loose or not C > 0 or (loose and held.bodies):
             raise ValueError(
-                f"{name} has no restoring by the lines; slow motion of a body that drifts away is not defined"
+                f"{words[(*loose, name)[0]] if held.bodies else word} has no restoring by the lines; slow motion of a "
+                "body that drifts away is not defined"
             )
-        if not N[i] > 0:
+        if not N > 0:
+            key = f'"{word}"' if held.bodies else word
             raise ValueError(
-                f"slow {name} has damping {N[i]:.3g} (wave drift and study together); allowed: above 0; give "
-                f"body.damping_ratio = {{ {name} = 0.05 }} or so for the drag of lines and hull"
+                f"slow {word} has damping {N:.3g} (wave drift and study together); allowed: above 0; give "
+                f"body.damping_ratio = {{ {key} = 0.05 }} or so for the drag of lines and hull"
             )
-    return _Modes(period, C, N, N / (2 * np.sqrt(C * M)))
+        rows.append([found.period[j], C, N, N / (2 * np.sqrt(C * M))])
+    return _Modes(*np.transpose(rows))
 
 
-def _modes_together(held, mass, damping):
-    """`_Modes` of several bodies, of the coupled modes named after their slow motions; nan where hinges leave none"""
-    found, words = natural_periods(held), dict(zip(held.names, held.words, strict=True))
-    for name, period in zip(found.names, found.period, strict=True):
-        if not np.isfinite(period):
-            raise ValueError(
-                f"{words[name]} has no restoring by the lines; slow motion of a body that drifts away is not defined"
-            )
-    ways = found.shapes / np.where(held.turning, found.scale, 1.0)
-    M, N, C = (np.einsum("ji,ik,jk->j", ways, matrix, ways) for matrix in (mass, damping, held.stiffness))
-    rows = np.full((4, len(mass) // 2), np.nan)
-    for row, i in zip(rows.T, _plane(mass), strict=True):
-        if held.names[i] in found.names:
-            j = found.names.index(held.names[i])
-            row[:] = found.period[j], C[j] / ways[j, i] ** 2, N[j] / ways[j, i] ** 2, N[j] / (2 * np.sqrt(C[j] * M[j]))
-            if not N[j] > 0:
-                raise ValueError(
-                    f"slow {held.words[i]} has damping {row[2]:.3g} (wave drift and study together); allowed: above "
-                    f'0; give body.damping_ratio = {{ "{held.words[i]}" = 0.05 }} or so for the drag of lines and hull'
-                )
-    return _Modes(*rows)
+def _water(loads, by_drift, held):
+    """Function of σ of the velocities (3N,) → damping by the water in addition to that by wave drift, (3N,)"""
+    if loads.drag is None:
+        given = np.maximum(np.asarray(loads.water, float) - by_drift, 0.0)
+        return lambda speed: given
+    radiated = _radiated(held)
+    return lambda speed: np.maximum(loads.drag(speed) + radiated, 0.0)
 
 
 def _radiated(held):
-    """Damping by radiation of the slow motions of several bodies, each at its natural frequency alone; shape (3N,)"""
+    """Damping by radiation of the slow motions, each at its natural frequency alone; shape (3N,)"""
     plane = _plane(held.inertia)
     natural = np.sqrt(np.diag(held.stiffness) / np.diag(held.inertia + held.held_added_mass(0.0)[0]))[plane]
     inside = np.clip(natural, *held.between.span)
@@ -220,10 +217,6 @@ def _plane(matrix):
     return [6 * i + k for i in range(len(matrix) // 6) for k in PLANE]
 
 
-def _named(held):
-    return [held.words[i] for i in _plane(held.inertia)] if held.bodies else NAMES
-
-
 def _drift_damping(damping, bodies=1):
     """Wave drift damping (3N, 2), placed in the motions of N bodies; shape (6N, 6N); None for none"""
     full = np.zeros((6 * bodies, 6 * bodies))
@@ -232,15 +225,14 @@ def _drift_damping(damping, bodies=1):
     return full
 
 
-def _places(held, modes, sea=None):
+def _places(held, modes, sea):
     """Frequencies close enough about each resonance, rad/s; shape (d,)
 
-    sea : of several bodies, of which fenders hold some modes as fast as the waves; those are not slow
+    Modes of several bodies that fenders hold, as fast as the waves, are not slow.
     """
-    natural, ratio = 2 * np.pi / modes.period, modes.ratio
-    if held is not None and held.bodies:
-        slow = natural < SLOW * 2 * np.pi / sea.spectrum.T01
-        natural, ratio = natural[slow], ratio[slow]
+    natural = 2 * np.pi / modes.period
+    slow = natural < (SLOW * 2 * np.pi / sea.spectrum.T01 if held.bodies else np.inf)
+    natural, ratio = natural[slow], modes.ratio[slow]
     high = max(differences(held)[-1], 3 * natural.max(initial=0.0))
     steps = np.sinh(np.linspace(0, np.arcsinh(100.0), ABOUT))
     about = [w * (1 + sign * max(nu, 1e-4) * steps) for w, nu in zip(natural, ratio, strict=True) for sign in (-1, 1)]
@@ -334,7 +326,7 @@ def _rule(slow, slow_period, fast, fast_period, duration):
     return np.maximum(SIGNIFICANT * slow + largest[1], largest[0] + SIGNIFICANT * fast)
 
 
-def _flags(modes, sea, names=NAMES):
+def _flags(modes, sea, names=("surge", "sway", "yaw")):
     """Messages on natural periods near a wave period, and on lightly damped ones"""
     for system in getattr(sea, "systems", (sea,)):
         peak = system.spectrum.Tp

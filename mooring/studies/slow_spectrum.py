@@ -83,9 +83,9 @@ class DriftOfSea(NamedTuple):
         share = np.mean(np.atleast_2d(self.weights), axis=0)
         return self.phases(np.angle([share @ np.exp(1j * np.atleast_1d(self.heading))]), omega)
 
-    def damping_of_each(self):
-        """Wave drift damping of several bodies, N s/m and N s, by velocities along the axes of each; shape (3N, 2);
-        None without headings on both sides of the waves"""
+    def damping(self):
+        """Wave drift damping of one or several bodies, N s/m and N s, by velocities along the axes of each; shape (3N,
+        2); None without headings on both sides of the waves"""
         _, coefficients, known = drift_on_current(self.body, self.omega, self.heading)
         if not known:
             return None

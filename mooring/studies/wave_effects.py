@@ -128,9 +128,10 @@ def _regular(reader, conditions):
     else:
         drift = body.drift([w.omega], [w.direction])[0, 0] * amplitude**2
     motions = body.motions([w.omega], [w.direction])
-    X = np.abs(motions[0, 0]).reshape(-1, 2, 3).swapaxes(0, 1)
+    X = np.abs(motions[0, 0, : body.rigid]).reshape(-1, 2, 3).swapaxes(0, 1)
     held = amplitude * np.abs(body.link_forces([w.omega], [w.direction], motions)[0, 0]) if body.links else None
     amplitudes = np.stack([_cleared(X[0]), _cleared(X[1])], axis=1).ravel() * amplitude
+    amplitudes = np.append(amplitudes, amplitude * np.abs(motions[0, 0, body.rigid :]))
     if carrier is None:
         return WaveEffects(_cleared(drift), amplitudes, held=held)
     warnings = tuple(check_blocked(carrier, w, body.depth, body.gravity))

@@ -28,7 +28,7 @@ def write(name, file):
     if taken:
         raise ValueError(f"{taken[0]} is there already and is not replaced; give another name or folder")
     check_place(file)
-    file.write_text(commented(name), encoding="utf-8")
+    file.write_text(commented(name).replace(example.name, file.name), encoding="utf-8")
     for source, place in beside.items():
         shutil.copyfile(source, place)
     folder = "" if file.parent == Path() else f"{file.parent}/"

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from hakobune.mooring.criteria.anchors import anchor_findings
+from hakobune.mooring.response.points import middles, of_station
 from hakobune.mooring.studies.multi_point import PLANE, line_ends, multi_point
 
 from ..common.quantities import StudyError
@@ -29,6 +30,7 @@ CONTACTS, HINGES = (
     "fenders and ropes, deflection or elongation",
     ("forces and moments of hinges, in the axes of their first body"),
 )
+BENT = "bodies that bend: shapes, and beams in the middle, without waves"
 FREE, DRIFT, PLACE = "free motions, largest expected amplitude", "mean drift of the waves", "equilibrium"
 FORCE_UNITS = ("N", "N", "N", "N m", "N m", "N m")
 MOTION_UNITS = ("m", "m", "m", "rad", "rad", "rad")
@@ -96,14 +98,19 @@ def result_of(made, hull, text, db, first=(), anchors=()):
     """
     names = [body.name for body in db.bodies if not body.fixed]
     of_each = partial(_of_each, names)
-    quantities = {**_steady(made), **_periods(made), **_lines(made), **_held(made), **_waves(made), **_place(made)}
+    reader, shapes = db.bodies_reader, tuple("rad" if mode.turns else "m" for mode in db.modes)
+    waves = _waves(made, shapes)
+    quantities = {**_steady(made), **_periods(made), **_lines(made), **_held(made), **waves, **_place(made)}
     quantities |= quantities_of_anchors(anchors, *_at_anchors(made))
+    bending, told = _bent(made, reader, shapes)
+    quantities |= bending
     words = dict(zip(db.bodies_reader.names, db.bodies_reader.words, strict=True))
     axes = labels("mode", [words[name] for name in made.at_rest.names]) | labels("line", made.system.line_names)
     axes |= labels("load", of_each([*made.loads, "sum"])) | labels("motion", db.bodies_reader.words)
     axes |= labels("force", of_each(FORCES)) | labels("plane", of_each(["x", "y", "yaw"]))
     axes |= labels("xyz", ["x", "y", "z"]) | labels("body", names) | labels("contact", made.berth.names)
     forces = [f"{word} {axis}" for word in ("force", "moment") for axis in "xyz"]
+    axes |= labels("bend", told)
     axes |= labels("hinge", [f"{hinge} {force}" for hinge in made.hinges for force in forces])
     used = {axis for one in quantities.values() for axis in one.axes}
     return Result(
@@ -155,6 +162,21 @@ def _lines(made):
     return found
 
 
+def _bent(made, reader, shapes):
+    """Amplitudes of shapes, deflections and loads in the middle of beams, at rest and under the steady forces, and
+    their names"""
+    if made.bent is None:
+        return {}, ()
+    motions = np.concatenate([np.zeros((2, reader.rigid)), made.bent], axis=1)
+    rows = [(f"{one.name} {word}", unit, part) for one in middles(reader) for word, unit, part in of_station(
+        reader, motions, one)]  # fmt: skip
+    names = (*reader.words[reader.rigid :], *(name for name, _, _ in rows))
+    units = (*shapes, *(unit for _, unit, _ in rows))
+    values = np.column_stack([made.bent, *(part for _, _, part in rows)])
+    states = zip(("at_rest", "steady"), ("at rest", "steady"), values, strict=True)
+    return {f"bend.{name}": Quantity(row, ("bend",), units, words, BENT) for name, words, row in states}, names
+
+
 def _held(made):
     """Forces of fenders, ropes and hinges, at rest and under the steady forces"""
     found = {}
@@ -170,9 +192,10 @@ def _held(made):
     return found
 
 
-def _waves(made):
-    count = len(made.amplitudes) // 6
-    units = MOTION_UNITS * count
+def _waves(made, shapes=()):
+    """Motions and drift in waves; shapes : units of the shapes of bodies that bend, whose motions come last"""
+    count = (len(made.amplitudes) - len(shapes)) // 6
+    units = (*MOTION_UNITS * count, *shapes)
     found = {"motion.amplitude": Quantity(made.amplitudes, ("motion",), units, "amplitude applied to the lines")}
     for method, effects in made.waves.items():
         words = ("" if method == made.conditions.method else UNUSED) + WORDS[method]
@@ -187,7 +210,7 @@ def _waves(made):
 
 
 def _place(made):
-    count = len(made.amplitudes) // 6
+    count = len(made.displacement) // 3
     x, y, yaw = made.displacement.reshape(count, 3).T
     roll, pitch = made.heel.reshape(count, 2).T
     rows = {
@@ -203,9 +226,10 @@ def _place(made):
     }
     found["allowable"] = Quantity(float(made.allowable), (), "", "allowable share of the breaking load", PLACE, True)
     found["motion_factor"] = Quantity(float(made.conditions.motion_factor), (), "", "factor on the motions")
-    found["stiffness"] = Quantity(
-        made.equilibrium.stiffness, ("force", "motion"), "N/m, N/rad; N m/m, N m/rad", "stiffness of the lines"
-    )
+    if made.bent is None:
+        found["stiffness"] = Quantity(
+            made.equilibrium.stiffness, ("force", "motion"), "N/m, N/rad; N m/m, N m/rad", "stiffness of the lines"
+        )
     found["residual"] = Quantity(
         made.equilibrium.residual[: 6 * count].reshape(count, 6)[:, PLANE].ravel(), ("plane",),
         ("N", "N", "N m") * count, "of the equilibrium",

@@ -107,6 +107,7 @@ def moored_together(path, read, db, sea, duration, points):
         raise StudyError(f"{path} has no lines; give at least one [[spreads]] or [[lines]], or use hakobune simulate")
     waves = Waves(sea.spectrum.significant_height, sea.spectrum.T01, sea.direction)
     conditions = replace(study.conditions(), waves=waves, sea=sea, method="irregular", duration=duration)
+    db.require_rigid()
     reader, laws = db.bodies_reader, viscous_laws(read, db)
     alone = linked(reader.floating(), study.hinges, db)
     statics = multi_point(db, system, hulls, conditions, study.allowable, berth, alone)

@@ -8,11 +8,13 @@ from hakobune.mooring.motion.statistics import FEW, frequencies_in, slow_part
 
 from ..common.picture import save
 from ..common.units import KN
-from .file import STATISTICS, bodies_of, whole_rows
+from .file import STATISTICS, bodies_of, units_of, whole_rows
 
 SHOWN = 600.0  # s of a record
 MOTIONS = (("surge", 1.0, "m"), ("sway", 1.0, "m"), ("heave", 1.0, "m"), ("roll", 180 / np.pi, "°"),
            ("pitch", 180 / np.pi, "°"), ("yaw", 180 / np.pi, "°"))  # fmt: skip
+OF_HINGES = {"N": (1 / KN, "kN"), "N m": (1 / KN, "kN m"), "m": (1.0, "m"), "rad": (180 / np.pi, "°")}
+PRESSED = "deflection", 1.0, "m"  # of fenders
 SMOOTH = 20  # number of neighbouring frequencies averaged in one value of a spectrum
 FINE, BEYOND = 0.15, 10.0  # a value's width and the end of spectra, at most, over the split frequency
 LAST = 2.0  # rad/s, end of spectra, or that of shorter waves
@@ -34,6 +36,10 @@ def draw(file, output):
             path = output.with_name("_".join(filter(None, (output.stem, body, name))) + ".png")
             picture(file, kept, path, motions)
             made.append(path.name)
+    if "hinge" in file:
+        path = output.with_name(f"{output.stem}_hinges.png")
+        _hinges(file, kept, path)
+        made.append(path.name)
     return made
 
 
@@ -101,13 +107,20 @@ class Worst(NamedTuple):
 
 
 def _worst(file):
-    kind, factor, unit = ("tension", 1 / KN, "kN") if len(file["line"]) else ("deflection", 1.0, "m")
+    found = _largest_of(file, "tension", 1 / KN, "kN") if len(file["line"]) else _largest_of(file, *PRESSED)
+    if found is not None:
+        return found
+    motions = [one for of_body in _motions(file) for one in of_body.named]
+    at = int(np.argmax(_travel(file, len(motions))))
+    return Worst("motion", at, *motions[at])
+
+
+def _largest_of(file, kind, factor, unit):
+    """`Worst` of the tensions or of the deflections, None without any"""
     names = file["quantity"].asstr()[()]
     chosen = [i for i, name in enumerate(names) if name.startswith(f"{kind} ")]
     if not chosen:
-        motions = [one for of_body in _motions(file) for one in of_body.named]
-        at = int(np.argmax(_travel(file, len(motions))))
-        return Worst("motion", at, *motions[at])
+        return None
     largest = file["statistics"][()][whole_rows(file)][:, chosen, STATISTICS.index("largest")]
     at = int(np.argmax(largest.max(axis=0)))
     return Worst(kind, at, names[chosen[at]].removeprefix(f"{kind} "), factor, unit)
@@ -132,26 +145,58 @@ def _records(file, kept, path, motions):
     begin = min(max(at - SHOWN / 2, time[0]), max(time[-1] - SHOWN, time[0]))
     part = (time >= begin) & (time <= begin + SHOWN)
     moving = [j for j, (name, _, _) in enumerate(motions.named) if not _still(file, name)]
-    figure, axes = _figure(len(moving) + 2, 1, (11, 1 + 1.5 * (len(moving) + 2)), sharex=True)
-    axes = axes[:, 0]
+    fender = _largest_of(file, *PRESSED) if worst.kind == "tension" else None
+    count = len(moving) + 2 + (fender is not None)
+    figure, axes = _figure(count, 1, (11, 1 + 1.5 * count), sharex=True)
+    axes, last = axes[:, 0], axes[len(moving) + 1, 0]
     axes[0].plot(time[part], file["wave"][row][part], color="C0", lw=0.9)
     axes[0].set_ylabel("wave, m")
     step, split = float(np.diff(time[:2])[0]), float(file.attrs["split_frequency"])
-    for one, j in zip(axes[1:-1], moving, strict=True):
+    for one, j in zip(axes[1 : len(moving) + 1], moving, strict=True):
         name, factor, unit = motions.named[j]
         motion = factor * motions.of(file, row)[:, j].astype(float)
         one.plot(time[part], motion[part], color="0.25", lw=0.9)
         if j in PLANE:
             one.plot(time[part], slow_part(motion, step, split)[part], color="C3", lw=1.4)
         one.set_ylabel(f"{name}, {unit}")
-    axes[-1].plot(time[part], worst.factor * record[part], color="C1", lw=0.9)
-    _breaking(axes[-1], file, worst, record.max())
-    label = f"{worst.kind}, {worst.unit}\n{worst.name}"
-    axes[-1].set(ylabel=label, xlabel="s after the ramp", xlim=(begin, min(begin + SHOWN, time[-1])))
+    last.plot(time[part], worst.factor * record[part], color="C1", lw=0.9)
+    _breaking(last, file, worst, record.max())
+    last.set_ylabel(f"{worst.kind}, {worst.unit}\n{worst.name}")
+    if fender is not None:
+        axes[-1].plot(time[part], file["deflection"][row, part, fender.at], color="C2", lw=0.9)
+        axes[-1].set_ylabel(f"deflection, m\n{fender.name}")
+    axes[-1].set(xlabel="s after the ramp", xlim=(begin, min(begin + SHOWN, time[-1])))
     slow = f"; red: slow part, below {split:.2g} rad/s" * any(j in PLANE for j in moving)
     axes[0].set_title(f"seed {file['seed'][row]}, around the largest {worst.kind}, in {worst.name}{slow}", loc="left")
     for one in axes:
         one.grid(alpha=0.3)
+    save(figure, path, 110)
+
+
+def _hinges(file, kept, path):
+    """All numbers of the hinge with the largest force, in the minutes around it, in its run"""
+    names, units = (
+        file["hinge"].asstr()[()].tolist(),
+        dict(zip(file["quantity"].asstr()[()], units_of(file), strict=True)),
+    )
+    forces = [i for i, name in enumerate(names) if units[name] == "N"]
+    pulls = np.abs(file["links"][kept][:, :, forces])
+    run, at, which = np.unravel_index(int(np.argmax(pulls)), pulls.shape)
+    hinge = names[forces[which]].rpartition(" force ")[0]
+    own = [
+        i for i, name in enumerate(names) if name.startswith((f"{hinge} force ", f"{hinge} moment ", f"{hinge} travel"))
+    ]
+    time = file["time"][()]
+    begin = min(max(time[at] - SHOWN / 2, time[0]), max(time[-1] - SHOWN, time[0]))
+    part = (time >= begin) & (time <= begin + SHOWN)
+    figure, axes = _figure(len(own), 1, (11, 1 + 1.5 * len(own)), sharex=True)
+    for one, i in zip(axes[:, 0], own, strict=True):
+        factor, unit = OF_HINGES[units[names[i]]]
+        one.plot(time[part], factor * file["links"][kept[run], part, i], color="0.25", lw=0.9)
+        one.set_ylabel(f"{names[i].removeprefix(hinge).strip()}, {unit}")
+        one.grid(alpha=0.3)
+    axes[-1, 0].set(xlabel="s after the ramp", xlim=(begin, min(begin + SHOWN, time[-1])))
+    axes[0, 0].set_title(f"seed {file['seed'][kept[run]]}, around the largest force of a hinge, in {hinge}", loc="left")
     save(figure, path, 110)
 
 

@@ -2,8 +2,7 @@
 
 import numpy as np
 
-from hakobune.bem.flexible.beams import Beam
-from hakobune.mooring.response.points import Station, of_station
+from hakobune.mooring.response.points import middles, of_station
 
 from .file import LEFT_OUT
 
@@ -23,10 +22,7 @@ def stations_of(study, db):
     given = study.simulation.stations if study.simulation else []
     if given:
         return [one for i, table in enumerate(given) for one in table.stations(f"simulation.stations[{i}]", db)]
-    beams = {mode.body: mode.shape for mode in db.modes if isinstance(mode.shape, Beam)}
-    names = {body: db.bodies[body].name if db.bodies else "" for body in beams}
-    middles = {body: 0.5 * (beam.start + beam.end) for body, beam in beams.items()}
-    return [Station(f"{names[body]} x {x:g}".strip(), x, names[body]) for body, x in middles.items()]
+    return middles(db)
 
 
 def told_of_stations(reader, stations):

@@ -10,6 +10,7 @@ from hakobune.bem.hinges import ALONE, told_of
 from hakobune.mooring.criteria.failing import fails
 from hakobune.mooring.fenders.gaps import gaps, pairs_of
 from hakobune.mooring.motion.statistics import statistics_of_records, stillness, without_rounding
+from hakobune.mooring.studies.places import check_floats
 
 from ..common.quantities import StudyError
 from ..common.quay_tables import linked
@@ -100,7 +101,9 @@ def prepared(task, db=None, waves=None):
                 plan, left = with_pairs(plan, study, db, reader)
             choice = _lines_chosen(task, body, plan)
             moving_of(body, choice.settings)  # refused here, before a file exists
-        _check_floats(body, hull)
+        if body.reader.links:
+            boxes = (hull if isinstance(hull, dict) else {ALONE: hull}).items()
+            check_floats(boxes, body.start[2 : body.reader.rigid : 6])
         _check_start(sides_of(db), body, plan.settings)
         held = [word for i, word in enumerate(words) if i not in body.free]
         still = (f"{LEFT_OUT} {', '.join(held)}: fixed at rest, as set by simulation.motions",) if held else ()
@@ -286,8 +289,8 @@ def anchor_pulls(body, motion, tension):
 def _at_rest_in(body, motion):
     """`LineForces` of the lines with the bodies held in motion (n,), m, rad"""
     from hakobune.mooring.lines.system.equilibrium import held_at, rest
-    from hakobune.mooring.motion.simulation.bending import with_bent_fairleads
     from hakobune.mooring.motion.simulation.realisation import poses_of
+    from hakobune.mooring.motion.tables.groups import with_bent_fairleads
 
     rigid = body.reader.rigid
     poses = poses_of(motion[:rigid], body.reader.axes_at_rest)
@@ -315,7 +318,8 @@ def _of_gaps(sides, apart):
         elif max(gap.max() - at_rest, at_rest - least) > max(FARTHER * at_rest, size):
             yield (
                 f"the gap between {names} varies from {least:.3g} to {gap.max():.3g} m, {at_rest:.3g} m at "
-                "rest, but forces of the water between them are those of the gap at rest"
+                "rest, but forces of the water between them are those of the gap at rest; give lines that hold "
+                "them there, or solve them at that gap"
             )
 
 
@@ -328,21 +332,6 @@ def _check_start(sides, body, settings):
             raise StudyError(
                 f"{one.name} and {other.name} overlap by {-gap:.3g} m at the start of a run; allowed: no "
                 "overlap; give a smaller offset, or less tension between them"
-            )
-
-
-def _check_floats(body, hull):
-    """Raise StudyError if hinges hold a body at rest out of the water or under it."""
-    if not body.reader.links:
-        return
-    for i, (name, box) in enumerate(hull.items() if isinstance(hull, dict) else [(ALONE, hull)]):
-        up = float(body.start[6 * i + 2])
-        if not -box.freeboard < up < box.draft:
-            way, limit = ("up", box.draft) if up > 0 else ("down", box.freeboard)
-            raise StudyError(
-                f"hinges move {name} {way} by {abs(up):.3g} m at rest, limit {limit:.3g} m, its "
-                f"{'draft' if up > 0 else 'freeboard'}; check for lines that pull one body under water, or "
-                f"leave out the hinge"
             )
 
 

@@ -25,6 +25,7 @@ from hakobune.mooring.loads.coefficients import shallow_coefficient
 from hakobune.mooring.motion import statistics, wave_loads
 from hakobune.mooring.motion.simulation import bending
 from hakobune.mooring.motion.simulation import run as of_runs
+from hakobune.mooring.motion.tables import groups
 from hakobune.mooring.on_current.waves import Carrier
 from hakobune.mooring.seas import buoys
 from hakobune.mooring.single_point import equilibria, runs, two_scale, waves
@@ -88,18 +89,18 @@ def test_fairleads_of_a_body_that_bends_are_moved_by_its_shapes_and_nothing_else
     moved = np.array([[1.0, 0.0, 2.0], [0.0, 3.0, -1.0]])
     asked = []
     monkeypatch.setattr(
-        bending, "moved_by_shapes", lambda reader, body, point: asked.append((body, tuple(point))) or [moved]
+        groups, "moved_by_shapes", lambda reader, body, point: asked.append((body, tuple(point))) or [moved]
     )
     point = Fairlead("f", "barge", (10.0, 20.0, 30.0))
-    monkeypatch.setattr(bending, "replace", lambda thing, **new: (thing, new))
+    monkeypatch.setattr(groups, "replace", lambda thing, **new: (thing, new))
     anchor = AnchorPoint("a", (0.0, 0.0, -50.0))
     system = SimpleNamespace(
         bodies=[SimpleNamespace(name="ship"), SimpleNamespace(name="barge")], points=(anchor, point)
     )
-    of, new = bending.with_bent_fairleads(system, SimpleNamespace(modes=["one", "two"]), np.array([0.5, 2.0]))
+    of, new = groups.with_bent_fairleads(system, SimpleNamespace(modes=["one", "two"]), np.array([0.5, 2.0]))
     assert of is system and asked == [(1, (10.0, 20.0, 30.0))]
     assert new["points"][0] is anchor and new["points"][1] == (point, dict(position=(10.5, 26.0, 29.0)))
-    assert bending.with_bent_fairleads(system, SimpleNamespace(modes=()), np.zeros(0)) is system
+    assert groups.with_bent_fairleads(system, SimpleNamespace(modes=()), np.zeros(0)) is system
 
 
 def test_windows_of_a_record_have_the_significant_wave_about_their_own_mean():

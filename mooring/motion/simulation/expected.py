@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from ..contacts import units_of
 from ..tables.groups import groups_of
 from ..wave_loads import forces_towards
 
@@ -42,15 +43,6 @@ def expected_motion(moored, components):
         for own in (slice(0, reader.rigid), slice(reader.rigid, None)):
             part[own] = np.maximum(part[own], LEAST * (part / unit)[own].max(initial=0.0) * unit[own])
     return np.concatenate([_in_sixes(motion, groups), _in_sixes(speed, groups)], axis=1)
-
-
-def units_of(reader):
-    """Amplitudes that are comparable for the motions of a Reader, m or rad; shape (n,): 1 m, or 1 m over the radius of
-    gyration; shapes that rotate have the value of roll"""
-    inertia = np.diag(reader.inertia)[: reader.rigid].reshape(-1, 6)
-    radius = np.sqrt(inertia[:, 3:] / inertia[:, :1])
-    unit = np.concatenate([np.ones_like(radius), 1 / radius], axis=1).ravel()
-    return np.append(unit, [1 / radius[0, 0] if mode.turns else 1.0 for mode in reader.modes])
 
 
 def _in_sixes(values, groups):

@@ -10,19 +10,26 @@ from hakobune.bem.database.reader import Reader
 from hakobune.bem.hinges import driven
 from hakobune.bem.viscous import Quadratic
 
-from ...lines.system.bodies import places_along
 from ...lines.system.equilibrium import rest
 from ...response.viscous import in_time, laws_of
 from ...studies.conditions import afloat, alone
-from ..contacts import at_rest, berth_force, berth_stiffness, no_berth, rest_together, stiffness_together, with_shapes
+from ..contacts import (
+    at_rest,
+    berth_force,
+    berth_stiffness,
+    no_berth,
+    rest_bent,
+    rest_together,
+    stiffness_together,
+    units_of,
+    with_shapes,
+)
 from ..force_tables import TOLERANCE
-from ..line_loads import body_lines, line_work, loads_at, tables_of
-from ..line_loads import with_shapes as with_shapes_of_lines
+from ..line_loads import body_lines, but_berth, tables_of
 from ..links import links_of
 from ..wave_loads import WaveForces, wave_forces
-from .bending import check_bending, rest_bent
-from .body import in_space, of_each, on_places
-from .expected import units_of
+from .bending import check_bending
+from .body import in_space, of_each
 from .linked import check_held
 from .memory import fitted_memory
 
@@ -100,8 +107,8 @@ def moored(
     apply
     berth : `contacts.Berth`, fenders and ropes
     waves : WaveForces, memory : a Memory, by default those of the database
-    spring, damping : (n, n) SI; quadratic : (n,) N s²/m² …; both in addition to the viscous damping of the database's
-        scene
+    spring, damping : (n, n) SI; quadratic : (n,) N s²/m² …; all in addition to the viscous damping of the database's
+        scene; no spring between two bodies
     linearised_in : waves as of `response.viscous.in_time`, for the part of that damping that is not drag, and for the
         drift
     motions : numbers of the free motions, None for all
@@ -118,6 +125,7 @@ def moored(
     # has to find those of the one that made it
     body.between.forget()
     spring, damping = np.zeros_like(body.damping) if spring is None else np.asarray(spring, float), viscous.damping
+    _check_spring(spring, body)
     findings = (*findings, *_of_viscous(reader, linearised_in))
     start, stiffness, tables, links = np.zeros(len(spring)), body.stiffness + spring, ((), ()), links_of(body)
     if system is not None:
@@ -133,7 +141,7 @@ def moored(
         berth = with_shapes(berth, body)
     if body.modes and links is None:
         if system is not None or berth.names:
-            others = _but_berth(system, tables, body, spring)
+            others = but_berth(system, tables, body, spring)
             start, stiffness = rest_bent(body, berth, others, start, units_of(body), free)
         _check_upright(stiffness, body, free)
     elif links is not None:
@@ -146,7 +154,7 @@ def moored(
             )
     else:
         if berth.names:
-            start = at_rest(berth, _but_berth(system, tables, body, spring), start, units_of(body))
+            start = at_rest(berth, but_berth(system, tables, body, spring), start, units_of(body))
             stiffness = stiffness + berth_stiffness(berth, start)
             findings = (*findings, *_of_loose(stiffness, body, free))
         _check_upright(stiffness, body, free)
@@ -155,6 +163,20 @@ def moored(
     return Moored(
         body, system, hull, memory, start, spring, damping, viscous.quadratic, stiffness, slow, *rest_of_it, free=free
     )
+
+
+def _check_spring(spring, body):
+    """Raise ValueError for a spring (n, n) of another number of motions, or between two bodies"""
+    if spring.shape != body.inertia.shape:
+        raise ValueError(f"spring has the shape {spring.shape}; allowed: {body.inertia.shape}, a row for each motion")
+    body_of = np.arange(body.rigid) // 6
+    between = np.where(body_of[:, None] != body_of, spring[: body.rigid, : body.rigid], 0.0)
+    if between.any():
+        i, j = np.unravel_index(np.argmax(np.abs(between)), between.shape)
+        raise ValueError(
+            f"spring between {body.words[i]} and {body.words[j]} is {between[i, j]:.4g} (SI); allowed: 0; "
+            "give a line, a fender, or a hinge with a stiffness there"
+        )
 
 
 def _of_viscous(reader, waves):
@@ -209,31 +231,9 @@ def _rest(system, body, spring):
     return start, in_space(stiffness, -body.axes_at_rest[:, 5])
 
 
-def _but_berth(system, tables, body, spring):
-    """Function of places (n,) in space: forces (n,), along the axes of the bodies there, of lines, water and springs
-
-    Amplitudes of shapes, and forces on them, come after those of all bodies.
-    """
-    headings, rigid = body.axes_at_rest[:, 5], body.rigid
-    count, held = len(headings), on_places(spring[:rigid, :rigid], headings)
-    lines = with_shapes_of_lines(body_lines(system, (), tables, bodies=count), body)
-    work = line_work(lines)
-    R, out, of_shapes = np.zeros((count, 3, 3)), np.zeros((count, 6)), spring[rigid:, rigid:]
-
-    def others(place):
-        poses = place[:rigid].reshape(-1, 6).copy()
-        poses[:, 5] += headings
-        work.bent[:] = place[rigid:]
-        loads_at(lines, work, poses, R, out)
-        pulls = places_along(poses[:, 5]).T @ (held @ place[:rigid])
-        return np.append(out.ravel(), work.push) - body.stiffness @ place - np.append(pulls, of_shapes @ place[rigid:])
-
-    return others
-
-
 def _rest_together(links, berth, system, tables, body, spring, start):
     """Places at rest of bodies with hinges, shape (n,), and stiffness there, shape (n, n)"""
-    headings, others = body.axes_at_rest[:, 5], _but_berth(system, tables, body, spring)
+    headings, others = body.axes_at_rest[:, 5], but_berth(system, tables, body, spring)
 
     def forces(place):
         return others(place) + (berth_force(berth, place) if berth.names else 0.0)

@@ -4,9 +4,12 @@ Each group is of one body, along whose axes its shapes and forces are, and is fi
 Of a shape between several bodies that is the first of them.
 """
 
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
+
+from ...lines.system.parts import Fairlead
 
 
 class Groups(NamedTuple):
@@ -61,6 +64,21 @@ def moved_by_shapes(reader, body, points):
         if number in mode.moves and len(points):
             out[:, k] = mode.in_body(one, places)
     return out
+
+
+def with_bent_fairleads(system, reader, amplitudes):
+    """A System with its fairleads moved by the shapes of a Reader with amplitudes (f,)"""
+    if not reader.modes:
+        return system
+    names = [one.name for one in system.bodies]
+
+    def moved(point):
+        if not isinstance(point, Fairlead):
+            return point
+        (shapes,) = moved_by_shapes(reader, names.index(point.body), point.position)
+        return replace(point, position=tuple(map(float, point.position + amplitudes @ shapes)))
+
+    return replace(system, points=tuple(map(moved, system.points)))
 
 
 def _moving(reader):

@@ -30,11 +30,13 @@ I, J = 16, 3  # of frequency and heading
 T = 2 * np.pi / OMEGA[I]
 
 
-def on_springs(body, memory=None, **more):
-    """`Moored` on springs in surge, sway and yaw, with 5 % of the mass as damping"""
+def on_springs(body, memory=None, to_shapes=0.0, **more):
+    """`Moored` on springs in surge, sway and yaw, with 5 % of the mass as damping; to_shapes : N, N m from these"""
     spring = np.zeros_like(body.inertia)
     for first in range(0, body.rigid, 6):
         spring[first : first + 6, first : first + 6] = RIG
+        spring[first : first + 6, body.rigid :] = to_shapes * np.sign(np.diag(RIG))[:, None]
+        spring[body.rigid :, first : first + 6] = spring[first : first + 6, body.rigid :].T
     return moored(body, memory=memory or no_memory(body), spring=spring, damping=0.05 * body.inertia, **more)
 
 
@@ -55,11 +57,15 @@ def amplitudes(run, series, late=40):
     return found[0] + 1j * found[1]
 
 
-@pytest.mark.parametrize("make", [bending, two_of_which_one_bends], ids=["one", "of two"])
-def test_regular_waves_bend_a_body_as_in_the_frequency_domain(make):
+@pytest.mark.parametrize(
+    ("make", "to_shapes"),
+    [(bending, 0.0), (two_of_which_one_bends, 0.0), (two_of_which_one_bends, 1e6)],
+    ids=["one", "of two", "sprung"],
+)
+def test_regular_waves_bend_a_body_as_in_the_frequency_domain(make, to_shapes):
     """Six motions and shapes, eight of them in two groups, amplitude and phase, with the memory of the water"""
     body, a = make(4), 1e-3
-    held, w = on_springs(body, remembering(body)), OMEGA[I]
+    held, w = on_springs(body, remembering(body), to_shapes), OMEGA[I]
     how = Settings(44 * T, 20 * T, T / 20, **STILL | {"memory": "states"})
     run = simulate(held, Weather(regular=Waves(2 * a, T, AROUND[J])), how)
     B = body.damping + held.damping + held.memory.transform(w)[0]

@@ -69,6 +69,17 @@ def test_regular_waves_move_both_as_in_the_frequency_domain(pair):
     assert np.all(np.abs(found[0] + 1j * found[1] - exact) < 3e-4 * scale)
 
 
+def test_a_spring_between_two_bodies_is_refused(coupled):
+    spring = np.kron(np.eye(2), SPRING)
+    spring[1, 7] = spring[7, 1] = -4e5
+    with pytest.raises(
+        ValueError, match=r"spring between ship sway and barge sway is -4e\+05 .*allowed: 0; give a line"
+    ):
+        moored(coupled[0], memory=no_memory(coupled[0]), spring=spring)
+    with pytest.raises(ValueError, match=r"spring has the shape \(6, 6\); allowed: \(12, 12\)"):
+        moored(coupled[0], memory=no_memory(coupled[0]), spring=SPRING)
+
+
 def test_a_body_that_heads_the_other_way_rests_as_one_that_does_not():
     """On a spring that couples sway and roll, pulled down and aside by a rope at its side: along its own axes alike"""
     body, K = two_bodies(AROUND), SPRING.copy()

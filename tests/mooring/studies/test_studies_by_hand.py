@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from hakobune.bem import DOFS
 from hakobune.bem.database.natural_periods import NaturalPeriods
 from hakobune.mooring.environment.sea import Sea
 from hakobune.mooring.environment.spectra import issc
@@ -101,14 +102,17 @@ def test_a_response_is_that_of_surge_sway_and_yaw_with_the_others_following():
 
 
 def held_body(**changes):
-    values = {"stiffness": np.diag([4.0, 9, 0, 0, 0, 16]), "period": np.array([20.0, 30, 1, 1, 1, 40])} | changes
+    words = ("surge", "sway", "heave", "roll", "pitch", "yaw")
+    values = {"stiffness": np.diag([4.0, 9, 0, 0, 0, 16]), "period": np.array([20.0, 30, 1, 1, 1, 40]), "bodies": (),
+              "names": DOFS, "words": words} | changes  # fmt: skip
     return SimpleNamespace(**values)
 
 
 def test_modes_have_stiffness_damping_and_its_share_of_critical(monkeypatch):
     """ν = N/2√(CM); a mode that nothing holds or damps is refused by name"""
     monkeypatch.setattr(
-        "hakobune.mooring.studies.slow_motion.natural_periods", lambda held: SimpleNamespace(period=held.period)
+        "hakobune.mooring.studies.slow_motion.natural_periods",
+        lambda held: SimpleNamespace(period=held.period, names=DOFS),
     )
     mass, damping = np.diag([1.0, 4, 0, 0, 0, 25]), np.diag([0.4, 1.2, 0, 0, 0, 8])
     found = _modes(held_body(), mass, damping)
@@ -131,7 +135,7 @@ def test_places_are_close_about_each_resonance_and_reach_three_times_the_highest
     modes = _Modes(2 * math.pi / np.array([0.1, 0.2, 0.3]), *3 * [np.ones(3)])._replace(
         ratio=np.array([0.05, 0.1, 1e-6])
     )
-    omega = _places(None, modes)
+    omega = _places(SimpleNamespace(bodies=()), modes, None)
     assert omega[0] == 0 and omega[-1] == pytest.approx(0.9) and np.all(np.diff(omega) > 0)
     for natural, width in ((0.1, 0.005), (0.2, 0.02), (0.3, 3e-5)):
         near = omega[np.abs(omega - natural) < width]
@@ -248,7 +252,7 @@ def test_a_twentieth_of_a_motion_or_drift_between_stored_waves_is_told(error, to
     """A small motion is judged by a tenth of the largest of its kind"""
 
     class Body:
-        words = WORDS
+        words, rigid = WORDS, 6
 
         def at(self, omega, name, headings):
             if name == "rao":
@@ -272,7 +276,7 @@ def test_roll_near_the_waves_without_viscous_damping_is_told(monkeypatch, ratio,
     """Roll always, pitch where waves damp it less than a tenth of critical: here not; 1e-4 rad per metre is rounding"""
     monkeypatch.setattr(told, "known_resonances", lambda reader: [SimpleNamespace(mode=4, damping=0.101)])
     result = SimpleNamespace(at_equilibrium=periods(99, 99, 99, 10 * ratio, 10, 99), amplitudes=np.full(6, amplitude))
-    db = SimpleNamespace(bodies_reader=SimpleNamespace(words=WORDS, names=NAMES))
+    db = SimpleNamespace(bodies_reader=SimpleNamespace(words=WORDS, names=NAMES, rigid=6))
     said = list(told._undamped(result, db, Waves(2.0, 10.0, 0.0)))
     assert len(said) == count
     assert all("natural period of roll" in line and "its amplitude 5.73° has" in line for line in said)

@@ -297,10 +297,10 @@ def test_a_file_to_begin_with_comes_with_what_it_needs_and_its_steps(monkeypatch
     kind = SimpleNamespace(example="pool.toml", beside=(), steps=("solve FILE", "moor FILE series_box.toml"))
     monkeypatch.setattr(beginning, "SCENES", home)
     monkeypatch.setattr(beginning, "kind_named", lambda name: kind)
-    monkeypatch.setattr(beginning, "commented", lambda name: f"of {name}")
+    monkeypatch.setattr(beginning, "commented", lambda name: f"# solve pool.toml, of {name}")
     files, steps = beginning.write("pool", out / "mine.toml")
     assert files == [out / "mine.toml", out / "b.csv"]
-    assert [file.read_text() for file in files] == ["of pool", "1\n"]
+    assert [file.read_text() for file in files] == ["# solve mine.toml, of pool", "1\n"]
     assert steps == [f"solve {out}/mine.toml", f"moor {out}/mine.toml {out}/series_box.toml"]
     with pytest.raises(ValueError, match=r"mine\.toml is there already and is not replaced; give another name or"):
         beginning.write("pool", out / "mine.toml")

@@ -53,7 +53,7 @@ def made(monkeypatch):
         waves={"irregular": irregular, "regular_wave": regular}, at_rest=periods(40.0), at_equilibrium=periods(60.0),
         system=system, rest=SimpleNamespace(kind="rest", lines=lines(300)), extreme=lines(400),
         tension=np.array([71.0, 72.0]), utilisation=np.array([0.2, 0.3]), outward=np.array([81.0, 82.0]),
-        upward=np.array([91.0, 92.0]), steady_force=50 + np.arange(6.0),
+        upward=np.array([91.0, 92.0]), steady_force=50 + np.arange(6.0), bent=None,
     )  # fmt: skip
 
 

@@ -153,6 +153,7 @@ def test_the_place_of_each_body_has_its_heel(count):
         displacement=np.arange(3.0 * count),
         heel=10 + np.arange(2.0 * count),
         allowable=0.5,
+        bent=None,
         conditions=SimpleNamespace(motion_factor=1.86),
         equilibrium=SimpleNamespace(stiffness=np.eye(6), residual=np.arange(6.0 * count)),
     )

@@ -180,6 +180,44 @@ def test_a_ball_holds_the_point_of_a_beam_that_its_shapes_move(barge, tmp_path):
     assert np.abs(motion @ moves.T).max() < 2e-3 * size
 
 
-def test_moor_still_refuses_a_beam(barge):
-    with pytest.raises(ValueError, match="is for a body with 3 motions beyond the six"):
-        hakobune.moor({"water": {"depth": 9.0}, **ON_CHAINS}, barge)
+DOWN = [{"name": f"down {x:g}", "type": "spring", "fairlead": [x, 0.0, 0.0], "bollard": [x, 0.0, -8.0], "length": 7.0}
+        for x in (11.0, -11.0)]  # fmt: skip
+ON_SPRINGS = {"water": {"depth": 9.0}, "types": {"spring": {"spring_kN_per_m": 60.0}}, "lines": DOWN}
+
+
+def test_springs_at_both_ends_bend_a_beam_in_moor_as_by_hand(barge):
+    """Heave z and the first shape ξ of two springs k, stretched by s: C (z, ξ) = −Σ k (s + z + w ξ) (1, w)"""
+    body, k, s = open_database(barge).bodies_reader, 60e3, 1.0
+    shape = body.modes[0].shape
+    found = hakobune.moor(ON_SPRINGS, barge)
+    both = np.array([1.0, shape.along(11.0)])
+    C = body.stiffness[np.ix_([2, 6], [2, 6])]
+    z, xi = np.linalg.solve(C + 2 * k * np.outer(both, both), -2 * k * s * both)
+    made = found.detail[0]
+    told = dict(zip(found.labels["bend"].values, found["bend.at_rest"], strict=True))
+    assert made.rest.position[0, 2] == pytest.approx(z, rel=1e-4) and abs(z) > 0.05
+    assert told["vertical bending 1"] == pytest.approx(xi, rel=1e-4) and abs(xi) > 1e-3
+    assert told["x 0 vertical deflection"] == pytest.approx(xi * shape.along(0.0), rel=1e-4)
+    assert told["x 0 vertical bending moment"] == pytest.approx(xi * shape.loads(0.0)[0], rel=1e-4)
+    pull = k * (s + both @ [z, xi])
+    assert found["tension.at_rest"] == pytest.approx([pull, pull], rel=1e-4)
+    share = np.linalg.solve(C, both) @ both  # m/N of both ends
+    assert made.stiffness[6, 6] == pytest.approx(2 * k * both[1] ** 2, rel=0.02) and share > 0
+    assert found["bend.steady"] == pytest.approx(found["bend.at_rest"], abs=1e-9 * abs(xi))
+
+
+def test_shapes_move_fairleads_in_moor_and_hinges_are_refused(barge):
+    """At (12, 3, 0) upward: heave, 3 roll, 12 pitch, both bending shapes and 3 m of twist, each at its largest"""
+    waves = {"height": 0.1, "period": 4.0, "direction_deg": 45.0, "method": "regular_wave"}
+    study = {"water": {"depth": 9.0}, "waves": waves, **ON_CHAINS}
+    found = hakobune.moor(study, barge)
+    a, shapes = found["motion.amplitude"], [mode.shape for mode in open_database(barge).modes]
+    lever = np.array([1.0, 3.0, 12.0, *(abs(one.along(12.0)) for one in shapes[:2]), 3.0 * abs(shapes[2].along(12.0))])
+    assert a[6] > 0.05 * a[2] > 0 and len(found["period.at_rest"]) == 9
+    assert found["fairlead.upward"][0] == pytest.approx(
+        lever @ a[[2, 3, 4, 6, 7, 8]] * found["motion_factor"], rel=1e-3
+    )
+    assert any("not trimmed for the weight of their lines" in line for line in found.findings)
+    ball = {"name": "B", "bodies": ["space", "body"], "position": [6.0, 1.0, 0.5], "kind": "ball"}
+    with pytest.raises(ValueError, match=r"moor of one body does not support \[\[hinges\]\]; use hakobune simulate"):
+        hakobune.moor(study | {"hinges": [ball]}, barge)

@@ -10,7 +10,7 @@ import pytest
 import hakobune
 from hakobune.bem.database import open_database
 from hakobune.bem.modes import Body
-from hakobune.mooring.fenders.gaps import Side, gaps
+from hakobune.mooring.fenders.gaps import Side, gaps, pairs_of
 from hakobune.mooring.lines.system.bodies import rotation
 from hakobune.mooring.motion.simulation import moored
 from hakobune.mooring.studies.conditions import Afloat, ExposedBox
@@ -20,6 +20,7 @@ from hakobune.pipelines.common.quay_tables import QuayFenderTable, berth_between
 from hakobune.pipelines.films.of_several import scene_of_several
 from hakobune.pipelines.films.stage import carried
 from hakobune.pipelines.moor.study import make_study
+from hakobune.pipelines.simulate import pictures
 from hakobune.pipelines.simulate.work import Task, prepared
 
 SHIP = {"name": "ship", "shape": "box", "length": 14.0, "beam": 5.0, "draft": 1.5, "place": [0.0, 3.5, 0.0],
@@ -73,6 +74,18 @@ def test_two_hulls_are_simulated_stored_and_told(database, tmp_path, capsys):
         assert np.abs(file["motion"][0, :, 6:].astype(float)).max() < 2.0
     film = ["animate", str(run), "--output", str(tmp_path / "film.gif"), "--length", "2"]
     assert main(film) == 0 and "film.gif: 3 frames" in capsys.readouterr().out
+
+
+def test_records_have_the_fender_that_is_pressed_most(database, tmp_path, monkeypatch):
+    run, drawn = tmp_path / "run.h5", []
+    hakobune.simulate(STUDY | TIGHT | {"simulation": SHORT}, database, run)
+    monkeypatch.setattr(pictures, "save", lambda figure, path, density: drawn.append(figure.axes))
+    with h5py.File(run) as file:
+        pictures.draw_one(file, "records", tmp_path / "run.png", 1)
+        pressed, names = file["deflection"][0].astype(float), file["fender"].asstr()[()]
+    most, (*_, line, last) = int(np.argmax(pressed.max(axis=0))), drawn[0]
+    assert last.get_ylabel() == f"deflection, m\n{names[most]}" and line.get_ylabel().startswith("tension, kN")
+    assert last.lines[0].get_ydata() == pytest.approx(pressed[:, most]) and pressed.max() > 1e-3
 
 
 def test_a_film_has_the_hulls_and_the_ropes_between_them_where_the_run_has_them(database, tmp_path):
@@ -145,7 +158,7 @@ def test_a_hinge_whose_damper_gives_no_way_moves_in_moor_as_a_rigid_link(databas
     assert roll[0] == pytest.approx(roll[1], rel=1e-4) and np.abs(roll[2] / roll[1] - 1).max() > 0.05
 
 
-def test_what_hinges_hold_is_told_and_stored(database, tmp_path):
+def test_what_hinges_hold_is_told_stored_and_drawn(database, tmp_path, monkeypatch):
     """By moor too: the largest is the steady force and the amplitude in the regular wave, which chains hardly change"""
     run, study = tmp_path / "run.h5", {**STUDY, "lines": [], "fender": [], "rope": [], "hinges": [HINGE]}
     made, held = hakobune.simulate(study, database, run), hakobune.moor(study, database)
@@ -153,7 +166,10 @@ def test_what_hinges_hold_is_told_and_stored(database, tmp_path):
     assert waves[[0, 2, 4, 5]] == pytest.approx(np.sqrt(2) * made["hinge.sigma"][[0, 2, 4, 5]], rel=0.06)
     assert made.labels["hinge"].values.tolist()[:4] == ["H force x", "H force y", "H force z", "H moment x"]
     assert made["hinge.largest"][2] > 100 and abs(made["hinge.largest"][3]) < 1e-6 * made["hinge.largest"][4]
+    drawn = []
+    monkeypatch.setattr(pictures, "save", lambda figure, path, density: drawn.append(figure))
     with h5py.File(run) as file:
+        assert pictures.draw(file, run)[-1] == "run_hinges.png"
         motion, held = file["motion"][0].astype(float), file["links"][0].astype(float)
         roll, pitch = motion[:, [3, 9]], motion[:, [4, 10]]
         # z of the hinge, of both, 1 m ahead of the middle of the barge
@@ -161,6 +177,9 @@ def test_what_hinges_hold_is_told_and_stored(database, tmp_path):
         assert np.abs(np.diff(at, axis=1)).max() < 1e-4 and np.abs(roll.sum(axis=1)).max() > 1e-4
         assert held[:, 6] == pytest.approx(-roll.sum(axis=1), abs=2e-6)  # its travel, of a barge that heads astern
         assert held.shape == (len(motion), 7) and held[:, 2].max() == pytest.approx(made["hinge.largest"][2], rel=1e-6)
+    axes = drawn[-1].axes
+    assert [one.get_ylabel() for one in (axes[2], axes[3], axes[6])] == ["force z, kN", "moment x, kN m", "travel, °"]
+    assert axes[2].lines[0].get_ydata().max() == pytest.approx(1e-3 * made["hinge.largest"][2], rel=1e-6)
 
 
 def test_the_gap_is_that_of_rectangles():
@@ -172,6 +191,14 @@ def test_the_gap_is_that_of_rectangles():
     poses[2, 0, :2] = -3.2, -3.0
     corner = 5.0 - 0.5 / np.sqrt(2) - np.sqrt(2)  # x of the corner that is nearest; its centre lies at y = −0.35
     assert gaps(sides, poses)[:, 0] == pytest.approx([np.sqrt(2), corner - 2.0, -2.0])
+
+
+def test_hulls_that_another_keeps_apart_have_no_gap():
+    """Of three pontoons in a row the ends have none; past a narrower one in the middle they could meet, and do"""
+    row = [Side(name, np.array([7.5, 4.0]), np.zeros(2), i, np.array([16.0 * i, 0, 0])) for i, name in enumerate("abc")]
+    assert [one.name + other.name for one, other in pairs_of(row)] == ["ab", "bc"]
+    row[1] = row[1]._replace(half=np.array([7.5, 3.9]))
+    assert [one.name + other.name for one, other in pairs_of(row)] == ["ab", "ac", "bc"]
 
 
 FAULTS = {
@@ -219,6 +246,17 @@ def test_what_cannot_be_is_refused_in_a_line(database, tmp_path, name):
     change, words = FAULTS[name]
     with pytest.raises(ValueError) as error:
         hakobune.simulate(STUDY | change, database, tmp_path / "run.h5")
+    assert words in str(error.value) and "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize(("change", "words"), [
+    ({"lines": [], "fender": [], "rope": []}, "barge has 0 lines, fenders, ropes and hinges; allowed: at least 1"),
+    (FAULTS["torn"][0] | {"waves": None}, FAULTS["torn"][1]),
+], ids=["apart", "torn"])  # fmt: skip
+def test_moor_refuses_what_nothing_holds_and_what_hinges_drown(database, change, words):
+    given = {key: value for key, value in (STUDY | change).items() if key != "simulation" and value is not None}
+    with pytest.raises(ValueError) as error:
+        hakobune.moor(given, database)
     assert words in str(error.value) and "\n" not in str(error.value)
 
 
