@@ -201,8 +201,13 @@ def test_the_softest_fender_by_all_causes_is_told_beyond_its_rated_energy(share,
     factor = share * one["fender.rated_energy"] / one["approach.energy"]
     found = hakobune.berth(study_of(text, factor)).findings
     soft = [line for line in found if "the softest fender by manufacture, ageing, velocity, repetition" in line]
-    assert len(soft) == told and any(line.startswith("FAILS: energy of the berthing") for line in found) == (share > 0.9)
+    assert len(soft) == told and any(line.startswith("FAILS: energy of the berthing") for line in found) == (
+        share > 0.9
+    )
     for line in soft:
-        assert f"needs {100 * share / 0.684:.4g} % of its rated energy, the softest of a batch {share / 0.009:.4g} %" in line
+        assert (
+            f"needs {100 * share / 0.684:.4g} % of its rated energy, the softest of a batch {share / 0.009:.4g} %"
+            in line
+        )
     alone = text + 'causes = ["manufacture"]\n'
     assert not [line for line in hakobune.berth(study_of(alone, factor)).findings if "the softest fender by" in line]
