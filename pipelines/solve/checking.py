@@ -75,11 +75,13 @@ def _broken(db):
         if name not in LIMITS or db.complete:
             db[name]  # every number against its checksum
     laws = broken_laws(db, float(db.attributes.get("tolerance", 0.01)))
+    way = "solve it again with --fresh"
+    if "imported" in db.attributes:
+        way = f"leave out such frequencies by 'hakobune body {db.path.name} --frequencies FROM:TO'"
     return [
         Finding(
             "error",
-            f"stored numbers: {law} is broken by {worst:.2g} at ω = {omega:.4g} rad/s; "
-            f"allowed: {limit:.2g}; solve it again with --fresh",
+            f"stored numbers: {law} is broken by {worst:.2g} at ω = {omega:.4g} rad/s; allowed: {limit:.2g}; {way}",
         )
         for law, worst, omega, limit in laws
     ]

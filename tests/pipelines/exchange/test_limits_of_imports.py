@@ -12,6 +12,7 @@ from hakobune.bem.formats.afloat import Weight
 from hakobune.bem.formats.values import FormatError
 from hakobune.pipelines.cli import main
 from hakobune.pipelines.exchange import importing
+from hakobune.pipelines.solve import checking
 
 SILENT = ("water_depth", "density", "gravity", "length_unit")
 KNOWN = {"water_depth": 20.0, "density": 1025.0, "gravity": 9.8, "length_unit": None}
@@ -139,3 +140,17 @@ def test_a_weight_arrives_as_what_it_is(monkeypatch):
     words = "--mass 5e3 --gyration 1,2,3 --center-of-gravity -4,5,6 --frequencies :2 --output o.h5"
     assert main(["body", "x.h5", *words.split()]) == 0
     assert asked == [(Path("x.h5"), Weight(5e3, (-4, 5, 6), (1, 2, 3)), (0.0, 2.0), Path("o.h5"))]
+
+
+@pytest.mark.parametrize(
+    ("attributes", "way"),
+    [
+        ({}, "solve it again with --fresh"),
+        ({"imported": "wamit: a.1"}, "leave out such frequencies by 'hakobune body a.h5 --frequencies FROM:TO'"),
+    ],
+)
+def test_numbers_of_others_that_break_a_law_have_their_own_way_out(attributes, way, monkeypatch):
+    monkeypatch.setattr(checking, "broken_laws", lambda db, tolerance: [("reciprocity", 0.2, 2.8, 0.01)])
+    db = SimpleNamespace(omega=[2.8], names=(), attributes=attributes, path=Path("runs/a.h5"))
+    (found,) = checking._broken(db)
+    assert found.text == (f"stored numbers: reciprocity is broken by 0.2 at ω = 2.8 rad/s; allowed: 0.01; {way}")
