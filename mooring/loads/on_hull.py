@@ -7,10 +7,10 @@ height, on superstructures at their middle.  The report gives a current no heeli
 at the centre of gravity; a uniform current has equal pressure over the draft and acts at half of it.
 
 A round hull, for which the report has no tests, is a vertical cylinder: F = ½ρ C_D D d U² along the stream, without a
-moment.  In a current C_D is ROUGH, an upper bound: a smooth cylinder has 0.65, short ones less than long ones (Gonçalves
-et al., OMAE 2013), columns of OC4 0.56 to 0.68 (NREL/TP-5000-60601).  Water at rest only damps the motion, where such a
-value is unsafe (API RP 2A-WSD, 22nd edition, B.5.3.1.2.8.3), so that STILL is low.  In air C_D is that of the report's
-table of members.
+moment.  In a current C_D is ROUGH, an upper bound: a smooth cylinder has 0.65, short ones less than long ones
+(Gonçalves et al., OMAE 2013), columns of OC4 0.56 to 0.68 (NREL/TP-5000-60601).  Water at rest only damps the motion,
+where such a value is unsafe (API RP 2A-WSD, 22nd edition, B.5.3.1.2.8.3), so that STILL is low.  In air C_D is that of
+the report's table of members.
 """
 
 from collections.abc import Callable
@@ -84,8 +84,8 @@ def current_on(current, hull, density, depth):
         C = STILL if current is None or current.speed == 0 else ROUGH
         pull = 0.5 * density * C * hull.beam * hull.draft
         note = (
-            f"current force: C_D {C:g} of a rough cylinder on the round hull, where a smooth one has 0.65; give current "
-            f"coefficients for another"
+            f"current force: C_D {C:g} of a rough cylinder on the round hull, where a smooth one has 0.65; give "
+            f"current coefficients for another"
         )
         return StreamOnHull(_along_stream(pull, pull), (_first(height, -0.5 * hull.draft),) * 2, (note,))
     sizes = hull.length, hull.beam, hull.draft

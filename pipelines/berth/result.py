@@ -243,7 +243,7 @@ def _in_time(approach, course):
 
 
 def _softest_of_all(approach, table):
-    """A warning if the softest fender by all its causes needs more than its rated energy, and that of a batch does not"""
+    """A warning if the softest fender by all its causes needs more than its rated energy, that of a batch not"""
     alone = fender_of(table)
     (batch, _), _ = softest_and_stiffest(table, alone, BATCH)
     (soft, _), (factor, _) = softest_and_stiffest(table, alone)
@@ -251,8 +251,8 @@ def _softest_of_all(approach, table):
         yield (
             f"the softest fender by {', '.join(causes_of(table))} ({factor:.3g} times the catalogue's reaction) needs "
             f"{100 * approach.energy / soft.rated_energy:.4g} % of its rated energy, the softest of a batch "
-            f"{100 * approach.energy / batch.rated_energy:.4g} %; choose a larger fender, or name in fender.causes only "
-            f"those that act together at this berth"
+            f"{100 * approach.energy / batch.rated_energy:.4g} %; choose a larger fender, or name in fender.causes "
+            f"only those that act together at this berth"
         )
 
 
