@@ -10,10 +10,12 @@ import pytest
 from hakobune.bem.database.schema import DOFS
 from hakobune.bem.formats.afloat import Weight
 from hakobune.bem.formats.values import FormatError
+from hakobune.bem.stored_laws import OF_MOTIONS
 from hakobune.pipelines.cli import main
 from hakobune.pipelines.exchange import importing
 from hakobune.pipelines.solve import checking
 
+IMPORTED = {"imported": "wamit: a.1"}
 SILENT = ("water_depth", "density", "gravity", "length_unit")
 KNOWN = {"water_depth": 20.0, "density": 1025.0, "gravity": 9.8, "length_unit": None}
 
@@ -143,14 +145,15 @@ def test_a_weight_arrives_as_what_it_is(monkeypatch):
 
 
 @pytest.mark.parametrize(
-    ("attributes", "way"),
+    ("attributes", "law", "way"),
     [
-        ({}, "solve it again with --fresh"),
-        ({"imported": "wamit: a.1"}, "leave out such frequencies by 'hakobune body a.h5 --frequencies FROM:TO'"),
+        ({}, "reciprocity", "solve it again with --fresh"),
+        (IMPORTED, "reciprocity", "leave out such frequencies by 'hakobune body a.h5 --frequencies FROM:TO'"),
+        (IMPORTED, OF_MOTIONS, "'hakobune body a.h5 --gyration KXX,KYY,KZZ' computes the motions of its mass"),
     ],
 )
-def test_numbers_of_others_that_break_a_law_have_their_own_way_out(attributes, way, monkeypatch):
-    monkeypatch.setattr(checking, "broken_laws", lambda db, tolerance: [("reciprocity", 0.2, 2.8, 0.01)])
+def test_numbers_of_others_that_break_a_law_have_their_own_way_out(attributes, law, way, monkeypatch):
+    monkeypatch.setattr(checking, "broken_laws", lambda db, tolerance: [(law, 0.2, 2.8, 0.01)])
     db = SimpleNamespace(omega=[2.8], names=(), attributes=attributes, path=Path("runs/a.h5"))
     (found,) = checking._broken(db)
-    assert found.text == (f"stored numbers: reciprocity is broken by 0.2 at ω = 2.8 rad/s; allowed: 0.01; {way}")
+    assert found.text == (f"stored numbers: {law} is broken by 0.2 at ω = 2.8 rad/s; allowed: 0.01; {way}")
