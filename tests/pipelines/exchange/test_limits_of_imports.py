@@ -157,3 +157,18 @@ def test_numbers_of_others_that_break_a_law_have_their_own_way_out(attributes, l
     db = SimpleNamespace(omega=[2.8], names=(), attributes=attributes, path=Path("runs/a.h5"))
     (found,) = checking._broken(db)
     assert found.text == (f"stored numbers: {law} is broken by 0.2 at ω = 2.8 rad/s; allowed: 0.01; {way}")
+
+
+def test_a_hull_that_cannot_be_read_beside_results_may_be_given_otherwise(tmp_path):
+    beside = tmp_path / "a.gdf"
+    beside.write_text("h\n1 9.81\n0 0\n6 -11\n")
+    module = SimpleNamespace(hull_of=lambda place, known: beside)
+    with pytest.raises(
+        ValueError, match=r"higher-order file of kind -11; .*; or give another mesh of this hull by --mesh$"
+    ):
+        importing.hull_of(tmp_path / "a.1", None, module, None, {})
+    with pytest.raises(ValueError, match=r"or B-splines \(IGDEF 1\)$"):
+        importing.hull_of(tmp_path / "a.1", None, module, beside, {})
+    beside.unlink()
+    with pytest.raises(ValueError, match=r"does not exist\), a file of panels, or a .toml of parts that draws it$"):
+        importing.hull_of(tmp_path / "a.1", None, module, None, {})
