@@ -18,6 +18,7 @@ from .drift import OF_EACH, about, energy_defect, mean_drift, sum_about_origin
 from .modes import displacing, moving, names_of, turning
 from .waves import group_factor
 
+OF_MOTIONS = "motions obey their equation"  # name of this law
 ROUNDING = 1e-6  # tolerance of laws that the computation of the numbers uses
 SUM = 0.1  # tolerance of drift by pressure, whose error is of first order in that of potentials, motions and waves
 SUMS = " is the sum over the bodies"
@@ -99,7 +100,7 @@ def _laws(db, rounding):
         yield "excitation is incident and scattered", _worst(gap), rounding
     motions = {"rao", "added_mass", "radiation_damping", "excitation_force"} <= there and db.inertia_matrix is not None
     if motions and not db.has_viscous_motions:
-        yield "motions obey their equation", _motion_defect(db), rounding
+        yield OF_MOTIONS, _motion_defect(db), rounding
     if "kochin_diffraction" in there:
         yield from _far_field_laws(db, there)
     yield from _drift_laws(db, there)

@@ -115,7 +115,8 @@ class Ring:
             stored = ", ".join(f"{np.rad2deg(b):.4g}" for b in self.headings)
             raise BetweenError(
                 f"wave direction {np.rad2deg(wanted[wide][0]) % 360:.4g}° does not lie between stored headings "
-                f"at most 45° apart ({stored}°); add this direction to the scene's headings and solve again"
+                f"at most 45° apart ({stored}°); add this direction to the headings of the scene, or of the program "
+                f"whose files were imported, and solve again"
             )
         return wanted
 

@@ -13,12 +13,15 @@ import numpy as np
 
 from hakobune.meshing.hydrostatics import hydrostatics, inertia_matrix
 
+from .. import DOFS
 from ..motions import response
 from .values import FormatError
 
 SAME_VOLUME = 0.02  # largest relative difference of the volumes of results and hull
 SAME_STIFFNESS = 0.05  # largest relative difference of C₃₃; a waterline of few panels loses some per cent of its area
 FAR_MASS = 3.0  # mass over the displaced mass, or its inverse, that no lines can hold
+SAME_MOTIONS = 0.05  # largest difference of motions over the largest of each
+UNFELT, TINY = 1e-3, 1e-12  # share of the largest of three motions; m/m, rad/m
 NEEDED = ("added_mass", "radiation_damping", "excitation_force")
 
 
@@ -64,7 +67,10 @@ def on_hull(values, mesh, weight=Weight()):  # noqa: B008 - a frozen value
     if "hydrostatic_stiffness" not in body:
         body["hydrostatic_stiffness"] = still.stiffness
         remarks.append("hydrostatic stiffness is that of the hull, with the weight at its centre of mass")
-    return _with_motions(replace(values, body=body)), remarks
+    values = replace(values, body=body)
+    if weight.given:
+        remarks += _about_motions(values)
+    return _with_motions(values), remarks
 
 
 def _still(values, mesh, body):
@@ -133,11 +139,35 @@ def _about_weight(C, still, values):
 
 
 def _with_motions(values):
-    """Values with the motions of the free body, if all their inputs are present"""
+    """Values with the motions of the free body, if all their inputs are present and the files do not have them"""
+    rao = None if "rao" in values.quantities else _motions(values)
+    return values if rao is None else replace(values, quantities=values.quantities | {"rao": rao})
+
+
+def _about_motions(values):
+    """A message on motions in the files that are not those of the mass, centre and radii of the body"""
+    own = values.quantities.get("rao")
+    made = None if own is None else _motions(values)
+    if made is None:
+        return
+    size = np.abs(made).max(axis=(0, 1)).reshape(2, 3)  # of a motion that headings do not excite: a share of the others
+    size = np.maximum(size, np.maximum(UNFELT * size.max(axis=1, keepdims=True), TINY)).ravel()
+    off = np.abs(own - made).max(axis=(0, 1)) / size
+    worst = int(off.argmax())
+    if off[worst] > SAME_MOTIONS:
+        yield (
+            f"the motions in the files are stored, and differ from those of this mass, centre of gravity and radii of "
+            f"gyration by up to {100 * off[worst]:.3g} % of the largest {DOFS[worst].lower()}; if the files are for "
+            f"another body, 'hakobune body' with the same flags replaces them, and leaves out the drift that follows "
+            f"from them"
+        )
+
+
+def _motions(values):
+    """Motions of the free body (n, m, 6), None if an input is missing"""
     M, C = (values.body.get(name) for name in ("inertia_matrix", "hydrostatic_stiffness"))
     terms = [values.quantities.get(name) for name in NEEDED]
-    if "rao" in values.quantities or M is None or any(term is None for term in terms):
-        return values
+    if M is None or any(term is None for term in terms):
+        return None
     rows = zip(values.omega, *terms, strict=True)
-    rao = np.array([response(omega, A, B, X, M, C) for omega, A, B, X in rows])
-    return replace(values, quantities=values.quantities | {"rao": rao})
+    return np.array([response(omega, A, B, X, M, C) for omega, A, B, X in rows])

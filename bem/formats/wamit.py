@@ -77,11 +77,9 @@ def write(values, place, names=None):
 
 
 def stands_for(values, name):
-    """Matrix of a limit, or of the frequency next to it if the limit is missing or not finite; shape (6, 6)"""
-    limit = values.get(name)
-    if limit is not None and np.all(np.isfinite(limit)):
-        return limit
-    return values.get("added_mass")[0 if name == "added_mass_zero" else -1]
+    """Matrix of a limit, with entries of the frequency next to it where the limit is missing or not finite; (6, 6)"""
+    limit, nearest = values.get(name), values.get("added_mass")[0 if name == "added_mass_zero" else -1]
+    return nearest if limit is None else np.where(np.isfinite(limit), limit, nearest)
 
 
 def _moved(values):

@@ -42,6 +42,7 @@ SHORTER = (0.9, 0.8, 0.7, 0.6, 0.5)  # fractions of the band tried if its upper 
 SPREAD = (30.0, 8.0)  # range of the fit below and above the band, as a factor
 FELT = 0.05  # error scale over ω (M + A), for motions that radiate little, such as heave of a semi-submersible
 CLOSE = (0.03, 0.1)  # deviation of the fitted transform from the database: above these it is reported, refused
+WORTH = 1 / 30  # of a deviation: a nearer fit follows the database no better, and may take a minute to be given up
 SAME = 1e-7  # relative difference of the transforms of two groups that are one
 
 
@@ -131,7 +132,8 @@ class _Goal(NamedTuple):
 def memory_of_database(db, tolerance=1e-3, motions=None):
     """`Memory` of a `bem.database.Database` or `Reader`, with the fewest states found within tolerance.
 
-    tolerance : tolerance of the transform, relative to the largest of each motion, 1e-5 to 0.1
+    tolerance : tolerance of the transform, relative to the largest of each motion, 1e-5 to 0.1; WORTH of the deviation
+        of coupled motions if that is more
     motions : indices of those of a study, None for all; the others are neither read nor fitted
     raises : ValueError if damping or added mass are unknown for these, at too few frequencies, or contradict
     each other because the band is too short; `fewest_states.FitError` if the tolerance is not reached
@@ -160,7 +162,8 @@ def _memory(body, tolerance, motions):
     groups = _groups(_relative(np.abs(wanted).max(axis=0), scale) > 0.1 * tolerance)
     answered = sensitivity(body, at, wanted, axis.added_mass_infinity, size, body.rigid)
     answered[(at < band[0]) | (at > band[1])] = 0.0  # damping outside the band is an assumed power law
-    parts = _parts(at, wanted, size, groups, tolerance, answered, body.words)
+    near = [max(tolerance, WORTH * deviation[np.ix_(group, group)].max()) for group in groups]
+    parts = _parts(at, wanted, size, groups, near, answered, body.words)
     arrays, storage, loss = _joined(parts, groups, size)
     made = _transfer(arrays, at).conj()
     error = _relative(np.abs(made - wanted).max(axis=0), scale)
@@ -321,8 +324,8 @@ def _groups(coupled):
     return tuple(found)
 
 
-def _parts(omega, wanted, size, groups, tolerance, answered, words):
-    """`Passive` of each group of coupled motions
+def _parts(omega, wanted, size, groups, near, answered, words):
+    """`Passive` of each group of coupled motions, within its tolerance in `near`
 
     Surge with pitch and sway with roll of a round or square body are one system but for signs: two fits of it would
     differ by the tolerance, and such a body would not move along the waves.
@@ -336,7 +339,7 @@ def _parts(omega, wanted, size, groups, tolerance, answered, words):
                 parts.append(part._replace(input=part.input * signs, output=part.output * signs))
                 break
         else:
-            parts.append(fewest_states(omega, own, size[list(group)], group, tolerance, answered[:, group], words))
+            parts.append(fewest_states(omega, own, size[list(group)], group, near[n], answered[:, group], words))
     return parts
 
 

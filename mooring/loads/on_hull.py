@@ -7,7 +7,10 @@ height, on superstructures at their middle.  The report gives a current no heeli
 at the centre of gravity; a uniform current has equal pressure over the draft and acts at half of it.
 
 A round hull, for which the report has no tests, is a vertical cylinder: F = ½ρ C_D D d U² along the stream, without a
-moment.  C_D is ROUGH in water; in air it is that of the report's table of members.
+moment.  In a current C_D is ROUGH, an upper bound: a smooth cylinder has 0.65, short ones less than long ones
+(Gonçalves et al., OMAE 2013), columns of OC4 0.56 to 0.68 (NREL/TP-5000-60601).  Water at rest only damps the motion,
+where such a value is unsafe (API RP 2A-WSD, 22nd edition, B.5.3.1.2.8.3), so that STILL is low.  In air C_D is that of
+the report's table of members.
 """
 
 from collections.abc import Callable
@@ -21,7 +24,10 @@ from .box_wind import BOX, wind_force
 from .coefficients import HullCoefficients, hull_force
 from .members import C_D
 
-ROUGH = 1.05  # C_D of a rough circular cylinder, post-critical (DNV-RP-C205, 2019, section 6.7), no relief at its ends
+# C_D of a rough circular cylinder, post-critical (DNV-RP-C205, 2019, section 6.7), without relief at its ends; API RP
+# 2A-WSD, B.5.3.1.2.8.2: 1.00 to 1.10 with marine growth
+ROUGH = 1.05
+STILL = 0.5  # the same cylinder in an oscillation below a third of its diameter, KC < 2: 0.47 × 1.05 (same section)
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,9 +81,11 @@ def current_on(current, hull, density, depth):
         unit = lambda angle: hull_force(table, 1.0, angle, density)  # noqa: E731
         return StreamOnHull(unit, (_first(height, table.height, -0.5 * hull.draft),) * 2)
     if hull.is_round and table is None:
-        pull = 0.5 * density * ROUGH * hull.beam * hull.draft
+        C = STILL if current is None or current.speed == 0 else ROUGH
+        pull = 0.5 * density * C * hull.beam * hull.draft
         note = (
-            f"current force: C_D {ROUGH:g} of a rough cylinder on the round hull; give current coefficients for another"
+            f"current force: C_D {C:g} of a rough cylinder on the round hull, where a smooth one has 0.65; give "
+            f"current coefficients for another"
         )
         return StreamOnHull(_along_stream(pull, pull), (_first(height, -0.5 * hull.draft),) * 2, (note,))
     sizes = hull.length, hull.beam, hull.draft

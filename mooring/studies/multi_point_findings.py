@@ -77,6 +77,8 @@ def _uncertain(body, waves):
 def _of_the_sea(result):
     effects = result.waves["irregular"]
     yield from effects.warnings
+    if effects.slow is None:
+        return
     x, y, turn = np.where(np.abs(effects.slow) > ROUNDING * np.max(effects.slow[:2]), effects.slow, 0.0)
     yield (
         f"slow drift about the mean, standard deviations Fx {x / 1e3:.3g}, Fy {y / 1e3:.3g} kN, Mz {turn / 1e3:.3g} "

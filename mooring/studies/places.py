@@ -112,6 +112,8 @@ def _box(hull):
 def _outside(point, hull):
     """m, of a point from the hull; 0 within"""
     low, high = _box(hull)
+    if hull.is_round:  # its distance from the axis as x
+        point = np.array([np.hypot(*point[:2]), 0.0, point[2]])
     return float(np.linalg.norm(np.maximum(np.maximum(low - point, point - high), 0.0)))
 
 
@@ -124,5 +126,16 @@ def _inside(start, end, hull):
     still = way == 0
     free = (start > low) & (start < high)
     into, out = np.where(still, np.where(free, -np.inf, np.inf), into), np.where(still, np.inf, out)
+    if hull.is_round:
+        into[:2], out[:2] = _in_circle(start[:2], way[:2], 0.5 * hull.beam)
     share = min(out.min(), 1.0) - max(into.max(), 0.0)
     return float(max(share, 0.0) * np.linalg.norm(way))
+
+
+def _in_circle(start, way, radius):
+    """Shares of a straight line in plan at which it enters and leaves a circle about the origin; inf, inf beside it"""
+    square, along, beyond = way @ way, start @ way, start @ start - radius**2
+    root = along**2 - square * beyond
+    if square == 0 or root <= 0:
+        return (-np.inf, np.inf) if square == 0 and beyond < 0 else (np.inf, np.inf)
+    return (-along - np.sqrt(root)) / square, (-along + np.sqrt(root)) / square

@@ -27,6 +27,10 @@ from ..response.wave_drift_damping import of_current
 
 METHODS = ("irregular", "regular_wave")
 ROUNDING = 1e-9
+NO_DRIFT = (
+    "left out: the drift of the waves, which the imported files do not contain; offsets and slow motion are too small; "
+    "import files with drift (.8 or .9 of WAMIT), or solve the hull by hakobune"
+)
 BESIDE = 1e-3  # relative frequency step for the slope of the drift of a regular wave
 
 
@@ -50,18 +54,24 @@ def wave_effects(db, conditions, body=None):
     """{method: WaveEffects} of a database in the waves of `Conditions`: by the chosen method, and by the other method
     if the database has the quantities for it.
 
-    body : its `Reader`, by default as stored
+    body : its `Reader`, by default as stored.  Imported files without drift have none, and warnings say so
     raises : ValueError or BetweenError where the method of the conditions is not possible
     """
     if conditions.method not in METHODS:
         raise ValueError(f"method of the waves is {conditions.method!r}; allowed: {', '.join(METHODS)}")
     makers = {"irregular": _irregular, "regular_wave": _regular}
     reader = db.bodies_reader if body is None else body
-    found = {conditions.method: makers.pop(conditions.method)(reader, conditions)}
+    lacking = lacks_drift(db, reader)
+    found = {conditions.method: makers.pop(conditions.method)(reader, conditions, lacking)}
     ((other, make),) = makers.items()
     with suppress(ValueError):  # BetweenError among them
-        found[other] = make(reader, conditions)
+        found[other] = make(reader, conditions, lacking)
     return found
+
+
+def lacks_drift(db, body):
+    """Whether the files that a database of one body was imported from had no drift, which nobody can add to it"""
+    return "imported" in getattr(db, "attributes", ()) and not (body.bodies or body.knows_drift)
 
 
 def sea_of(conditions):
@@ -72,9 +82,9 @@ def sea_of(conditions):
     return Sea(issc(w.height, mean_period=w.period), w.direction)
 
 
-def _irregular(reader, conditions):
+def _irregular(reader, conditions, lacking=False):
     sea = sea_of(conditions)
-    if not reader.knows_drift:
+    if not (lacking or reader.knows_drift):
         raise BetweenError(
             "drift_force must be stored for waves; repeat the command that made it, with --only drift,kochin,rao"
         )
@@ -87,11 +97,13 @@ def _irregular(reader, conditions):
     except BetweenError as error:
         raise BetweenError(f'{error}, or give method = "regular_wave"') from None
     state = sea_state(body, sea, conditions.duration)
-    slow = state.slow
+    slow, amplitudes = state.slow, state.expected_maximum[: len(body.words)]
+    if lacking:
+        return WaveEffects(np.zeros(3), amplitudes, None, (NO_DRIFT, *state.warnings))
     drift = _of_moving(body, slow.of_each) if body.bodies else slow.drift
     return WaveEffects(
         _cleared(drift),
-        state.expected_maximum[: len(body.words)],
+        amplitudes,
         _cleared(slow.sigma),
         state.warnings,
         slow.by_current,
@@ -116,7 +128,7 @@ def _of_moving(body, of_each):
     return of_each[[i for i, one in enumerate(body.bodies) if not one.fixed]].ravel()
 
 
-def _regular(reader, conditions):
+def _regular(reader, conditions, lacking=False):
     w, carrier, amplitude = conditions.waves, carrier_of(conditions.current), 0.5 * conditions.waves.height
     body = on_current(reader, carrier)
     if body.bodies and carrier is not None:
@@ -126,14 +138,14 @@ def _regular(reader, conditions):
     if body.bodies:
         drift = _of_moving(body, body.drift_of_each([w.omega], [w.direction])[0, 0]) * amplitude**2
     else:
-        drift = body.drift([w.omega], [w.direction])[0, 0] * amplitude**2
+        drift = np.zeros(3) if lacking else body.drift([w.omega], [w.direction])[0, 0] * amplitude**2
     motions = body.motions([w.omega], [w.direction])
     X = np.abs(motions[0, 0, : body.rigid]).reshape(-1, 2, 3).swapaxes(0, 1)
     held = amplitude * np.abs(body.link_forces([w.omega], [w.direction], motions)[0, 0]) if body.links else None
     amplitudes = np.stack([_cleared(X[0]), _cleared(X[1])], axis=1).ravel() * amplitude
     amplitudes = np.append(amplitudes, amplitude * np.abs(motions[0, 0, body.rigid :]))
-    if carrier is None:
-        return WaveEffects(_cleared(drift), amplitudes, held=held)
+    if carrier is None or lacking:
+        return WaveEffects(_cleared(drift), amplitudes, None, (NO_DRIFT,) * lacking, held=held)
     warnings = tuple(check_blocked(carrier, w, body.depth, body.gravity))
     if body.lacks_motions:
         warnings += (

@@ -68,7 +68,7 @@ def berth(study: File | Tables | BerthStudy, database: File | Database | None = 
         axes |= labels("time", course.time, "s")
     water = "in time with constant virtual mass" if db is None else f"in time with the memory of {db.path}"
     return Result(
-        "berth", found, axes, (*told, *_failures(study, approach, course), *refused),
+        "berth", found, axes, (*told, *_failures(study, approach, course), *_softest_of_all(approach, table), *refused),
         (
             f"softest and stiffest by {', '.join(causes_of(table))}", *((water,) if course is not None else ()),
             _to_paste(study, approach),
@@ -240,6 +240,20 @@ def _in_time(approach, course):
         "course.deflection": (course.deflection, "m", "deflection"),
         "course.reaction": (course.reaction, "N", "reaction"),
     }, "time", "fender", record=True)  # fmt: skip
+
+
+def _softest_of_all(approach, table):
+    """A warning if the softest fender by all its causes needs more than its rated energy, that of a batch not"""
+    alone = fender_of(table)
+    (batch, _), _ = softest_and_stiffest(table, alone, BATCH)
+    (soft, _), (factor, _) = softest_and_stiffest(table, alone)
+    if soft.rated_energy * (1 + 1e-9) < approach.energy <= batch.rated_energy * (1 + 1e-9):
+        yield (
+            f"the softest fender by {', '.join(causes_of(table))} ({factor:.3g} times the catalogue's reaction) needs "
+            f"{100 * approach.energy / soft.rated_energy:.4g} % of its rated energy, the softest of a batch "
+            f"{100 * approach.energy / batch.rated_energy:.4g} %; choose a larger fender, or name in fender.causes "
+            f"only those that act together at this berth"
+        )
 
 
 def _failures(study, approach, course):

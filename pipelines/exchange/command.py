@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hakobune.bem import DOFS
 from hakobune.bem.database import open_database
 from hakobune.bem.database.file import check_place
 from hakobune.bem.database.schema import LIMITS
@@ -123,6 +124,28 @@ def _check_place(output, kind, fresh, database):
         raise ValueError(f"{output} exists already; give --fresh to replace it, or another name by --output")
 
 
+def _limits_stood_for(values, endless):
+    """What stands in the rows of the limits of the frequency, which HydroDyn and RAFT need, where no number is known
+
+    endless : {name: (6, 6)} limits with entries that are not finite
+    """
+    for name, at in zip(LIMITS, (0, -1), strict=True):
+        near = f"that at {values.omega[at]:g} rad/s is in its place, as HydroDyn needs a number there"
+        if name in endless:
+            i, j = (~np.isfinite(endless[name])).nonzero()
+            pairs = ", ".join(f"{_motion(a)}–{_motion(b)}" for a, b in zip(i, j, strict=True))
+            why = " (over a flat bed that of a motion that moves volume grows without limit)" if at == 0 else ""
+            yield f"{name} is not finite for {pairs}{why}, {near}; responses to waves do not use it"
+        elif values.get(name) is None:
+            yield f"{name} is not stored, {near}; solve the scene with 'limits' in want to have it"
+
+
+def _motion(index):
+    """Name of a motion, with the number of its body from the second on"""
+    body, motion = divmod(int(index), 6)
+    return DOFS[motion].lower() + (f" {body + 1}" if body else "")
+
+
 def _left_out(db, values, to):
     if not db.rows.all():
         yield fails(
@@ -132,14 +155,10 @@ def _left_out(db, values, to):
     gaps = gaps_of(db)
     yield from map(fails, gaps._replace(unknown={n: m for n, m in gaps.unknown.items() if n in CARRIED}).not_known())
     lost = [name for name in db.names if name not in CARRIED]
-    endless = [name for name in LIMITS if name in db.names and not np.all(np.isfinite(db[name]))] if db.complete else []
+    known = {name: db[name] for name in LIMITS if name in db.names} if db.complete else {}
+    endless = {name: matrix for name, matrix in known.items() if not np.all(np.isfinite(matrix))}
     if to in ("wamit", "hams"):
-        gone = [name for name in LIMITS if name in endless or values.get(name) is None]
-        if gone:
-            yield (
-                f"no finite value of {', '.join(gone)} is stored, so that at the nearest frequency is written; "
-                f"HydroDyn needs rows for both limits"
-            )
+        yield from _limits_stood_for(values, endless)
     elif endless:
         yield f"{', '.join(endless)} is not finite and is not written"
     if to not in ("wamit", "hams"):

@@ -115,8 +115,16 @@ def hull_of(place, kind, module, mesh, known):
     if path is None and hasattr(module, "hull_of"):
         path = module.hull_of(place, known)
     if path is None or not path.resolve().is_file():
-        raise ValueError(f"the hull is missing; give its mesh by --mesh{f' ({path} does not exist)' if path else ''}")
-    panels = read_mesh(path.resolve())
+        raise ValueError(
+            f"the hull is missing; give its mesh by --mesh{f' ({path} does not exist)' if path else ''}, a file of "
+            f"panels, or a .toml of parts that draws it"
+        )
+    try:
+        panels = read_mesh(path.resolve())
+    except ValueError as error:
+        if mesh is not None:
+            raise
+        raise ValueError(f"{error}; or give another mesh of this hull by --mesh") from None
     if mesh is None and hasattr(module, "drawn_at"):
         panels = panels.moved(*module.drawn_at(place, known))
     if mesh is None and origin is not None and np.any(origin):

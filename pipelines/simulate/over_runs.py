@@ -53,9 +53,14 @@ def overloads(file, allowable=None):
         named = [f"{names[i]} {100 * most[i]:.4g} % in {counts[i]} of {len(used)} runs" for i in order]
         if named:
             more = " more" if limit < 1 and (most > 1).any() else ""
-            way = MOVE if any(line.startswith(OF_LINES) for line in told(file)) else HELP
+            way = _way_out(file, HELP)
             share = f"{len(named)}{more} of {len(names)}"
             yield fails(f"{share} lines in the runs {text}: {some(named, LINES_NAMED)}; {way}")
+
+
+def _way_out(file, otherwise):
+    """MOVE where lines were static that could move, else what is given"""
+    return MOVE if any(line.startswith(OF_LINES) for line in told(file)) else otherwise
 
 
 def anchors_in_runs(file):
@@ -103,7 +108,7 @@ def differ(file):
 def rare_findings(file):
     """Lines that snap, and fenders that are touched, in few of the runs"""
     for kind, what, way_out in (
-        ("tension", "lines that snap taut", "use longer lines or more pretension"),
+        ("tension", "lines that snap taut", _way_out(file, "use longer lines or more pretension")),
         ("deflection", "fenders that are hit", "run more seeds to see how often"),
     ):
         largest, names = largest_in_runs(file, kind)

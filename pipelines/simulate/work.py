@@ -62,6 +62,7 @@ def prepared(task, db=None, waves=None):
         from hakobune.mooring.motion.simulation import moored
         from hakobune.mooring.motion.wave_loads import no_wave_forces
         from hakobune.mooring.response.viscous import in_time
+        from hakobune.mooring.studies.wave_effects import NO_DRIFT, lacks_drift
 
         study, db = task.study, database_of(task.database if db is None else db)
         words = db.bodies_reader.words
@@ -108,7 +109,8 @@ def prepared(task, db=None, waves=None):
         held = [word for i, word in enumerate(words) if i not in body.free]
         still = (f"{LEFT_OUT} {', '.join(held)}: fixed at rest, as set by simulation.motions",) if held else ()
         bending = (OF_SHAPES,) if db.modes and not calm and plan.settings.slow_drift != "none" else ()
-        told = *bending, *choice.left_out, *left, *still, *choice.words
+        undrifted = not (calm or plan.settings.slow_drift == "none") and lacks_drift(db, reader)
+        told = *bending, *(NO_DRIFT,) * undrifted, *choice.left_out, *left, *still, *choice.words
         plan = replace(
             plan,
             sides=sides_of(db),

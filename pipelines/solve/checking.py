@@ -9,7 +9,7 @@ from hakobune.bem.database import open_database
 from hakobune.bem.database.file import opened
 from hakobune.bem.database.integrity import DamagedError, repair
 from hakobune.bem.database.schema import LIMITS
-from hakobune.bem.stored_laws import broken_laws, worst_damping
+from hakobune.bem.stored_laws import OF_MOTIONS, broken_laws, worst_damping
 from hakobune.meshing.hydrostatics import stands
 from hakobune.meshing.quality import Finding, findings
 from hakobune.meshing.whole_files import keep_room
@@ -78,11 +78,20 @@ def _broken(db):
     return [
         Finding(
             "error",
-            f"stored numbers: {law} is broken by {worst:.2g} at ω = {omega:.4g} rad/s; "
-            f"allowed: {limit:.2g}; {way_out(law)}",
+            f"stored numbers: {law} is broken by {worst:.2g} at ω = {omega:.4g} rad/s; allowed: {limit:.2g}; "
+            f"{_way_out(db, law)}",
         )
         for law, worst, omega, limit in laws
     ]
+
+
+def _way_out(db, law):
+    """What to do about stored numbers that break a law; those of other programs cannot be solved again"""
+    if "imported" not in db.attributes:
+        return way_out(law)
+    if law == OF_MOTIONS:
+        return f"'hakobune body {db.path.name} --gyration KXX,KYY,KZZ' computes the motions of its mass"
+    return f"leave out such frequencies by 'hakobune body {db.path.name} --frequencies FROM:TO'"
 
 
 def _repaired(path):

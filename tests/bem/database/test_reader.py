@@ -1,6 +1,7 @@
 """One reader of a database between its waves: motions, drift and periods of every study, with estimated errors."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -150,6 +151,28 @@ def test_added_mass_tends_to_its_limits_beyond_the_band(coarse):
     assert np.isclose(far, coarse["added_mass_zero"][0, 0], rtol=1e-9)
     beyond = coarse.at([1e6 * high], "added_mass")[0][0]
     assert np.allclose(beyond, coarse["added_mass_infinity"], rtol=1e-6, atol=1e-6 * beyond[0, 0])
+
+
+def test_imported_files_without_drift_have_their_motions_and_say_what_is_left_out(coarse):
+    from hakobune.mooring.studies.conditions import Conditions, Waves
+    from hakobune.mooring.studies.multi_point_findings import _of_the_sea
+    from hakobune.mooring.studies.wave_effects import wave_effects
+
+    waves = Waves(2.0, 2 * np.pi / coarse.omega[3], np.radians(30.0))
+    others = SimpleNamespace(attributes={"imported": "wamit: a.1"}, bodies_reader=coarse.bodies_reader.without_drift())
+    for method in ("irregular", "regular_wave"):
+        conditions = Conditions(waves=waves, method=method)
+        whole, bare = wave_effects(coarse, conditions), wave_effects(others, conditions)
+        assert whole.keys() == bare.keys() == {"irregular", "regular_wave"}
+        for name, one in bare.items():
+            assert one.amplitudes == pytest.approx(whole[name].amplitudes, rel=1e-9)
+            assert not one.drift.any() and one.slow is None
+            assert one.warnings[0].startswith("left out: the drift of the waves, which the imported files do not")
+            assert whole[name].drift.any()
+        assert list(_of_the_sea(SimpleNamespace(waves=bare))) == list(bare["irregular"].warnings)
+    others.attributes = {}
+    with pytest.raises(BetweenError, match=r"^drift_force must be stored for waves"):
+        wave_effects(others, Conditions(waves=waves, method="irregular"))
 
 
 def test_studies_read_the_same_numbers(coarse):

@@ -59,7 +59,7 @@ def test_two_planes_of_a_round_body_have_one_system_but_for_signs(monkeypatch):
 
     monkeypatch.setattr(module, "fewest_states", fitted)
     groups, omega, equal = ((0, 4), (1, 3), (2,)), np.arange(5.0), np.ones((5, 6))
-    one, other, _ = module._parts(omega, wanted, np.ones(6), groups, 1e-3, equal, ())
+    one, other, _ = module._parts(omega, wanted, np.ones(6), groups, [1e-3] * 3, equal, ())
     assert asked == [(0, 4), (2,)]
     assert other.input.tolist() == [one.input[0].tolist(), (-one.input[1]).tolist()]
     assert other.output.tolist() == [[1.0] * 3, [-1.0] * 3] and other.storage is one.storage
@@ -67,8 +67,36 @@ def test_two_planes_of_a_round_body_have_one_system_but_for_signs(monkeypatch):
         asked.clear()
         unlike, felt = wanted.copy(), equal.copy()
         (unlike[:, 3, 3] if change == "transform" else felt[:, 3])[:] *= 1.001
-        module._parts(omega, unlike, np.ones(6), groups, 1e-3, felt, ())
+        module._parts(omega, unlike, np.ones(6), groups, [1e-3] * 3, felt, ())
         assert asked == [(0, 4), (1, 3), (2,)]
+
+
+def test_motions_are_fitted_as_near_as_their_own_data_agree(monkeypatch):
+    """A thirtieth of the largest deviation of a group where that is above the tolerance; other groups keep it"""
+    deviation = np.zeros((6, 6))
+    deviation[0, 4], deviation[2, 2], deviation[1, 2] = 0.06, 0.003, 0.5
+    goal = (
+        None,
+        SimpleNamespace(added_mass_infinity=None),
+        np.ones(5),
+        np.ones((5, 6, 6)),
+        np.ones(6),
+        np.ones((6, 6)),
+    )
+    goal = module._Goal((0.5, 2.0), *goal[1:], deviation, None)
+    asked, body = [], SimpleNamespace(words=(), rigid=(), between=SimpleNamespace(span=(0.5, 2.0)))
+    monkeypatch.setattr(module, "_goal", lambda *_: goal)
+    for name in ("_shorter", "_by_causality"):
+        monkeypatch.setattr(module, name, lambda body, goal, motions: goal)
+    monkeypatch.setattr(module, "_check_deviation", lambda *_: None)
+    monkeypatch.setattr(module, "_ringing", lambda body: "")
+    monkeypatch.setattr(module, "sensitivity", lambda *_: np.ones((5, 6)))
+    monkeypatch.setattr(module, "_groups", lambda coupled: ((0, 4), (2,)))
+    monkeypatch.setattr(module, "_parts", lambda at, wanted, size, groups, near, *_: asked.extend(near))
+    monkeypatch.setattr(module, "_joined", lambda *_: (None, None, None))
+    monkeypatch.setattr(module, "_transfer", lambda arrays, at: np.ones((5, 6, 6)))
+    module._memory(body, 3e-4, None)
+    assert asked == pytest.approx([0.002, 3e-4])
 
 
 def test_memory_is_fitted_from_a_thirtieth_of_the_band_to_eight_times_it():

@@ -57,13 +57,17 @@ def test_turning_drag_is_the_cross_flow_of_slices_of_the_hull():
 
 @pytest.mark.parametrize("degrees", [0, 17, 45, 120, 300])
 def test_streams_pull_a_round_hull_along_themselves_alike_from_all_sides(degrees):
-    """½ρ C_D D d U², C_D 1.05 in water and 0.5 in air; a house of 3 and 7 m² has C_D 1 from ahead and from abeam"""
+    """½ρ C_D D d U², C_D 1.05 in a current and 0.5 in air; a house of 3 and 7 m² has C_D 1 from ahead and from abeam"""
     angle = np.radians(degrees)
     along, at = np.array([np.cos(angle), np.sin(angle), 0.0]), np.array([np.cos(angle), np.sin(angle)])
     hull = ExposedBox(16.0, 16.0, 6.0, 4.0, is_round=True)
     water = current_on(Current(1.0, 0.0), hull, 1000.0, 24.0)
     assert water.unit(angle) == pytest.approx(500.0 * 1.05 * 16 * 6 * along, rel=1e-12)
     assert len(water.notes) == 1 and "1.05" in water.notes[0] and water.height == (-3.0, -3.0)
+    for none in (None, Current(0.0, 0.0)):  # water at rest: KC below 2
+        C_pi = 1.5 - 0.024 * (12 / 1.05 - 10)  # DNV-RP-C205, section 6.7: wake factor C_π − 1
+        still = current_on(none, hull, 1000.0, 24.0).unit(angle)
+        assert still == pytest.approx(500.0 * 1.05 * (C_pi - 1) * 16 * 6 * along, rel=0.03)
     air = wind_on(Wind(1.0, 0.0, density=1.2), hull)
     assert air.unit(angle) == pytest.approx(0.6 * 0.5 * 16 * 4 * along, rel=1e-12) and air.height == (2.0, 2.0)
     house = wind_on(Wind(1.0, 0.0, density=1.2), ExposedBox(16.0, 16.0, 6.0, 4.0, 3.0, 7.0, is_round=True))

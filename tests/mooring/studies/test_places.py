@@ -77,6 +77,37 @@ def test_a_line_through_the_hull_is_told_with_its_length_in_it(fairlead, anchor,
     assert all(f"one {share * chord:.3g} m" in text for text in said)
 
 
+ROUND = afloat(
+    SimpleNamespace(bodies=(), rotation_center=np.zeros(3), density=1025.0),
+    ExposedBox(40.0, 40.0, 10.0, 10.0, is_round=True),
+)
+
+
+@pytest.mark.parametrize(
+    ("fairlead", "anchor", "inside"),
+    [
+        ((14.2, 14.2, -5.0), (120.0, 120.0, -20.0), 0.0),  # at 45° on the rim (14.14 m), within the box around it
+        ((20.0, 0.0, -5.0), (-120.0, 0.0, -5.0), 40.0),  # through the axis
+        ((12.0, 16.0, -5.0), (12.0, -116.0, -5.0), 32.0),  # a chord of half length √(20² − 12²)
+        ((19.0, 19.0, -5.0), (-81.0, 119.0, -5.0), 0.0),  # past it, through a corner of the box
+        ((20.0, 0.0, -5.0), (-60.0, 0.0, -15.0), np.hypot(40.0, 5.0)),  # half the way, out by the keel
+    ],
+)
+def test_lines_and_fairleads_of_a_round_hull_meet_its_circle(fairlead, anchor, inside):
+    said = list(place_findings(system(fairlead, anchor), ROUND))
+    through = [text for text in said if "through the hull" in text]
+    assert len(through) == (inside > 0) and all(f"one {inside:.3g} m" in text for text in through)
+    out = np.hypot(*fairlead[:2]) - 20.0
+    beside = [text for text in said if text.startswith("fairleads away")]
+    assert len(beside) == (out > 0.4) and all(f"one {out:.3g} m" in text for text in beside)
+
+
+def test_a_line_straight_down_is_in_a_round_hull_or_beside_it():
+    for x, inside in ((10.0, 15.0), (20.1, 0.0)):
+        said = list(place_findings(system((x, 0.0, 5.0), (x, 0.0, -20.0)), ROUND))
+        assert [f"one {inside:.3g} m" in text for text in said] == [True] * (inside > 0)
+
+
 def test_of_many_lines_some_are_named_and_the_rest_counted():
     assert some(["a", "b"]) == "a, b"
     assert some([f"L{i}" for i in range(500)], most=3) == "L0, L1, L2 and 497 more"

@@ -190,3 +190,24 @@ def test_without_a_database_the_water_has_the_virtual_mass_of_the_study(monkeypa
     approach = SimpleNamespace(ship=SimpleNamespace(mass=100.0, gyration=3.0), virtual_mass=1.8)
     (mass, gyration, added), told = result._ship(None, approach, None)
     assert (mass, gyration, told) == (100.0, 3.0, ()) and added == pytest.approx(np.diag([80.0, 720.0]))
+
+
+@pytest.mark.parametrize("share, told", [(0.68, False), (0.70, True), (0.89, True), (0.91, False)])
+def test_the_softest_fender_by_all_causes_is_told_beyond_its_rated_energy(share, told):
+    """Factors 0.9 of manufacture, 0.8 of ten repetitions and 0.95 of warmth (SR179 report, 3.4.7): 0.684 of the rated
+    energy without a dolphin; beyond 0.9 the batch fails and is told instead"""
+    text = STUDY.replace(f"dolphin = {DOLPHIN}\n", "")
+    one = hakobune.berth(study_of(text))
+    factor = share * one["fender.rated_energy"] / one["approach.energy"]
+    found = hakobune.berth(study_of(text, factor)).findings
+    soft = [line for line in found if "the softest fender by manufacture, ageing, velocity, repetition" in line]
+    assert len(soft) == told and any(line.startswith("FAILS: energy of the berthing") for line in found) == (
+        share > 0.9
+    )
+    for line in soft:
+        assert (
+            f"needs {100 * share / 0.684:.4g} % of its rated energy, the softest of a batch {share / 0.009:.4g} %"
+            in line
+        )
+    alone = text + 'causes = ["manufacture"]\n'
+    assert not [line for line in hakobune.berth(study_of(alone, factor)).findings if "the softest fender by" in line]

@@ -8,6 +8,8 @@ from hakobune.bem.second_order.quadratic_forces import QuadraticForces
 from hakobune.bem.second_order.stored import Held, StoredForces, read_forces, write_forces
 from hakobune.meshing.files import write_mesh
 from hakobune.pipelines import cli
+from hakobune.pipelines.moor.study import make_study
+from hakobune.pipelines.simulate.work import Task, prepared
 
 BOX = "--length 40 --beam 20 --draft 5 --depth 20 --omega 0.3:0.9:3 --heading 0,45 --gyration 6,12,13"
 
@@ -90,3 +92,22 @@ def test_frequencies_that_are_not_finite_are_left_out_and_named(folder, tmp_path
     assert cli.main(words) == 1
     assert "excitation_force is not finite at" in capsys.readouterr().err
     assert len(open_database(tmp_path / "b.h5").omega) == 2
+
+
+def test_a_simulation_of_files_without_drift_says_so_first(tmp_path):
+    """Nemoh's files have no drift; nothing is said where it is not asked for, nor of a database of our own"""
+    box = f"{BOX} --center-of-gravity 0,0,1".replace("0.3:0.9:3", "0.3:1.5:6").replace("0,45 ", "0:180:5 ").split()
+    own, back = tmp_path / "box.h5", tmp_path / "back.h5"
+    assert cli.main(["box", *box, "--only", "radiation,excitation_force,rao,drift_force", "--output", str(own)]) == 0
+    assert cli.main(["export", str(own), "--to", "nemoh", "--output", str(tmp_path / "files")]) == 0
+    words = ["--gyration", "6,12,13", "--center-of-gravity", "0,0,1"]
+    assert cli.main(["import", str(tmp_path / "files"), "--from", "nemoh", "--output", str(back), *words]) == 0
+    sea = {"height": 1.0, "period": 9.0, "direction_deg": 30.0}
+    springs = {"memory": "constant", "spring": {"surge": 100.0, "sway": 100.0, "yaw": 5000.0}}
+
+    def said(path, **more):
+        study = {"water": {"depth": 20.0}, "waves": sea, "simulation": {**springs, "duration": 60.0, **more}}
+        return [line for line in prepared(Task(make_study(study), str(path), None, None))[1].told if "drift of" in line]
+
+    assert said(back)[0].startswith("left out: the drift of the waves, which the imported files do not contain")
+    assert not said(back, slow_drift="none") and not said(own)

@@ -5,6 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from hakobune.bem.formats.wamit import stands_for
 from hakobune.pipelines.exchange import command
 from hakobune.pipelines.exchange.command import FORMATS
 
@@ -19,7 +20,8 @@ def left_out(monkeypatch):
         db = type("Stored", (dict,), {})(values)
         db.rows, db.names, db.path, db.complete, db.bodies = np.array(rows), tuple(names), "box.h5", all(rows), ()
         known = dict.fromkeys(("added_mass_zero", "added_mass_infinity"), np.ones(1)) | values
-        exported = SimpleNamespace(rotation_center=np.array(about, float), get=known.get, bodies=())
+        omega = np.array([0.25, 2.0])  # rad/s
+        exported = SimpleNamespace(rotation_center=np.array(about, float), get=known.get, bodies=(), omega=omega)
         return list(command._left_out(db, exported, to))
 
     return call
@@ -52,14 +54,30 @@ def test_frequencies_that_are_not_solved_and_axes_that_are_not_said_are_told(lef
     assert endless == ["added_mass_infinity is not finite and is not written"]
 
 
-def test_rows_of_limits_that_stand_for_the_frequency_next_to_them_are_told(left_out):
-    endless = left_out("wamit", ("added_mass_infinity",), added_mass_infinity=np.array([1.0, np.inf]))
-    assert endless == [
-        "no finite value of added_mass_infinity is stored, so that at the nearest frequency is written; "
-        "HydroDyn needs rows for both limits"
-    ]
-    (said,) = left_out("hams", added_mass_zero=None)
-    assert said.startswith("no finite value of added_mass_zero is stored")
+def test_entries_of_limits_that_stand_for_the_frequency_next_to_them_are_told(left_out):
+    zero = np.ones((12, 12))
+    zero[2, 2], zero[2, 10] = np.inf, -np.inf  # heave, and heave with pitch of the second body
+    (endless,) = left_out("wamit", ("added_mass_zero",), added_mass_zero=zero)
+    assert endless == (
+        "added_mass_zero is not finite for heave–heave, heave–pitch 2 (over a flat bed that of a motion that moves "
+        "volume grows without limit), that at 0.25 rad/s is in its place, as HydroDyn needs a number there; "
+        "responses to waves do not use it"
+    )
+    (said,) = left_out("hams", added_mass_infinity=None)
+    assert said == (
+        "added_mass_infinity is not stored, that at 2 rad/s is in its place, as HydroDyn needs a number there; "
+        "solve the scene with 'limits' in want to have it"
+    )
+    assert left_out("wamit", rows=(True, False), added_mass_zero=zero)[0].startswith("FAILS: only 1 of 2")
+
+
+def test_a_limit_of_wamit_keeps_its_finite_entries():
+    """The row of period −1: the entry that is infinite is that of the lowest frequency, the others are the limit's"""
+    A, zero = np.arange(72.0).reshape(2, 6, 6), 100.0 + np.arange(36.0).reshape(6, 6)
+    known = {"added_mass": A, "added_mass_zero": np.where(np.eye(6)[2][:, None] * np.eye(6)[2], np.inf, zero)}
+    stood = stands_for(SimpleNamespace(get=known.get), "added_mass_zero")
+    assert stood[2, 2] == 14.0 and (np.delete(stood.ravel(), 14) == np.delete(zero.ravel(), 14)).all()
+    assert (stands_for(SimpleNamespace(get=known.get), "added_mass_infinity") == A[1]).all()
 
 
 @pytest.mark.parametrize(

@@ -10,9 +10,12 @@ import pytest
 from hakobune.bem.database.schema import DOFS
 from hakobune.bem.formats.afloat import Weight
 from hakobune.bem.formats.values import FormatError
+from hakobune.bem.stored_laws import OF_MOTIONS
 from hakobune.pipelines.cli import main
 from hakobune.pipelines.exchange import importing
+from hakobune.pipelines.solve import checking
 
+IMPORTED = {"imported": "wamit: a.1"}
 SILENT = ("water_depth", "density", "gravity", "length_unit")
 KNOWN = {"water_depth": 20.0, "density": 1025.0, "gravity": 9.8, "length_unit": None}
 
@@ -139,3 +142,33 @@ def test_a_weight_arrives_as_what_it_is(monkeypatch):
     words = "--mass 5e3 --gyration 1,2,3 --center-of-gravity -4,5,6 --frequencies :2 --output o.h5"
     assert main(["body", "x.h5", *words.split()]) == 0
     assert asked == [(Path("x.h5"), Weight(5e3, (-4, 5, 6), (1, 2, 3)), (0.0, 2.0), Path("o.h5"))]
+
+
+@pytest.mark.parametrize(
+    ("attributes", "law", "way"),
+    [
+        ({}, "reciprocity", "solve it again with --fresh"),
+        (IMPORTED, "reciprocity", "leave out such frequencies by 'hakobune body a.h5 --frequencies FROM:TO'"),
+        (IMPORTED, OF_MOTIONS, "'hakobune body a.h5 --gyration KXX,KYY,KZZ' computes the motions of its mass"),
+    ],
+)
+def test_numbers_of_others_that_break_a_law_have_their_own_way_out(attributes, law, way, monkeypatch):
+    monkeypatch.setattr(checking, "broken_laws", lambda db, tolerance: [(law, 0.2, 2.8, 0.01)])
+    db = SimpleNamespace(omega=[2.8], names=(), attributes=attributes, path=Path("runs/a.h5"))
+    (found,) = checking._broken(db)
+    assert found.text == (f"stored numbers: {law} is broken by 0.2 at ω = 2.8 rad/s; allowed: 0.01; {way}")
+
+
+def test_a_hull_that_cannot_be_read_beside_results_may_be_given_otherwise(tmp_path):
+    beside = tmp_path / "a.gdf"
+    beside.write_text("h\n1 9.81\n0 0\n6 -11\n")
+    module = SimpleNamespace(hull_of=lambda place, known: beside)
+    with pytest.raises(
+        ValueError, match=r"higher-order file of kind -11; .*; or give another mesh of this hull by --mesh$"
+    ):
+        importing.hull_of(tmp_path / "a.1", None, module, None, {})
+    with pytest.raises(ValueError, match=r"or B-splines \(IGDEF 1\)$"):
+        importing.hull_of(tmp_path / "a.1", None, module, beside, {})
+    beside.unlink()
+    with pytest.raises(ValueError, match=r"does not exist\), a file of panels, or a .toml of parts that draws it$"):
+        importing.hull_of(tmp_path / "a.1", None, module, None, {})
