@@ -64,7 +64,7 @@ def test_lines_have_the_anchor_that_names_them_or_the_one_for_all_others():
         ([{"kind": "drag", "type": "stockless", "soil": "rock"}], "allowed: soil mud, sand; or give holding_kN"),
         (
             [{"kind": "drag", "type": "Danforth"}],
-            "a drag anchor without soil; allowed: soil mud, sand; or give holding",
+            "anchor without soil; allowed: soil mud, sand; or give holding",
         ),
         ([{"kind": "drag"}], "a drag anchor without type and soil; allowed: type stockless"),
         ([{"kind": "drag", "type": "CQR", "soil": "mud"}], "allowed: type stockless, .*Stevpris Mk6; or give holding"),
