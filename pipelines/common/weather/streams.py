@@ -92,8 +92,8 @@ class CurrentTable(StreamTable):
 class WindTable(StreamTable):
     """Wind at 10 m above the sea
 
-    ship : type of the ship whose coefficients are used (Blendermann 1994), as "tanker, loaded"; for a bulk carrier "cargo
-        vessel, loaded"
+    ship : type of the ship whose coefficients are used (Blendermann 1994), as "tanker, loaded"; for a bulk carrier
+        "cargo vessel, loaded"
     gusts : gust spectrum about the mean wind, for simulate: davenport, hino, npd or kaimal
     surface_drag : surface drag coefficient K of the gust spectrum, where it has one
     gust_height : m, height of the gust spectrum, where it has one
