@@ -156,6 +156,7 @@ def _fill(plan, executor, console, cost, file):
         progress = Progress(console, len(jobs)) if console else None
         try:
             for job, result in zip(jobs, in_order(executor, (job.call for job in jobs)), strict=True):
+                _check_in_place(file)
                 loaded = _share_estimate(result, loaded)
                 with phase("store"):
                     reason = _stored(job, result)
