@@ -387,5 +387,5 @@ def _outside(spectrum, omega):
     if below + above > MOST_MISSED:
         low, high = spectrum.quantile(_left_out(below, above))
         reached = f"{min(low, omega[0]):.3g} to {max(high, omega[-1]):.3g} rad/s"
-        raise StudyError(f"{text}; allowed: {100 * MOST_MISSED:g} %, with {reached}; {way_out}")
+        raise StudyError(f"{text}; allowed: {100 * MOST_MISSED:g} %; {way_out}, or at least {reached}")
     return (f"{text} and is not included; {way_out}",)
