@@ -167,6 +167,17 @@ def opened(path, mode="r", checked=False) -> Iterator[Any]:  # h5py has no types
 
 
 @contextlib.contextmanager
+def unlocked(path, mode="r"):
+    """The open HDF5 file.  Raises DatabaseError where it cannot be opened, as while another process writes it."""
+    try:
+        file = h5py.File(path, mode)
+    except OSError as error:
+        raise DatabaseError(f"{path} cannot be opened: {_reason(error)}") from None
+    with file:
+        yield file
+
+
+@contextlib.contextmanager
 def damage_named(path):
     """Context that turns HDF5's errors about an unreadable file into a DatabaseError of one line"""
     try:
@@ -183,7 +194,7 @@ def damage_named(path):
 
 def _reason(error):
     if error.errno in (11, 35) or "unable to lock" in str(error):
-        return "another process has opened it"
+        return "another process has opened it; wait until it ends, or give another file"
     if "truncated file" in str(error):
         return "the file is truncated; copy it again, or give another name"
     return os.strerror(error.errno) if error.errno else str(error).splitlines()[0]

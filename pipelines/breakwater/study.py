@@ -141,7 +141,10 @@ def _check_needs(study):
     body, lines = study.body, study.lines
     for holding in study.holdings:
         if holding != "fixed" and body is None:
-            raise StudyError(f"body is missing; the holding {holding} needs center_of_gravity, gyration and the weight")
+            raise StudyError(
+                f"body is missing; the holding {holding} needs center_of_gravity, gyration and the weight in [body]: "
+                "mass_t_per_m or free_draft, or lines.pretension_kN_per_m in place of them"
+            )
         if holding in ("taut", "elastic") and lines is None:
             raise StudyError(f"lines is missing; the holding {holding} needs angle_deg and attachment")
         if holding == "elastic" and lines.axial_stiffness_kN is None:

@@ -27,8 +27,8 @@ class SectionTable(Table):
 
     shape : shape of the section: rectangle, circle or outline
     draft : m, draft on the lines at mean level
-    beam : m, beam of a rectangle
-    height : m, height of a rectangle
+    beam : m, width of a rectangle along the waves
+    height : m, height of a rectangle from bottom to deck
     diameter : m, diameter of a circle
     points : m, corners [y, z] of an outline, or [y, z, bulge of the edge to the next corner]; the last corner is the
         first

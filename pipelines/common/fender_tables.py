@@ -12,11 +12,13 @@ from hakobune.mooring.fenders.families import fender_of_family, fender_of_file
 from hakobune.mooring.fenders.inclined import inclined
 from hakobune.mooring.fenders.variability import bands, chosen, extremes
 
-from .quantities import StudyError, Table, below, positive
+from .quantities import StudyError, Table, below, one_of, positive
+from .units import TONF
 
 LARGEST = 20.0  # m, a height or diameter
 WIDEST = 50.0  # m, largest width under an inclined face
 MOST = 1000  # fenders side by side
+RATED = {"rated_reaction": 1e3, "rated_reaction_kN": 1e3, "rated_reaction_tonf": TONF}  # N
 BATCH = ("manufacture",)  # causes of scatter within a batch: 0.9 to 1.1, Ueda (1981), section 6
 
 
@@ -28,6 +30,7 @@ class FenderTable(Table):
     height : m, height in the direction of compression; the diameter of a pneumatic fender
     length : m, length along the quay
     rated_reaction : kN, reaction at the rated deflection, in place of that of the family
+    rated_reaction_kN, rated_reaction_tonf : the same with the unit in the name
     pressure : kPa, initial pressure of a pneumatic fender
     overload : kN/m, stiffness beyond the last deflection of the curve
     rated_strain : rated deflection over height, with a maker's table
@@ -49,6 +52,8 @@ class FenderTable(Table):
     table: str | None = None
     length: float | None = None
     rated_reaction: float | None = None
+    rated_reaction_kN: float | None = None
+    rated_reaction_tonf: float | None = None
     pressure: float | None = None
     overload: float | None = None
     rated_strain: float | None = None
@@ -185,14 +190,14 @@ def _of_family(table, where):
         table.family,
         table.height,
         length=table.length,
-        rated_reaction=_kilo(table.rated_reaction),
+        rated_reaction=one_of(where, table, RATED),
         pressure=_kilo(table.pressure),
         overload=_kilo(table.overload),
     )
 
 
 def _of_file(table, where):
-    for key in ("length", "rated_reaction", "pressure"):
+    for key in ("length", *RATED, "pressure"):
         if getattr(table, key) is not None:
             raise StudyError(f"{where}.{key} is given with a table of the manufacturer; this key is for a family")
     return fender_of_file(

@@ -24,9 +24,10 @@ import numpy as np
 from hakobune.bem.hinges import ALONE, DRIVEN, KINDS, SPACE, Link
 
 from .fender_tables import FenderTable, fender_of, pair_of
-from .quantities import StudyError, Table, positive
+from .quantities import StudyError, Table, force
 
 FARTHEST = 10.0  # m, of a fender from the hull at rest
+SLIDES = 0.1  # of the height of a fender, travel along its face at which it slides where its shear is not given
 
 
 class QuayFenderTable(FenderTable, kw_only=True):
@@ -36,7 +37,8 @@ class QuayFenderTable(FenderTable, kw_only=True):
     position : m, x, y, z of its face with the body at rest
     on : name of the dolphin that carries it
     friction : coefficient of friction μ of its face
-    shear : kN/m, stiffness along the face, up to the friction force
+    shear : kN/m, stiffness along the face, up to the friction force; by default the face slides after a tenth of the
+        height at the rated reaction
     body : name of the body that presses it, where there are several
     to : name of the body that carries it, in whose coordinates its position is
     """
@@ -45,7 +47,7 @@ class QuayFenderTable(FenderTable, kw_only=True):
     position: tuple[float, float, float]
     on: str | None = None
     friction: float = 0.0
-    shear: float = 0.0
+    shear: float | None = None
     body: str = ""
     to: str = ""
 
@@ -65,19 +67,19 @@ class DolphinTable(Table):
     stiffness_beyond: float | None = None
 
 
-class RopeTable(Table):
+class RopeTable(Table, kw_only=True):
     """A rope from a bollard to the hull, with or without a tail
 
     name : name of the rope in results and messages
     fairlead : m, x, y, z of the fairlead with the body at rest
     bollard : m, x, y, z of the bollard in space
-    breaking_load_kN : breaking load of the new rope
+    breaking_load : breaking load of the new rope
     break_strain : strain at the breaking load, 0.1 for 10 %
-    pretension_kN : tension at rest
+    pretension : tension at rest; by default 0
     exponent : exponent n of T ∝ εⁿ
     hardening : factor on the stiffness of a used rope
     tail_length : m, length of the tail, 0 without one
-    tail_breaking_load_kN : breaking load of the tail; by default that of the rope
+    tail_breaking_load : breaking load of the tail; by default that of the rope
     tail_break_strain : strain of the tail at its breaking load
     tail_exponent : exponent n of T ∝ εⁿ of the tail
     body : name of the body with the fairlead, in its coordinates, where there are several
@@ -87,12 +89,15 @@ class RopeTable(Table):
     name: str
     fairlead: tuple[float, float, float]
     bollard: tuple[float, float, float]
-    breaking_load_kN: float
+    breaking_load_tonf: float | None = None
+    breaking_load_kN: float | None = None
     break_strain: float
-    pretension_kN: float = 0.0
+    pretension_tonf: float | None = None
+    pretension_kN: float | None = None
     exponent: float = 1.0
     hardening: float = 1.0
     tail_length: float = 0.0
+    tail_breaking_load_tonf: float | None = None
     tail_breaking_load_kN: float | None = None
     tail_break_strain: float | None = None
     tail_exponent: float = 1.0
@@ -207,8 +212,10 @@ def _fender(where, table, dolphin, hull):
         table = msgspec.structs.replace(table, **stands, dolphin_beyond=dolphin.stiffness_beyond)
     face = np.array(table.position)
     normal, side = _side(where, face, hull)
-    made = pair_of(table, fender_of(table, where), where)
-    return QuayFender(table.name, made, face, normal, side, table.friction, 1e3 * table.shear)
+    own = fender_of(table, where)
+    slides = table.friction * own.rated_reaction / (SLIDES * own.height)
+    shear = slides if table.shear is None else 1e3 * table.shear
+    return QuayFender(table.name, pair_of(table, own, where), face, normal, side, table.friction, shear)
 
 
 def _side(where, face, hull):
@@ -232,17 +239,23 @@ def _rope(table):
     from hakobune.mooring.lines.ropes import RopePart, rope
 
     where = f"rope {table.name}"
-    load = 1e3 * positive(f"{where}: breaking_load_kN", table.breaking_load_kN)
+    load = force(where, table, "breaking_load", required=True)
     main, tail = RopePart(load, table.break_strain, table.exponent), None
     if table.tail_length:
         if table.tail_break_strain is None:
             raise StudyError(f"{where}: tail_break_strain is missing; a tail needs it, above 0")
-        own = table.tail_breaking_load_kN
-        tail = RopePart(load if own is None else 1e3 * own, table.tail_break_strain, table.tail_exponent)
+        own = force(where, table, "tail_breaking_load")
+        tail = RopePart(load if own is None else own, table.tail_break_strain, table.tail_exponent)
     return rope(
-        table.name, table.bollard, table.fairlead, main, 1e3 * table.pretension_kN, tail=tail,
+        table.name, table.bollard, table.fairlead, main, _pretension(where, table), tail=tail,
         tail_length=table.tail_length, hardening=table.hardening,
     )  # fmt: skip
+
+
+def _pretension(where, table):
+    """N, 0 where none is given"""
+    given = table.pretension_kN, table.pretension_tonf
+    return 0.0 if given in ((0.0, None), (None, 0.0)) else force(where, table, "pretension") or 0.0
 
 
 class HingeTable(Table):

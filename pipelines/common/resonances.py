@@ -4,6 +4,7 @@ import numpy as np
 
 from ..printing.number import significant
 
+BROAD = 0.1  # damping ratio above which the largest motion lies away from the natural period
 VISCOUS = 0.1  # ratio of wave damping; below it viscous damping, 1 to 3 % of critical, lowers a peak by up to a third
 UNSURE = 0.05  # estimated error of a peak above which it is reported
 SEEN = 0.8  # fraction of a peak that stored frequencies should show
@@ -28,6 +29,8 @@ def _peak(one):
     if not one.viscous:
         damping += " of waves alone"
         damping += ", without viscous damping, which lowers it" * underdamped(one)
+    if one.damping > BROAD:
+        damping += ": the period of the largest motion, which so much damping moves away from the natural period"
     return (
         f"resonance of {one.name} at {one.period:.4g} s ({one.omega:.5g} rad/s): peak "
         f"{significant(factor * one.peak, 3)} {unit} in waves towards {np.degrees(one.heading):.4g}°, {damping}"

@@ -33,7 +33,7 @@ class AnchorTable(Table):
     lines : names of the lines with this anchor; by default all lines on the bed that no other table names
     safety : required factor of safety on the pull, above 0
     type : type of a drag anchor in the charts, such as "stockless", "Danforth", "Stevin", "Stevpris Mk6"
-    soil : soil of a drag anchor in the charts: "mud", "sand" or "medium clay"
+    soil : soil of a drag anchor in the charts: "mud", soft clay and silt; "sand", and stiff clay; or "medium clay"
     mass : kg, mass in air of a drag anchor in the charts; by default the size is computed
     holding_kN : horizontal capacity of a pile, or of a drag anchor that is not in the charts
     uplift_kN : uplift capacity of a pile
@@ -100,15 +100,18 @@ def _drag(where, table, safety):
         if table.type is not None or table.soil is not None or table.mass is not None:
             raise StudyError(f"{where}: give either holding_kN, or type, soil and mass for a chart")
         return Anchor("drag", 1e3 * table.holding_kN, safety=safety)
-    known = charts()
-    if (table.type, table.soil) not in known:
-        soils = [soil for name, soil in known if name == table.type]
-        allowed = f"soil {', '.join(soils)}" if soils else f"type {', '.join(dict.fromkeys(name for name, _ in known))}"
+    known = {(name.lower(), soil): chart for (name, soil), chart in charts().items()}
+    name, soil = (table.type or "").lower(), (table.soil or "").lower()
+    if (name, soil) not in known:
+        soils = ", ".join(one for other, one in known if other == name)
+        allowed = f"soil {soils}" if soils else f"type {', '.join(dict.fromkeys(one for one, _ in charts()))}"
+        lacks = " and ".join(key for key in ("type", "soil") if getattr(table, key) is None)
+        what = f"without {lacks}" if lacks else f"of type {table.type!r} in soil {table.soil!r}"
         raise StudyError(
-            f"{where}: there is no chart for a drag anchor of type {table.type!r} in soil {table.soil!r}; "
-            f"allowed: {allowed}; or give holding_kN"
+            f"{where}: there is no chart for a drag anchor {what}; allowed: {allowed}; or give holding_kN; mud is "
+            f"soft clay and silt, and sand stands for stiff clay too"
         )
-    chart = known[table.type, table.soil]
+    chart = known[name, soil]
     holding = np.nan if table.mass is None else holding_of(chart, table.mass)
     return Anchor("drag", holding, chart=chart, safety=safety)
 

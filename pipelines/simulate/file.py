@@ -17,7 +17,7 @@ import numpy as np
 
 from hakobune import bem
 from hakobune.bem import DOFS
-from hakobune.bem.database.file import beside
+from hakobune.bem.database.file import beside, unlocked
 from hakobune.bem.database.integrity import DatabaseError, crc
 from hakobune.bem.database.results import check_seal, check_version, named, no_file_of
 from hakobune.meshing.seals import kind_filled_in
@@ -192,7 +192,7 @@ def opened(path, mode="r"):
         raise
     if mode != "r":
         keep_room(path)
-    with h5py.File(path, mode) as file:
+    with unlocked(path, mode) as file:
         yield file
 
 

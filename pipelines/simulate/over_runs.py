@@ -20,6 +20,7 @@ MOVE = (
     "run the lines in motion first (dynamic_lines): snaps of static lines do not justify a larger size or more "
     "pretension"
 )
+SOFTER = "give longer or softer ropes, as by tails, or more ropes; a stronger rope of the same break_strain is stiffer"
 
 
 def largest_in_runs(file, kind):
@@ -53,7 +54,7 @@ def overloads(file, allowable=None):
         named = [f"{names[i]} {100 * most[i]:.4g} % in {counts[i]} of {len(used)} runs" for i in order]
         if named:
             more = " more" if limit < 1 and (most > 1).any() else ""
-            way = _way_out(file, HELP)
+            way = SOFTER if names[order[0]] in ropes_of(file) else _way_out(file, HELP)
             share = f"{len(named)}{more} of {len(names)}"
             yield fails(f"{share} lines in the runs {text}: {some(named, LINES_NAMED)}; {way}")
 
@@ -61,6 +62,11 @@ def overloads(file, allowable=None):
 def _way_out(file, otherwise):
     """MOVE where lines were static that could move, else what is given"""
     return MOVE if any(line.startswith(OF_LINES) for line in told(file)) else otherwise
+
+
+def ropes_of(file):
+    """Names of the ropes of a berth among the lines"""
+    return {rope["name"] for rope in tomllib.loads(file.attrs.get("study", "")).get("rope", ())}
 
 
 def anchors_in_runs(file):

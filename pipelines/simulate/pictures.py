@@ -9,6 +9,7 @@ from hakobune.mooring.motion.statistics import FEW, frequencies_in, slow_part
 from ..common.picture import save
 from ..common.units import KN
 from .file import STATISTICS, bodies_of, units_of, whole_rows
+from .over_runs import ropes_of
 
 SHOWN = 600.0  # s of a record
 MOTIONS = (("surge", 1.0, "m"), ("sway", 1.0, "m"), ("heave", 1.0, "m"), ("roll", 180 / np.pi, "°"),
@@ -311,7 +312,8 @@ def _against_offset(curve, file, worst, motion, pull, step):
     offset = (np.stack([x, y]) + turned - arm[:, None]).T @ away
     curve.plot(offset[::step], pull[::step] / KN, ".", ms=1.5, color="C1", alpha=0.35)
     _breaking(curve, file, worst, pull.max())
-    curve.set(xlabel="offset of the fairlead away from its anchor, m", ylabel="tension, kN")
+    end = "bollard" if file["line"].asstr()[worst.at] in ropes_of(file) else "anchor"
+    curve.set(xlabel=f"offset of the fairlead away from its {end}, m", ylabel="tension, kN")
 
 
 def _extremes(file, kept, path, motions):

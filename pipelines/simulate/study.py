@@ -366,6 +366,13 @@ def _kept(table):
     return table.keep_series
 
 
+def _left_out(below, above):
+    """Shares of the energy below which a band that just runs begins and ends, from the shares outside the stored one"""
+    most = 0.99 * MOST_MISSED
+    first = min(below, max(most - above, 0.5 * most))
+    return first, 1 - (most - first)
+
+
 def _outside(spectrum, omega):
     """Finding on the energy outside the stored frequencies.  Raises StudyError if it is too much."""
     below, above = (float(share) for share in energy_outside(omega, spectrum))
@@ -378,5 +385,7 @@ def _outside(spectrum, omega):
     )
     way_out = f"solve {min(ends[0], omega[0]):.3g} to {max(ends[1], omega[-1]):.3g} rad/s as well"
     if below + above > MOST_MISSED:
-        raise StudyError(f"{text}; allowed: {100 * MOST_MISSED:g} %; {way_out}")
+        low, high = spectrum.quantile(_left_out(below, above))
+        reached = f"{min(low, omega[0]):.3g} to {max(high, omega[-1]):.3g} rad/s"
+        raise StudyError(f"{text}; allowed: {100 * MOST_MISSED:g} %; {way_out}, or at least {reached}")
     return (f"{text} and is not included; {way_out}",)

@@ -44,9 +44,9 @@ def check(path, console, repair=False):
     lines += [*map(fails, unknown), *(f"note: {line}" for line in resonances_of(db))]
     lines += [
         fails(
-            f"{one.name}, {CHECKED[one.name]}, is {one.largest:.2g} at ω = {one.omega:.4g} rad/s, {one.exceeding} of "
-            f"{len(db.omega)} frequencies above {one.limit:g}{_weak(one, db)}; solve with more panels, or a coarser "
-            "--tolerance"
+            f"{one.name}, {CHECKED[one.name]}, is {_beyond(one.largest, one.limit)} at ω = {one.omega:.4g} rad/s, "
+            f"{one.exceeding} of {len(db.omega)} frequencies above {one.limit:g}{_weak(one, db)}; solve "
+            "with more panels, or a coarser --tolerance"
         )
         for one in checks
         if not one.passed
@@ -56,6 +56,12 @@ def check(path, console, repair=False):
             fails(f"{int(db.rows.sum())} of {len(db.rows)} frequencies are stored; run the command again to continue")
         )
     return tell(lines, console, "")
+
+
+def _beyond(value, limit):
+    """A number above a limit with the digits that show it: 0.019, but 0.01003 for a limit of 0.01"""
+    texts = [f"{value:.{digits}g}" for digits in (2, 3, 4, 6, 17)]
+    return next((text for text in texts if float(text) > limit), texts[0])
 
 
 def _weak(one, db):

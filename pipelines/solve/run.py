@@ -1,5 +1,6 @@
 """Fill the database of a scene: pending frequencies are solved, stored and marked one by one."""
 
+import os
 import time
 from collections.abc import Callable
 from contextlib import ExitStack, contextmanager, suppress
@@ -9,6 +10,7 @@ from pathlib import Path
 
 from hakobune.bem import ESTIMATE, INTERPOLATED
 from hakobune.bem.database import (
+    DatabaseError,
     Storing,
     append,
     append_limit,
@@ -87,6 +89,7 @@ def solve(scene, output, *, fresh=False, executor=None, console=None):
             check_ending(output, DATABASE)
             plan = planned(scene)
             cost = _announced(plan, len(set(LIMITS) & set(plan.names)), executor, console)
+            _check_still_free(output, fresh)
             with phase("store"):
                 create(output, plan.header, plan.omegas, plan.headings, plan.names)
                 file = stack.enter_context(writing(output))
@@ -96,6 +99,27 @@ def solve(scene, output, *, fresh=False, executor=None, console=None):
         if plan.scene.waves.band is None:
             return fill(file)
         return filled_band(plan.scene, file, fill, partial(_wider, stack), console)
+
+
+def _check_still_free(output, fresh):
+    """Raise DatabaseError where another run has made the file since this one looked"""
+    if output.exists() and not fresh:
+        raise DatabaseError(
+            f"{output} was made by another run just now; run the same command again, which takes up what is stored, or "
+            "give another --output"
+        )
+    check_replaceable(output)
+
+
+def _check_in_place(file):
+    """Raise DatabaseError where the open file is no longer the one under its name"""
+    path = Path(file.filename)
+    own = os.fstat(file.id.get_vfd_handle())
+    if not (path.exists() and os.path.samestat(own, path.stat())):
+        raise DatabaseError(
+            f"{path} was removed or replaced during this run, by another one on the same file, and what this run "
+            "stored in it is lost; run the command again, with an --output of its own"
+        )
 
 
 def _wider(stack, file, **more):
@@ -132,6 +156,7 @@ def _fill(plan, executor, console, cost, file):
         progress = Progress(console, len(jobs)) if console else None
         try:
             for job, result in zip(jobs, in_order(executor, (job.call for job in jobs)), strict=True):
+                _check_in_place(file)
                 loaded = _share_estimate(result, loaded)
                 with phase("store"):
                     reason = _stored(job, result)
@@ -146,6 +171,7 @@ def _fill(plan, executor, console, cost, file):
             interrupted = True
             executor.shutdown(wait=False, cancel_futures=True)
     interrupted = interrupted or stop.asked  # also between two frequencies, after the last, or with none to solve
+    _check_in_place(file)
     db = open_database(file)
     stored = int(db.rows.sum())
     return Outcome(

@@ -11,6 +11,7 @@ import h5py
 import numpy as np
 
 from hakobune.bem import __version__
+from hakobune.bem.database.file import unlocked
 from hakobune.bem.database.integrity import DatabaseError
 from hakobune.bem.database.results import check_version, named
 from hakobune.mooring.criteria.failing import fails
@@ -33,7 +34,7 @@ def is_sweep(path):
 
 def create(path, keys, values, texts):
     """Make the file with every case pending; texts : {name: text} of sweep and study, kept as attributes"""
-    with h5py.File(path, "w") as file:
+    with unlocked(path, "w") as file:
         file.attrs.update({"schema": SCHEMA, "software_version": __version__, **texts})
         count = len(values)
         file.create_dataset("case", data=np.arange(count)).make_scale("case")
@@ -53,13 +54,13 @@ def _on(file, name, data):
 
 def case_count(path):
     """Number of cases of a sweep"""
-    with h5py.File(path) as file:
+    with unlocked(path) as file:
         return len(file["status"])
 
 
 def pending(path):
     """Numbers of the cases still to do"""
-    with h5py.File(path) as file:
+    with unlocked(path) as file:
         return np.flatnonzero(file["status"][()] == PENDING).tolist()
 
 
@@ -68,7 +69,7 @@ def store(path, results):
 
     results : [(case, status, message, quantities, labels)], {name: `Quantity`} and {axis: its `Quantity` of labels}
     """
-    with h5py.File(path, "r+") as file:
+    with unlocked(path, "r+") as file:
         for case, _, message, quantities, axes in results:
             for name, one in quantities.items():
                 message = _store(file, name, case, one, axes) or message
@@ -125,7 +126,7 @@ def result_of(path):
     """Result of a sweep: its keys and the quantities of each case.  Raises DatabaseError."""
     if not is_sweep(path):
         raise DatabaseError(f"{path} is not the result of a sweep")
-    with h5py.File(path) as file:
+    with unlocked(path) as file:
         check_version(path, SCHEMA, str(file.attrs["schema"]))
         quantities = {f"keys.{name}": _read(file["keys"][name], ("case",), name) for name in file["keys"]}
         quantities["status"] = _read(file["status"], ("case",), "status")

@@ -6,6 +6,7 @@ import tomllib
 from pathlib import Path
 from typing import NamedTuple
 
+from hakobune.bem.database.file import unlocked
 from hakobune.bem.database.results import check_version
 
 from ..results.given import database_of
@@ -97,9 +98,7 @@ def _kept_together(output):
 
 
 def _check_same(output, texts):
-    import h5py
-
-    with h5py.File(output) as stored:
+    with unlocked(output) as stored:
         check_version(output, file.SCHEMA, str(stored.attrs["schema"]))
         for name, text in texts.items():
             if stored.attrs[name] != text:
@@ -107,8 +106,6 @@ def _check_same(output, texts):
 
 
 def _failed(output):
-    import h5py
-
-    with h5py.File(output) as stored:
+    with unlocked(output) as stored:
         status, message = stored["status"][()], stored["message"].asstr()[()]
     return [(int(i), int(status[i]), message[i]) for i in range(len(status)) if status[i] > 0]

@@ -92,7 +92,8 @@ class CurrentTable(StreamTable):
 class WindTable(StreamTable):
     """Wind at 10 m above the sea
 
-    ship : type of the ship whose coefficients are used (Blendermann 1994), as "tanker, loaded"
+    ship : type of the ship whose coefficients are used (Blendermann 1994), as "tanker, loaded"; for a bulk carrier
+        "cargo vessel, loaded"
     gusts : gust spectrum about the mean wind, for simulate: davenport, hino, npd or kaimal
     surface_drag : surface drag coefficient K of the gust spectrum, where it has one
     gust_height : m, height of the gust spectrum, where it has one
@@ -139,7 +140,8 @@ def wind_table(table):
         raise StudyError("wind: ship and coefficients are both given; give one of them")
     if table.ship not in ships():
         raise StudyError(
-            f"wind.ship is {table.ship!r}; allowed: {'; '.join(ships())} (Blendermann 1994); coefficients of "
+            f"wind.ship is {table.ship!r}; allowed: {'; '.join(ships())} (Blendermann 1994; none of a bulk "
+            f"carrier, for which cargo vessel, loaded is the nearest); coefficients of "
             "others, such as OCIMF, which are not public, can be given by wind.file"
         )
     return partial(_of_ship, table.ship)

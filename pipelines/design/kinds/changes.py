@@ -17,6 +17,7 @@ STRONGER = tuple(round(1 + 0.1 * i, 1) for i in range(1, 11))  # factors on the 
 SLACKER, TIGHTER = (0.8, 0.65, 0.5, 0.4), (1.25, 1.5, 2.0, 2.5)  # factors on the pretension
 MORE = 3  # lines at each corner, or at a buoy
 APART = 20.0  # degrees between the first and last line of a corner that had one
+BREAKING = {"breaking_load_kN": "kN", "breaking_load_tonf": "tonf"}
 TENSIONS = tuple(f"{name}_{unit}" for name in ("pretension", "top_tension") for unit in ("kN", "tonf"))
 
 
@@ -48,14 +49,19 @@ def _sizes(study):
 
 
 def _stronger_ropes(study):
-    loads = sorted({rope["breaking_load_kN"] for rope in study.get("rope", ())})
+    loads = sorted(
+        {(rope[key], unit) for rope in study.get("rope", ()) for key, unit in BREAKING.items() if key in rope}
+    )
     for factor in STRONGER if loads else ():
         changed = deepcopy(study)
         for rope in changed["rope"]:
-            for key in ("breaking_load_kN", "tail_breaking_load_kN"):
-                if key in rope:
-                    rope[key] *= factor
-        yield Changed(f"ropes of {', '.join(f'{factor * load:.4g}' for load in loads)} kN breaking load", changed)
+            for key in {f"{part}{key}" for part in ("", "tail_") for key in BREAKING} & set(rope):
+                rope[key] *= factor
+        told = ", ".join(
+            f"{', '.join(f'{factor * load:.4g}' for load, unit in loads if unit == one)} {one}"
+            for one in dict.fromkeys(unit for _, unit in loads)
+        )
+        yield Changed(f"ropes of {told} breaking load", changed)
 
 
 def _tensions(study, factors):

@@ -1,6 +1,8 @@
 """What is said of files that cannot be opened or written, and of values that cannot be stored."""
 
 import errno
+import subprocess
+import sys
 
 import h5py
 import numpy as np
@@ -11,11 +13,13 @@ from hakobune.bem.database import file as files
 from hakobune.bem.database.storing import checked
 from hakobune.bem.database.widening import content
 
+BUSY = "another process has opened it; wait until it ends, or give another file"
+
 
 @pytest.mark.parametrize("error, says", [
-    (OSError(errno.EAGAIN, "no"), "another process has opened it"),
-    (OSError(35, "no"), "another process has opened it"),
-    (OSError("Unable to open: unable to lock file"), "another process has opened it"),
+    (OSError(errno.EAGAIN, "no"), BUSY),
+    (OSError(35, "no"), BUSY),
+    (OSError("Unable to open: unable to lock file"), BUSY),
     (OSError("Unable to open: truncated file: eof = 96"), "the file is truncated; copy it again, or give another name"),
     (OSError(errno.EACCES, "no"), "Permission denied"), (OSError("bad signature\nmore"), "bad signature"),
 ])  # fmt: skip
@@ -83,3 +87,16 @@ def test_a_group_has_axes_first_and_without_them_it_is_damaged(tmp_path):
         del group["a"].attrs["axes"]
         with pytest.raises(DatabaseError, match=r"a\.h5 is damaged: forces: .*; compute this group of results again"):
             content(file, "forces")
+
+
+def test_a_file_that_another_process_writes_is_named_with_the_way_out(tmp_path):
+    path = tmp_path / "a.h5"
+    hold = f"import h5py\nwith h5py.File({str(path)!r}, 'w'): print('open', flush=True), input()"
+    with subprocess.Popen([sys.executable, "-c", hold], stdin=subprocess.PIPE, stdout=subprocess.PIPE) as other:
+        assert other.stdout.readline() == b"open\n"
+        for mode in ("r", "r+"):
+            with pytest.raises(DatabaseError, match=rf"a\.h5 cannot be opened: {BUSY}"), files.unlocked(path, mode):
+                pass
+        other.communicate(b"\n")
+    with files.unlocked(path, "r+") as file:
+        file["x"] = 1.0

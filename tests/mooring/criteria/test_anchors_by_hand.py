@@ -62,6 +62,11 @@ def test_lines_have_the_anchor_that_names_them_or_the_one_for_all_others():
         ([{"kind": "sinker", "weight_kN": 1.0}], "friction is missing"),
         ([{"kind": "sinker", "mass": 1.0}], "mass is given with kind = 'sinker'; allowed keys: friction, weight_kN"),
         ([{"kind": "drag", "type": "stockless", "soil": "rock"}], "allowed: soil mud, sand; or give holding_kN"),
+        (
+            [{"kind": "drag", "type": "Danforth"}],
+            "anchor without soil; allowed: soil mud, sand; or give holding",
+        ),
+        ([{"kind": "drag"}], "a drag anchor without type and soil; allowed: type stockless"),
         ([{"kind": "drag", "type": "CQR", "soil": "mud"}], "allowed: type stockless, .*Stevpris Mk6; or give holding"),
         ([{"kind": "drag", "holding_kN": 1.0, "mass": 2.0}], "either holding_kN, or type, soil and mass"),
         ([{"kind": "drag", "holding_kN": -1.0}], r"holding_kN is -1; allowed: above 0"),
@@ -76,3 +81,13 @@ def test_lines_have_the_anchor_that_names_them_or_the_one_for_all_others():
 def test_anchors_that_cannot_be_are_told_with_what_is_allowed(tables, words):
     with pytest.raises(StudyError, match=words):
         anchors_of([AnchorTable(**table) for table in tables], NAMES, ["side"])
+
+
+def test_drag_anchors_are_sized_by_the_charts_whatever_the_case_of_their_names():
+    """H = H_R (m/m_R)^b of UFC 4-159-03, table 5-3, in kips and pounds: 87 kips at 10 000 lb, b = 0.92 of a Danforth in
+    mud; 270 kips and 0.94 of a NAVMOOR in sand"""
+    kip, pound = 4448.2216, 0.45359237
+    for name, soil, kips, exponent in (("DANFORTH", "Mud", 87.0, 0.92), ("navmoor", "sand", 270.0, 0.94)):
+        (held, *_) = anchors_of([AnchorTable(kind="drag", type=name, soil=soil, mass=3000 * pound)], NAMES, [])
+        assert held.capacity(0.0) == pytest.approx(kips * kip * 0.3**exponent, rel=2e-3)
+        assert held.needed(held.capacity(0.0), 0.0) == pytest.approx(3000 * pound, rel=1e-9)

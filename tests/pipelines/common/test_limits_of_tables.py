@@ -193,6 +193,43 @@ def test_a_rope_has_its_pretension_at_rest_and_a_tail_needs_its_strain():
         berth_of_tables([], [], [typed(RopeTable, table | {"tail_length": 8.0})], HULL, np.zeros(3))
 
 
+def test_a_rope_takes_forces_in_tonf_as_in_kN_but_not_in_both():
+    table = {"name": "head", "fairlead": [50.0, 20.0, 5.0], "bollard": [70.0, 40.0, 5.0], "break_strain": 0.1,
+             "tail_length": 10.0, "tail_break_strain": 0.3}  # fmt: skip
+
+    def made(**forces):
+        return berth_of_tables([], [], [typed(RopeTable, table | forces)], HULL, np.zeros(3)).ropes[0]
+
+    tonf = made(breaking_load_tonf=100.0, pretension_tonf=10.0, tail_breaking_load_tonf=80.0)
+    kilo = made(breaking_load_kN=980.665, pretension_kN=98.0665, tail_breaking_load_kN=784.532)
+    assert (tonf.length, tonf.breaking_load) == pytest.approx((kilo.length, kilo.breaking_load), rel=1e-12)
+    assert tonf.breaking_load == pytest.approx(784532.0, rel=1e-12)
+    for forces, says in (
+        ({"breaking_load_kN": 900.0, "breaking_load_tonf": 90.0}, "breaking_load_tonf and breaking_load_kN are given"),
+        ({"pretension_kN": 10.0}, "nothing is given; give one of breaking_load_tonf, breaking_load_kN"),
+        ({"breaking_load_kN": 900.0, "pretension_kN": 0.0, "pretension_tonf": 9.0}, "pretension_tonf and pretension_"),
+    ):
+        with pytest.raises(StudyError, match=says):
+            made(**forces)
+    assert made(breaking_load_kN=900.0, pretension_kN=0.0).length == made(breaking_load_kN=900.0).length
+
+
+def test_a_fender_with_friction_slides_after_a_tenth_of_its_height_and_takes_its_reaction_in_any_unit():
+    table = {"name": "F", "position": [10.0, 25.5, 1.0], "family": "cone", "height": 1.5, "friction": 0.3}
+
+    def made(**more):
+        return berth_of_tables([typed(QuayFenderTable, table | more)], [], [], HULL, np.zeros(3)).fenders[0]
+
+    for given in ({"rated_reaction": 980.665}, {"rated_reaction_kN": 980.665}, {"rated_reaction_tonf": 100.0}):
+        assert made(**given).shear == pytest.approx(0.3 * 980665.0 / 0.15, rel=1e-12)
+    assert made(rated_reaction=1000.0, friction=0.0).shear == 0
+    assert made(rated_reaction=1000.0, shear=700.0).shear == 700e3
+    with pytest.raises(ValueError, match="allowed: both 0, or both above 0"):
+        made(rated_reaction=1000.0, shear=0.0)
+    with pytest.raises(StudyError, match="rated_reaction_kN and rated_reaction_tonf are given"):
+        made(rated_reaction_kN=1000.0, rated_reaction_tonf=100.0)
+
+
 TURNS = [("incidence_deg", 0.0, 1.0), ("incidence_deg", 90.0, 1.5), ("incidence_deg", 360.0, 1.0)]
 TURNS += [("direction_deg", 90.0, 0.5), ("direction_deg", -90.0, 1.5), ("direction_deg", -360.0, 0.0)]
 

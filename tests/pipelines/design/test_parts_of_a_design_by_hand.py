@@ -51,6 +51,10 @@ def test_ropes_of_a_berth_are_made_stronger_and_doubled():
     made = changes.ways(study)
     assert len(made["size"]) == 10 and made["size"][0].words == "ropes of 330, 550 kN breaking load"
     assert made["size"][9].words == "ropes of 600, 1000 kN breaking load"
+    loads = {"breaking_load_tonf": 80.0, "tail_breaking_load_tonf": 100.0}
+    tonf = changes.ways({"rope": [loads | {"name": "bow"}]})["size"][0]
+    assert tonf.words == "ropes of 88 tonf breaking load"
+    assert [tonf.study["rope"][0][key] for key in loads] == pytest.approx([88.0, 110.0])
     first = made["size"][4].study["rope"]
     assert [first[0]["breaking_load_kN"], first[0]["tail_breaking_load_kN"], first[1]["breaking_load_kN"]] == [
         750,

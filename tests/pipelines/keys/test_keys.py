@@ -272,6 +272,7 @@ def test_the_reference_on_a_terminal_says_where_keys_stand_before_any_table():
     ("sea --Hs 3", "--Hs. It is --height here."), ("sea --height 2 --tp 9", "--tp. It is --peak-period here."),
     ("box --KG 3", "--KG. It is --center-of-gravity here."), ("box --Lpp 3", "Unknown option: --Lpp."),
     ("animate r.h5 --from 3 --output f.gif", "--from. It is --start here."),
+    ("import a.1 --from wamit --GM 4", "--GM. It is --center-of-gravity here."),
     ("moor s.toml --database b.h5 --Hs 3", "Unknown option: --Hs."),  # the sea of moor is in its study, and no flag
 ])  # fmt: skip
 def test_a_flag_by_its_name_in_other_programs_is_told_with_ours(words, said, capsys):

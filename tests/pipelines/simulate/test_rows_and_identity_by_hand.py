@@ -147,6 +147,14 @@ def test_lines_that_part_and_lines_beyond_what_is_allowable_are_told_with_the_ru
     assert over_runs.used_in_runs(file)[:, 0].tolist() == [0.2, 0.3, 0.4, 0.1]
 
 
+def test_advice_on_a_rope_is_not_that_on_a_chain(file):
+    file["used"][()][4, 1] = 0.45
+    file.attrs = {"allowable": 0.5, "study": '[[rope]]\nname = "c"\n'}
+    rope, chain = map(str, over_runs.overloads(file))
+    assert "c 120 %" in rope and over_runs.SOFTER in rope and "longer line" not in rope
+    assert "b 70 %" in chain and over_runs.HELP in chain
+
+
 # ------------------------------------------------------------------ the simplified method beside
 
 

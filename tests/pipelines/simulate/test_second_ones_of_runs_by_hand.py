@@ -1,15 +1,17 @@
 """What holds of the second quantity, line, station and method of runs as of the first, of values that are made up."""
 
 import math
+import re
 from dataclasses import dataclass, replace
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
+from hakobune.mooring.environment.spectra import issc
 from hakobune.mooring.motion.simulation import Choice
 from hakobune.pipelines.common.quantities import StudyError
-from hakobune.pipelines.simulate import findings, methods, over_runs, run, stations, work
+from hakobune.pipelines.simulate import findings, methods, over_runs, run, stations, study, work
 
 
 def test_every_slow_motion_far_beyond_its_spectral_value_is_told(monkeypatch):
@@ -31,6 +33,19 @@ def test_every_slow_motion_far_beyond_its_spectral_value_is_told(monkeypatch):
     assert "yaw" in next(iter(findings.slow_findings(file)))
     del file.attrs["spectral_slow"]
     assert list(findings.slow_findings(file)) == []
+
+
+@pytest.mark.parametrize(("low", "high"), [(0.6, 1.0), (0.1, 0.9), (1.1, 4.0)])
+def test_a_sea_beyond_the_band_is_refused_with_a_band_that_runs_and_one_that_holds_it(low, high):
+    sea = issc(1.0, mean_period=6.0)
+    with pytest.raises(StudyError, match=r"allowed: 25 %; solve .* as well, or at least ") as refused:
+        study._outside(sea, np.array([low, high]))
+    bands = [list(map(float, pair)) for pair in re.findall(r"([\d.]+) to ([\d.]+) rad/s", str(refused.value))]
+    for (first, last), most in zip(bands, (0.01, 0.25), strict=True):
+        assert first <= low and last >= high
+        outside = 1 - sea.moment(0, first, last) / sea.moment(0)
+        assert outside < 1.02 * most and (most < 0.25 or outside > 0.9 * most)
+    study._outside(sea, np.array(bands[1]))
 
 
 class File(dict):

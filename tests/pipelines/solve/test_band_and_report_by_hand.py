@@ -313,6 +313,8 @@ def test_check_tells_findings_notes_laws_and_what_is_missing_with_its_status(mon
         "energy, waves carried away, is 0.034 at ω = 0.5 rad/s, 2 of 3 frequencies above 0.01" in x for x in lines
     )
     assert not any("residual, linear system" in line for line in lines)
+    _, lines = of_check(monkeypatch, checked=[report.Check("energy", 0.010034, 0.5, 0.01, 1)])
+    assert any("is 0.01003 at ω" in line for line in lines)  # not 0.01, above 0.01
     status, lines = of_check(monkeypatch, complete=False)
     assert status == 1 and any("2 of 3 frequencies are stored; run the command again" in line for line in lines)
     status, lines = of_check(monkeypatch, omega=np.zeros(0), checked=[bad])

@@ -10,7 +10,7 @@ import h5py
 import numpy as np
 import pytest
 
-from hakobune.bem.database import open_database, pending
+from hakobune.bem.database import DatabaseError, open_database, pending
 from hakobune.bem.database.schema import QUANTITIES
 from hakobune.pipelines.executors.choice import executor_of
 from hakobune.pipelines.scene.scene import make_scene
@@ -235,3 +235,30 @@ def test_a_run_opens_its_file_once_and_again_only_where_it_is_written_anew(tmp_p
         opened.clear()
         assert solve(asked, path, executor=MadeUp()).exit_status == 0
         assert len(opened) == times
+
+
+def test_two_runs_that_begin_together_do_not_lose_the_work_of_one_in_silence(tmp_path, monkeypatch):
+    """The second finds the file that the first made while it planned; a file that goes away below a run is told too"""
+    path, planned = tmp_path / "box.h5", run.planned
+
+    def planned_while_another_begins(given):
+        plan = planned(given)
+        monkeypatch.setattr(run, "planned", planned)
+        solve(scene(), path, executor=MadeUp())
+        return plan
+
+    monkeypatch.setattr(run, "planned", planned_while_another_begins)
+    late = MadeUp()
+    with pytest.raises(DatabaseError, match="was made by another run just now; run the same command again"):
+        solve(scene(), path, executor=late)
+    assert late.asked == [] and open_database(path).rows.all()
+
+    class Replaced(MadeUp):
+        def submit(self, *given):
+            copy = tmp_path / "copy.h5"
+            copy.write_bytes(path.read_bytes())
+            copy.replace(path)
+            return super().submit(*given)
+
+    with pytest.raises(DatabaseError, match="was removed or replaced during this run"):
+        solve(scene(), path, fresh=True, executor=Replaced())
