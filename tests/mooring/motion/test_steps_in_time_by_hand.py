@@ -131,6 +131,17 @@ def test_a_force_that_a_break_changes_is_that_after_it(monkeypatch):
     assert run.samples[:, 0] == pytest.approx(1 + 0.5 * np.maximum(time - 2.5, 0) ** 2, abs=1e-6)
 
 
+def test_a_step_cut_short_does_not_shorten_the_next(monkeypatch):
+    """Lines break 0.1 ms apart: the step between is 0.1 ms, from which a step may grow by `LARGEST` = 4 only; the next
+    one is as long as those before, as far as its window lets it"""
+    run = Run(monkeypatch, lost=(1.3, 1.3001))
+    run()
+    lengths = {round(given[4], 6): given[5] for given in run.of("links")}
+    usual = np.median(list(lengths.values()))
+    assert lengths[1.3] == pytest.approx(1e-4, rel=1e-6) and 0.1 < usual < 1.0
+    assert lengths[1.3001] > 0.5 * usual
+
+
 def test_given_steps_are_kept_and_their_error_is_of_fifth_order(monkeypatch):
     """x″ = x from 1 m at rest is cosh t"""
     errors = []
