@@ -116,20 +116,18 @@ def bound_wave_forces(problem, band, mean, direction) -> BoundWaveForces:
 
     band : (low, high) rad/s; mean : rad/s, mean frequency; direction : rad, relative to the body
     """
-    from hakobune.bem.second_order.long_wave_forces import LongWaveBody
+    from hakobune.bem.second_order.long_wave_forces import kept_forces
 
     depth, g = problem.depth, problem.gravity
     highest = SLOW[1] * mean
     fast, slow = (float(group_speed(w, depth, g)) for w in band)
     x, y = (np.cos(np.pi * (np.arange(n) + 0.5) / n) for n in (FREQUENCIES, SPEEDS))
     speeds = 0.5 * (fast + slow) + 0.5 * (fast - slow) * y
-    body, values = LongWaveBody(problem), []
-    way = np.array([np.cos(direction), np.sin(direction)])
-    for omega in 0.5 * highest * (1 + x):
-        values.append(body.forces(omega, omega / speeds[:, None] * way))
+    omega, way = 0.5 * highest * (1 + x), np.array([np.cos(direction), np.sin(direction)])
+    values = kept_forces(problem, omega, (omega[:, None] / speeds)[..., None] * way)
     basis_x = np.linalg.inv(np.polynomial.chebyshev.chebvander(x, FREQUENCIES - 1))
     basis_y = np.linalg.inv(np.polynomial.chebyshev.chebvander(y, SPEEDS - 1))
-    coefficients = np.einsum("ap,bq,pqj->abj", basis_x, basis_y, np.array(values))
+    coefficients = np.einsum("ap,bq,pqj->abj", basis_x, basis_y, values)
     return BoundWaveForces(float(direction), highest, (slow, fast), coefficients, depth, g)
 
 

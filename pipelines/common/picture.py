@@ -5,7 +5,9 @@ import io
 import os
 import sys
 import tempfile
+from importlib import import_module
 from pathlib import Path
+from threading import Thread
 
 from hakobune.meshing.whole_files import write_whole
 
@@ -37,6 +39,11 @@ def save(figure, path, dpi):
     packed = {"pil_kwargs": {"compress_level": 1}} if kind == "png" else {}  # a tenth larger in a third of the time
     figure.savefig(drawn, dpi=dpi, format=kind, **packed)
     write_whole(path, drawn.getvalue())
+
+
+def load_meanwhile():
+    """Begin to load matplotlib, which takes 0.3 s, in a thread: while kernels run, Python is free for it"""
+    Thread(target=import_module, args=("matplotlib.backends.backend_agg",)).start()
 
 
 def draw_streams(axes, towards):
