@@ -14,6 +14,7 @@ from hakobune.meshing.whole_files import write_whole
 PLOTS = (".png", ".svg", ".pdf")
 FIRST_OF_OTHERS = "\u2e80"  # first of the Chinese, Japanese and Korean letters, which matplotlib's own font lacks
 BOXES = "Last Resort"  # a font of matplotlib with a box for every letter
+PARTS_OF_MATPLOTLIB = "matplotlib.figure", "matplotlib.backends.backend_agg"
 VIEWS = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff")
 
 
@@ -43,7 +44,7 @@ def save(figure, path, dpi):
 
 def load_meanwhile():
     """Begin to load matplotlib, which takes 0.3 s, in a thread: while kernels run, Python is free for it"""
-    Thread(target=import_module, args=("matplotlib.backends.backend_agg",)).start()
+    Thread(target=lambda: [*map(import_module, PARTS_OF_MATPLOTLIB)]).start()
 
 
 def draw_streams(axes, towards):
