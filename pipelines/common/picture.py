@@ -5,6 +5,7 @@ import io
 import os
 import sys
 import tempfile
+from contextlib import contextmanager
 from importlib import import_module
 from pathlib import Path
 from threading import Thread
@@ -42,9 +43,15 @@ def save(figure, path, dpi):
     write_whole(path, drawn.getvalue())
 
 
-def load_meanwhile():
-    """Begin to load matplotlib, which takes 0.3 s, in a thread: while kernels run, Python is free for it"""
-    Thread(target=lambda: [*map(import_module, PARTS_OF_MATPLOTLIB)]).start()
+@contextmanager
+def loaded_meanwhile(wanted):
+    """Within this matplotlib is loaded, which takes 0.3 s, if it is wanted: while kernels run, Python is free for it"""
+    loading = Thread(target=lambda: [*map(import_module, PARTS_OF_MATPLOTLIB)] if wanted else None)
+    loading.start()
+    try:
+        yield
+    finally:
+        loading.join()
 
 
 def draw_streams(axes, towards):
