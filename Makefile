@@ -19,11 +19,11 @@ LOCK := requirements-lock.txt
 INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check
 SCENES := pipelines/scenes
 # what is quick enough as plain Python, and what indexes most
-NOJIT := tests/bem/kernels/test_interpolative_decomposition.py tests/bem/kernels/test_jit.py tests/mooring/lines/test_static.py
-BOUNDS := tests/bem/green tests/bem/kernels tests/bem/contour tests/bem/panels tests/mooring/lines
+NOJIT := tests/bem/algebra/test_interpolative_decomposition.py tests/bem/kernels/test_jit.py tests/mooring/lines/test_static.py
+BOUNDS := tests/bem/green tests/bem/algebra tests/bem/kernels tests/bem/contour tests/bem/panels tests/mooring/lines
 OLDEST := numba==0.63.* numpy==2.0.* scipy==1.13.*
 NEWEST := numba<0.69 numpy scipy
-ENDS := tests/bem/kernels tests/bem/green tests/bem/depth_modes tests/mooring/lines/test_static.py
+ENDS := tests/bem/algebra tests/bem/kernels tests/bem/green tests/bem/depth_modes tests/mooring/lines/test_static.py
 KERNELS = $(shell git diff --name-only --diff-filter=d main -- '*.py' | xargs -r grep -l '@kernel')
 LIBRARIES := libglu1-mesa libgl1 libxcursor1 libxft2 libxinerama1 libxrender1
 

@@ -11,7 +11,7 @@ exp(ikd), d > 0 because it returns later.  So
     κ(x, y) = exp(−(s − t)²/2ℓ²) Σⱼ aⱼ exp(i(k − q) dⱼ),    s = ½ (ω √(L/g) + √(kL)),    Σ aⱼ = 1
 
 with s, k of x and t, q of y.  A resonance of the water in a moonpool or a gap is a pole s_p that all quantities of the
-body share (`bem.kernels.poles`), and adds h_p(s) h_p(t)* to the kernel, h_p = c / (s − s_p).  Waves that meet the hull
+body share (`bem.algebra.poles`), and adds h_p(s) h_p(t)* to the kernel, h_p = c / (s − s_p).  Waves that meet the hull
 at the distance `lead` ahead of the origin have the phase exp(−ik lead), which is removed before the fit.  No single ℓ
 and set of echoes fits all quantities: every member of a family is fitted and weighted by the inverse fourth power of
 its error at nodes left out (Rippa, Advances in Computational Mathematics 11, 1999).
@@ -24,7 +24,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..kernels.poles import poles
+from ..algebra.poles import poles
 from ..waves import wavenumber
 
 RINGING = 100.0  # variance of a water resonance at the node where it is largest

@@ -1,1 +1,1 @@
-"""Infrastructure of the methods: compiled kernels, threads, SIMD vectors, progress, dense linear algebra."""
+"""Infrastructure of the methods: compiled kernels, threads, SIMD vectors, progress."""

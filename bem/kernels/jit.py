@@ -10,6 +10,8 @@ are compiled for the process alone, which a message reports.
 import gc
 import os
 import sys
+from contextlib import contextmanager, suppress
+from contextvars import ContextVar
 from functools import cache, update_wrapper
 from pathlib import Path
 from threading import RLock
@@ -18,6 +20,7 @@ from .in_memory import marked
 
 ROOT = Path(__file__).parents[2]
 _one_at_a_time = RLock()
+_as_python = ContextVar("whether kernels run as Python", default=False)
 
 
 def _collect_nothing_meanwhile():
@@ -66,6 +69,22 @@ def _base():
     return Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache")) / "hakobune" if base is None else Path(base)
 
 
+@contextmanager
+def as_python():
+    """Within this, kernels that Python calls run as Python: for a line or two that is quicker than numba's import
+
+    Where Python refuses numbers, as a division by zero, the compiled kernel is called.
+    """
+    import numpy as np
+
+    before = _as_python.set(True)
+    try:
+        with np.errstate(all="ignore"):
+            yield
+    finally:
+        _as_python.reset(before)
+
+
 def kernel(inline=False, counted=True):
     """Decorator: compile to machine code on the first call and keep the result on disk.
 
@@ -92,6 +111,9 @@ class Kernel:
         update_wrapper(self, function)
 
     def __call__(self, *arguments):
+        if _as_python.get():
+            with suppress(ArithmeticError, ValueError):
+                return self.function(*arguments)
         return (self._entry or self._made("_entry", self._for_python))(*arguments)
 
     @property

@@ -23,7 +23,7 @@ import numpy as np
 from hakobune.meshing.panels import joined
 from hakobune.meshing.surface.patches import patches
 
-from ..kernels.systems import solved_systems
+from ..algebra.systems import solved_systems
 from .incident_waves import class_waves
 from .influence import Equations, Geometry, assembled
 from .irregular_frequencies import extent

@@ -6,8 +6,8 @@ In finite depth a mode with net flux q = ∬ n dS (heave; roll and pitch of an a
 
 import numpy as np
 
+from ..algebra.systems import solved_systems
 from ..green.tables import limit_table
-from ..kernels.systems import solved_systems
 from ..kernels.threads import blas_threads
 from ..modes import with_net_flux
 from .axisymmetric import sector_rows, solved_by_harmonics

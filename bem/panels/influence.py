@@ -20,9 +20,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..algebra.real_times_complex import real_times_complex
 from ..green.rankine import panel_moments
 from ..kernels.jit import kernel
-from ..kernels.real_times_complex import real_times_complex
 from ..kernels.threads import parallel_rows
 from ..modes import class_of, modes_of, normal_velocities
 from .elements import elements, quadrature

@@ -14,7 +14,7 @@ the convex hull of the plan the one with the largest κ is used: rotating the hu
 
 import numpy as np
 
-from ..kernels.convex_hull import convex_hull
+from ..algebra.convex_hull import convex_hull
 
 # fraction of the lower bound up to which a lid improves nothing.  250 panels on the box 100 × 50 × 10 m in 12, 20 and
 # 100 m of water: coefficients 0.94, 0.81 and 0.80 % off with and without lid, forces 0.34, 0.47 and 0.54 %.  In 12 m

@@ -6,12 +6,12 @@ from functools import cached_property, partial
 import numpy as np
 
 from .. import POWER
+from ..algebra.systems import solved_beside_few
 from ..checks import estimate, share_left
 from ..drift import OF_EACH
 from ..frequency import FrequencyRun
 from ..green.tables import wave_table
 from ..kernels.progress import FINER, report_progress
-from ..kernels.systems import solved_beside_few
 from ..kernels.threads import blas_threads
 from ..kochin import far_field_integrals
 from ..waves import depth_values

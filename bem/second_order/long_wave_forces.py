@@ -16,9 +16,26 @@ import numpy as np
 
 from .. import DOFS
 from ..panels.one_frequency import PanelRun
+from ..time_domain.kept_fits import kept_array
 from ..waves import depth_factor, depth_factor_slope
 
 LOWEST = 1e-3  # lowest frequency over √(g/h), in deep water over √(g/draft); below it D is constant
+
+
+def kept_forces(problem, omega, number):
+    """Forces D of waves of frequencies (f,), rad/s, with wavenumbers (f, w, 2), rad/m; shape (f, w, 6), complex
+
+    A run of every sea of a database asks for them again: they are kept from one run to the next.
+    problem : `bem.methods.panel_problem.PanelProblem` of a body that does not bend
+    """
+    body, mesh = LongWaveBody(problem), problem.mesh
+    of = mesh.points, mesh.corners, mesh.symmetry, () if mesh.body is None else mesh.body, problem.transform
+    water = problem.depth, problem.density, problem.gravity
+    way = problem.nodes_per_panel, np.nan if problem.wall is None else problem.wall, problem.zero_draft
+    return kept_array(
+        __file__, lambda: np.array([body.forces(*one) for one in zip(omega, number, strict=True)]),
+        *of, water, way, omega, number,
+    )  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)

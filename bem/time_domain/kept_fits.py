@@ -1,4 +1,4 @@
-"""Fits of the memory from earlier runs, kept with the compiled kernels.
+"""Fits of the memory, and other arrays, from earlier runs, kept with the compiled kernels.
 
 A fit takes seconds, and every study of a database needs the same fit.  It depends on arrays alone: a digest of them, of
 the source files and of the versions of numpy and scipy names its file, so that any change leads to a new fit.
@@ -18,6 +18,7 @@ from ..kernels.sources import put_file
 from .passive_fit import Passive
 
 MOST = 256  # files, of some 20 to 200 kB; the oldest are deleted
+UNREADABLE = OSError, ValueError, KeyError, EOFError, BadZipFile
 
 
 class NoFit(Exception):
@@ -46,9 +47,19 @@ def kept_fit(source, make, *arrays):
     return found
 
 
+def kept_array(source, make, *arrays):
+    """Array from make(), or from an earlier call with the same arrays; source : the file of its code"""
+    file = _file(source, arrays)
+    with suppress(*UNREADABLE), np.load(file, allow_pickle=False) as stored:
+        return stored["value"]
+    value = make()
+    _put(file, {"value": value})
+    return value
+
+
 def _read(file):
     """`Passive` of a file, or the smallest error of a search in vain; None without a whole file"""
-    with suppress(OSError, ValueError, KeyError, EOFError, BadZipFile), np.load(file, allow_pickle=False) as stored:
+    with suppress(*UNREADABLE), np.load(file, allow_pickle=False) as stored:
         if "best" in stored:
             return float(stored["best"])
         return Passive(*(stored[name] for name in Passive._fields))

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..kernels.convex_hull import convex_hull
+from ..algebra.convex_hull import convex_hull
 from ..waves import wavenumber
 from .sources import Sources, covers, directions, incident
 

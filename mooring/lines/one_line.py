@@ -1,11 +1,14 @@
 """One uniform line between an anchor and a fairlead: its forces, its shape, and its pull from slack to taut.
 
-The line lies on a bed, level or a plane; a line lighter than water floats in the sea surface instead.
+The line lies on a bed, level or a plane; a line lighter than water floats in the sea surface instead.  Its kernels run
+as Python, which takes less time for one line than numba's import.
 """
 
 from dataclasses import dataclass
 
 import numpy as np
+
+from hakobune.bem.kernels.jit import as_python
 
 STATES = ("slack", "partly on the bed", "clear of the bed", "beyond reach")
 FLOATING_STATES = ("slack, the rest floats", "partly in the sea surface", "under water", "beyond reach")
@@ -37,6 +40,7 @@ class OneLine:
         last = (self.depth,) if self.floats else (self.friction, self.slope)
         return self.length, self.type.weight, self.type.axial_stiffness, *last
 
+    @as_python()
     def solve(self, span):
         """LineSolution at spans, m"""
         from .catenary.buoyant import solve_buoyant_lines
@@ -44,6 +48,7 @@ class OneLine:
 
         return (solve_buoyant_lines if self.floats else solve_lines)(span, self.height, *self.properties)
 
+    @as_python()
     def span_at(self, H):
         """m, where the line carries a horizontal tension, N"""
         from .catenary.solve import span_at_tension
@@ -53,6 +58,7 @@ class OneLine:
             return span_of(self.solve, H, self.length, self.height)
         return float(span_at_tension(H, self.height, *self.properties)[0])
 
+    @as_python()
     def shape(self, span, points):
         """Shape of the line in its plane, m from the anchor; shape (points, 2)"""
         from .catenary.buoyant import buoyant_profile

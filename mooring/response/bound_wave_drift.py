@@ -16,6 +16,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from hakobune.bem.kernels.threads import blas_threads, parallel_rows
 from hakobune.bem.second_order.bound_waves import bound_waves
 from hakobune.bem.waves import group_factor, wavenumber
 
@@ -27,6 +28,7 @@ FREQUENCIES, SPEEDS = 10, 8  # frequencies and speeds of the grid
 # monotone cubics that took 64
 SAMPLES = 12
 LEAST = 1e-4  # smallest eigenvalue kept, over the largest
+AT_ONCE = 1024  # pairs, whose polynomials stay near the processor: a third of the time of all together
 SLOW = (0.4, 0.6)  # difference frequencies over the mean frequency between which the force is faded out
 SHALLOW = 1.5  # kh at the mean period below which the neglected force is estimated
 PLACES, FOURTH = 161, 4  # frequencies of an estimate; every fourth of the differences
@@ -84,10 +86,16 @@ class BoundWaveForces:
         low, high = self.speeds
         x = np.clip(2 * size / self.highest - 1, -1, 1)
         y = np.clip((2 * speed - low - high) / (high - low), -1, 1)
-        value = np.moveaxis(np.polynomial.chebyshev.chebval2d(x, y, self.coefficients), 0, -1)
+        value = self._polynomials(x.ravel(), y.ravel()).T.reshape(*x.shape, 6)
         value = np.where((bound.omega < 0)[..., None], value.conj(), value)
         value = np.where((bound.omega == 0)[..., None], value.real, value)
         return value * (bound.amplitude * slow_share(size / self.highest))[..., None]
+
+    def _polynomials(self, x, y):
+        """D at places (n,) of both polynomials, −1 to 1; shape (6, n)"""
+        parts = [slice(i, i + AT_ONCE) for i in range(0, len(x), AT_ONCE)] or [slice(0, 0)]
+        value = np.polynomial.chebyshev.chebval2d
+        return np.concatenate([value(x[part], y[part], self.coefficients) for part in parts], axis=1)
 
 
 def slow_share(x):
@@ -116,20 +124,18 @@ def bound_wave_forces(problem, band, mean, direction) -> BoundWaveForces:
 
     band : (low, high) rad/s; mean : rad/s, mean frequency; direction : rad, relative to the body
     """
-    from hakobune.bem.second_order.long_wave_forces import LongWaveBody
+    from hakobune.bem.second_order.long_wave_forces import kept_forces
 
     depth, g = problem.depth, problem.gravity
     highest = SLOW[1] * mean
     fast, slow = (float(group_speed(w, depth, g)) for w in band)
     x, y = (np.cos(np.pi * (np.arange(n) + 0.5) / n) for n in (FREQUENCIES, SPEEDS))
     speeds = 0.5 * (fast + slow) + 0.5 * (fast - slow) * y
-    body, values = LongWaveBody(problem), []
-    way = np.array([np.cos(direction), np.sin(direction)])
-    for omega in 0.5 * highest * (1 + x):
-        values.append(body.forces(omega, omega / speeds[:, None] * way))
+    omega, way = 0.5 * highest * (1 + x), np.array([np.cos(direction), np.sin(direction)])
+    values = kept_forces(problem, omega, (omega[:, None] / speeds)[..., None] * way)
     basis_x = np.linalg.inv(np.polynomial.chebyshev.chebvander(x, FREQUENCIES - 1))
     basis_y = np.linalg.inv(np.polynomial.chebyshev.chebvander(y, SPEEDS - 1))
-    coefficients = np.einsum("ap,bq,pqj->abj", basis_x, basis_y, np.array(values))
+    coefficients = np.einsum("ap,bq,pqj->abj", basis_x, basis_y, values)
     return BoundWaveForces(float(direction), highest, (slow, fast), coefficients, depth, g)
 
 
@@ -177,12 +183,17 @@ def record(forces, components, duration, drift=None, met=None):
     T = forces.of_components(components, drift)
     T[np.arange(len(omega)), np.arange(len(omega))] = 0.0
     size, turn, out = np.asarray(components.amplitude), np.exp(1j * np.asarray(components.phase)), np.zeros((count, 6))
-    for j in range(6):
-        value, vector = np.linalg.eigh(size[:, None] * T[:, :, j] * size)
-        kept = np.abs(value) > LEAST * np.abs(value).max(initial=1e-300)
-        rows = turn * vector[:, kept].T
-        if np.any(value):
-            out[:, j] = value[kept] @ (np.abs(sums(rows, omega, t)) ** 2 - 1)
+
+    def put(low, high):
+        for j in range(low, high):
+            value, vector = np.linalg.eigh(size[:, None] * T[:, :, j] * size)
+            kept = np.abs(value) > LEAST * np.abs(value).max(initial=1e-300)
+            rows = turn * vector[:, kept].T
+            if np.any(value):
+                out[:, j] = value[kept] @ (np.abs(sums(rows, omega, t)) ** 2 - 1)
+
+    with blas_threads(1):  # modes side by side; the digits are those of one thread
+        parallel_rows(put, 6, T.size)
     return t, out
 
 

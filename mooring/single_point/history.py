@@ -59,14 +59,14 @@ def line_tensions(point: SinglePoint, buoy, height=None):
 
 def _uniform_rows(system, places, turn):
     """Rows of `System.load` with the buoy at (n, 3) m, all at once; shape (n, lines, …)"""
-    from ..lines.system.assembly import uniform_rows
+    from ..lines.system.assembly import rows_of
 
     arrays, n = system.arrays, len(places)
     points = system.load(Pose(places[:1], turn, NO_POINTS)).points
     moved = points + (arrays.owner >= 0)[:, None] * (places - places[0])[:, None]
     ends = arrays.ends + len(points) * np.arange(n)[:, None, None]
-    rows = uniform_rows(moved.reshape(-1, 3), ends.reshape(-1, 2), np.tile(arrays.flipped, n),
-                        np.tile(arrays.lines, (n, 1)), arrays.bed)  # fmt: skip
+    rows = rows_of(moved.reshape(-1, 3), ends.reshape(-1, 2), np.tile(arrays.flipped, n),
+                   np.tile(arrays.lines, (n, 1)), arrays.bed)  # fmt: skip
     return rows.reshape(n, len(system.lines), -1)
 
 

@@ -45,15 +45,20 @@ def draw(file, output):
 
 
 class Motions(NamedTuple):
-    """Motions of one body: its number, and the prefix of their names"""
+    """Motions of one body: its number, and the prefix of their names
+
+    still : names of the quantities that are constant in all runs; worst : `Worst` of the file
+    """
 
     body: int
     before: str
+    still: frozenset[str]
+    worst: "Worst"
 
     @property
     def named(self):
         """Return (name, factor to its unit, unit) of each"""
-        return tuple((self.before + name, factor, unit) for name, factor, unit in MOTIONS)
+        return _named(self.before)
 
     def of(self, file, kept):
         """Records of rows that are kept; shape (…, n, 6)"""
@@ -62,7 +67,23 @@ class Motions(NamedTuple):
 
 def _motions(file):
     """[Motions] of each body of a file"""
-    return [Motions(i, f"{body} ".lstrip()) for i, body in enumerate(bodies_of(file) or ("",))]
+    still, worst = _still(file), _worst(file)
+    return [Motions(i, before, still, worst) for i, before in enumerate(_prefixes(file))]
+
+
+def _named(before):
+    return tuple((before + name, factor, unit) for name, factor, unit in MOTIONS)
+
+
+def _prefixes(file):
+    """Prefix of the names of motions of each body"""
+    return [f"{body} ".lstrip() for body in bodies_of(file) or ("",)]
+
+
+def _still(file):
+    """Names of the quantities that are constant in all runs"""
+    varies = file["statistics"][()][whole_rows(file)][:, :, STATISTICS.index("sigma")].any(axis=0)
+    return frozenset(file["quantity"].asstr()[()][~varies])
 
 
 def draw_one(file, name, path, body=0):
@@ -111,7 +132,7 @@ def _worst(file):
     found = _largest_of(file, "tension", 1 / KN, "kN") if len(file["line"]) else _largest_of(file, *PRESSED)
     if found is not None:
         return found
-    motions = [one for of_body in _motions(file) for one in of_body.named]
+    motions = [one for before in _prefixes(file) for one in _named(before)]
     at = int(np.argmax(_travel(file, len(motions))))
     return Worst("motion", at, *motions[at])
 
@@ -138,14 +159,14 @@ def _travel(file, count):
 
 def _records(file, kept, path, motions):
     """The minutes around the largest tension, in its run"""
-    worst, time = _worst(file), file["time"][()]
+    worst, time = motions.worst, file["time"][()]
     either = np.abs if worst.kind == "motion" else np.asarray  # the way of a motion does not matter
     row = max(kept, key=lambda i: either(file[worst.kind][i, :, worst.at]).max())
     record = file[worst.kind][row, :, worst.at]
     at = time[int(np.argmax(either(record)))]
     begin = min(max(at - SHOWN / 2, time[0]), max(time[-1] - SHOWN, time[0]))
     part = (time >= begin) & (time <= begin + SHOWN)
-    moving = [j for j, (name, _, _) in enumerate(motions.named) if not _still(file, name)]
+    moving = [j for j, (name, _, _) in enumerate(motions.named) if name not in motions.still]
     fender = _largest_of(file, *PRESSED) if worst.kind == "tension" else None
     count = len(moving) + 2 + (fender is not None)
     figure, axes = _figure(count, 1, (11, 1 + 1.5 * count), sharex=True)
@@ -225,15 +246,9 @@ def spectrum(records, step, widest=np.inf):
     return (part[1 : whole + 1].reshape(-1, count).mean(axis=1) for part in (omega, density))
 
 
-def _still(file, name):
-    """Whether a quantity is constant in all runs"""
-    at = list(file["quantity"].asstr()[()]).index(name)
-    return not file["statistics"][()][whole_rows(file)][:, at, STATISTICS.index("sigma")].any()
-
-
-def _has_spectrum(file, name, records):
+def _has_spectrum(motions, name, records):
     """Whether a quantity varies, with enough frequencies for a meaningful spectrum and maxima"""
-    return not _still(file, name) and max(map(frequencies_in, records.astype(float))) > FEW
+    return name not in motions.still and max(map(frequencies_in, records.astype(float))) > FEW
 
 
 def _reach(waves, step):
@@ -243,7 +258,7 @@ def _reach(waves, step):
 
 
 def _spectra(file, kept, path, motions):
-    step, worst = float(np.diff(file["time"][:2])[0]), _worst(file)
+    step, worst = float(np.diff(file["time"][:2])[0]), motions.worst
     split = float(file.attrs["split_frequency"])
     last = min(max(LAST, _reach(file["wave"][kept], step)), BEYOND * split)
     figure, axes = _figure(2, 4, (15, 7), 0.32)
@@ -252,10 +267,10 @@ def _spectra(file, kept, path, motions):
     columns += [(name, f, unit, own[..., j]) for j, (name, f, unit) in enumerate(motions.named)]
     columns.append((worst.quantity, worst.factor, worst.unit, file[worst.kind][kept, :, worst.at]))
     for one, (name, factor, unit, records) in zip(axes.flat, columns, strict=True):
-        if not _has_spectrum(file, name, records):
+        if not _has_spectrum(motions, name, records):
             one.set(title=name, xticks=[], yticks=[])
-            still = _still(file, name)
-            one.text(0.5, 0.5, "does not vary" if still else "few frequencies:\nno spectrum", ha="center", va="center")
+            why = "does not vary" if name in motions.still else "few frequencies:\nno spectrum"
+            one.text(0.5, 0.5, why, ha="center", va="center")
             continue
         omega, density = spectrum(factor * records.astype(float), step, FINE * split)
         shown = omega < last
@@ -269,7 +284,8 @@ def _spectra(file, kept, path, motions):
 
 def _offsets(file, kept, path, motions):
     """Watch circle, and the tension of the worst line against the offset along its pull"""
-    worst, motion = _worst(file), motions.of(file, kept) * [not _still(file, name) for name, _, _ in motions.named]
+    worst = motions.worst
+    motion = motions.of(file, kept) * [name not in motions.still for name, _, _ in motions.named]
     x, y = motion[..., 0].ravel(), motion[..., 1].ravel()
     step = max(1, len(x) // MOST_POINTS)
     figure, ((plan, curve),) = _figure(1, 2, (13, 6.2))
@@ -325,7 +341,7 @@ def _extremes(file, kept, path, motions):
     least = 1.0
     for j, (name, _, _) in enumerate(motions.named):
         records = motions.of(file, kept)[..., j].astype(float)
-        if _has_spectrum(file, name, records):
+        if _has_spectrum(motions, name, records):
             tops = _maxima(records, local_maxima) / records.std(axis=1).mean()
             if not len(tops):  # pushed to one side by a given force, or too short a run
                 continue
@@ -335,11 +351,11 @@ def _extremes(file, kept, path, motions):
     if left.lines:
         left.semilogy(level, np.exp(-0.5 * level**2), "k--", lw=1, label="Rayleigh")
     left.set(xlabel="maximum from the mean, standard deviations", ylabel="share of maxima above", xlim=(0, 6))
-    worst = _worst(file)
+    worst = motions.worst
     held = {"tension": "line", "deflection": "fender"}.get(worst.kind)
     for i, name in enumerate(file[held].asstr()[()] if held else ()):
         records = file[worst.kind][kept, :, i].astype(float)
-        if not _has_spectrum(file, f"{worst.kind} {name}", records):
+        if not _has_spectrum(motions, f"{worst.kind} {name}", records):
             continue
         tops = worst.factor * _maxima(records, local_maxima, records.mean(axis=1, keepdims=True))
         style = ("-", "--", ":")[(i + i // 10) % 3]  # there are ten colours; of two that pull alike both are seen

@@ -17,6 +17,7 @@ from hakobune.mooring.motion.statistics import over_runs
 
 from ..common.interrupt import ctrl_c
 from ..common.outputs import DATABASE, check_output
+from ..common.picture import loaded_meanwhile
 from ..common.progress import duration as words_of
 from ..common.typed import differing
 from ..executors.choice import Here, in_order_until
@@ -307,7 +308,8 @@ def _fill(file, task, plan, console, executor):
     asked = np.isin(file["seed"][()], plan.seeds)
     rows = [int(row) for row in np.flatnonzero(asked & ~whole)]
     failures, made = [], 0
-    with ctrl_c() as stop:
+    draws = bool(console and rows)  # the command, afterwards
+    with ctrl_c() as stop, loaded_meanwhile(draws):
         progress = _Progress(console, len(rows), plan, stop)
         try:
             for place, result in in_order_until(stop, executor, _calls(executor, task, file, rows, progress)):

@@ -324,6 +324,18 @@ def test_classes_end_half_way_between_their_middles_and_begin_at_0_or_above():
 # ------------------------------------------------------------------ responses
 
 
+def test_polynomials_of_bound_wave_forces_are_sums_of_cosines_however_many_pairs_there_are():
+    rng = np.random.default_rng(5)
+    coefficients = rng.normal(size=(4, 3, 6)) + 1j * rng.normal(size=(4, 3, 6))
+    forces = BoundWaveForces(0.0, 0.4, (6.0, 11.0), coefficients, 20.0, 9.81)
+    x, y = rng.uniform(-1, 1, (2, 2500))
+    a, b = (np.cos(np.outer(np.arange(n), np.arccos(one))) for n, one in ((4, x), (3, y)))
+    exact = np.einsum("an,bn,abj->jn", a, b, coefficients)
+    for n in (0, 1, 1024, 2500):
+        assert forces._polynomials(x[:n], y[:n]) == pytest.approx(exact[:, :n], rel=1e-12, abs=1e-12)
+    assert forces(np.zeros((0, 2)), 0.0).shape == (0, 2, 6) and forces(0.7, 0.6).shape == (6,)
+
+
 def test_the_error_of_bound_wave_forces_is_that_of_their_last_coefficients():
     """Of one force 1 everywhere in 4 by 5 coefficients: two rows of 5 and two columns of 4 of 20"""
     made = BoundWaveForces(0.0, 1.0, (1.0, 2.0), np.zeros((4, 5, 6), complex), 20.0, 9.81)

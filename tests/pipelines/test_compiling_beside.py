@@ -59,14 +59,15 @@ def test_steps_compiled_beside_are_those_that_the_command_takes(monkeypatch):
     """Types of arguments of the kernel of all steps; the shape at rest, which the command finds meanwhile, is left"""
     kinds = []
 
-    def run(*arguments):
+    def follow(*arguments):
         kinds.append(tuple(map(numba.typeof, arguments)))
         return steps(*arguments)
 
-    steps = esdirk.run
-    monkeypatch.setattr(esdirk, "run", run)
+    steps = esdirk.follow
+    monkeypatch.setattr(esdirk, "follow", follow)
     line_dynamics(SCENES / "line_chain_60m.toml", duration=18.0)
     asked = set(kinds)
+    assert asked
     kinds.clear()
     monkeypatch.setattr(settle, "settle", None)
     with pytest.warns(UserWarning):  # of a line that is far from its shape at rest

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...kernels.real_times_complex import complex_times_real, real_times_complex
+from ...algebra.real_times_complex import complex_times_real, real_times_complex
 
 
 class Samples(NamedTuple):

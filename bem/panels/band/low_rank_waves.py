@@ -9,15 +9,15 @@ and of the lid nodes.  Over all frequencies of a band and all symmetry classes, 
 where V holds normal velocities: those of the motions and the columns of Z.  `points`, `sources`, `monopoles` and
 `flux_nodes` are interpolation nodes, chosen among the nodes of the mesh, and X, Y, M, Z frequency-independent
 interpolation matrices.  These matrices are computed from snapshots, the matrices themselves at a few frequencies, rows
-and columns weighted as in the L² norm (`bem.kernels.interpolative_decomposition`).
+and columns weighted as in the L² norm (`bem.algebra.interpolative_decomposition`).
 """
 
 from typing import NamedTuple
 
 import numpy as np
 
+from ...algebra.interpolative_decomposition import SEED, Sketch, interpolative_decomposition, truncated_least_squares
 from ...green.tables import wave_table
-from ...kernels.interpolative_decomposition import SEED, Sketch, interpolative_decomposition, truncated_least_squares
 from ...kernels.progress import WAVES, report_progress
 from ...waves import depth_values, wavenumber
 from ..incident_waves import class_waves

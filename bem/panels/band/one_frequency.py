@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ...algebra.real_times_complex import complex_times_real, real_times_complex
 from ...green.tables import wave_table
-from ...kernels.real_times_complex import complex_times_real, real_times_complex
 from ...kernels.threads import blas_threads
 from ..compressed.one_frequency import CompressedRun
 from ..one_frequency import PanelRun

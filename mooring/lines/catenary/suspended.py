@@ -21,7 +21,7 @@ from .free_piece import ROUNDING, asinh_excess
 
 
 @kernel(inline=True)
-def ellipse_parameter(X, Z, kappa, near=0.0, close=ROUNDING):
+def ellipse_parameter(X, Z, kappa, near, close):
     """t of a suspended line with span X and height Z, both over the length of the line; inf for ends too far apart.
 
     near : a value near it, 0 if unknown; close : last change of ln t, over ln t, that is accepted
@@ -70,7 +70,7 @@ def ellipse_parameter(X, Z, kappa, near=0.0, close=ROUNDING):
 def suspended_shape(x, z, length, weight, flexibility):
     """t, sin ν, cos ν of a line that touches nothing."""
     X, Z, kappa = x / length, z / length, 0.5 * flexibility * weight * length
-    t = ellipse_parameter(X, Z, kappa)
+    t = ellipse_parameter(X, Z, kappa, 0.0, ROUNDING)
     if math.isinf(t):
         return t, 0.0, Z
     cosine = min(max(Z / (1 + kappa * math.sqrt(1 + t * t)), -1.0), 1.0)

@@ -166,25 +166,24 @@ def stopped(line, time, step, shortest, node):
 
 def run_esdirk(case, state):
     """Result of steps chosen by their error; the kernel returns after each piece of history, where Ctrl-C acts."""
-    from .lumped.esdirk import COLUMNS, DONE, TOO_SHORT, run, tableau
+    from .lumped.esdirk import COLUMNS, DONE, TOO_SHORT, follow
     from .lumped.workspace import workspace
 
     control, pictures, end = _control(case, state), _pictures(case, state), state.time + case.duration
     stops = [t for t in case.stops if state.time < t < end] + [end]
     first = state.step if np.isfinite(state.step) else FIRST * control.longest
     state = State(state.time, *(np.array(x) for x in state[1:5]), first)
-    scheme, motion, counts, drawn = tableau(), case.motion.arrays, np.zeros(3, int), 0
+    motion, counts, drawn = case.motion.arrays, np.zeros(3, int), 0
     parts, marks, energy, room = [], [], np.zeros(6), workspace(case.line.system)
     while stops:
         rows, station_rows = np.zeros((ROWS, COLUMNS)), np.zeros((ROWS, pictures.stations.size))
         rows[0, 7:13] = energy
-        why, used, n, time, step, rejected, newton, worst = run(
+        why, used, n, time, step, rejected, newton, worst = follow(
             case.line.system,
             room,
             case.water,
             motion,
             control,
-            scheme,
             state,
             stops[0],
             rows,

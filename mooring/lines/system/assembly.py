@@ -170,6 +170,12 @@ def add_rows(rows, points, owner, column, floats, ends, flipped, place, size):
 
 
 @kernel()
+def rows_of(points, ends, flipped, lines, bed):
+    """`uniform_rows` for Python: compiled once for this and for `assemble`"""
+    return uniform_rows(points, ends, flipped, lines, bed)
+
+
+@kernel()
 def assemble(position, owner, column, floats, ends, flipped, lines, bed, place, turn, free):
     """force (N,), K (N, N) = −∂force, rows (n, ROW) and points (p, 3) of a system; N = 6 bodies + 3 free points.
 

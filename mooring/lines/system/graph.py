@@ -231,10 +231,10 @@ class System:
 
     def _rows(self, points, ends):
         """Rows of all lines, each from its anchored end, and {number: StaticSolution} of those of segments."""
-        from .assembly import uniform_rows
+        from .assembly import rows_of
 
         arrays, solutions = self.arrays, {}
-        rows = uniform_rows(points, ends, arrays.flipped, arrays.lines, arrays.bed)
+        rows = rows_of(points, ends, arrays.flipped, arrays.lines, arrays.bed)
         for one in self.composites:
             A, B = points[ends[one.number][::-1] if one.flipped else ends[one.number]]
             solutions[one.number] = fill_row(rows[one.number], one, A, B)

@@ -16,7 +16,7 @@ import numpy as np
 
 from hakobune.bem.kernels.jit import kernel
 
-from ...lines.dynamics.lumped.esdirk import COLUMNS, DONE, run, tableau
+from ...lines.dynamics.lumped.esdirk import COLUMNS, DONE, SCHEME, run
 from ...lines.dynamics.lumped.system import Control, Motion, State
 from ...lines.dynamics.run import SHORTEST
 from .packed import ROWS
@@ -25,7 +25,6 @@ from .sea import open_sea, sea_ahead
 
 GAUSS = np.polynomial.legendre.leggauss(4)  # exact for a cubic times P₃
 NODES, WEIGHTS = 0.5 * (GAUSS[0] + 1), 0.5 * GAUSS[1]
-SCHEME = tableau()
 ROUNDING = 1e-9  # rounding of the time covered by a table of the sea
 
 

@@ -5,6 +5,7 @@ from decimal import Decimal, localcontext
 import numpy as np
 import pytest
 
+from hakobune.bem.algebra.poles import poles
 from hakobune.bem.database import open_database
 from hakobune.bem.database.between_frequencies import Between, BetweenError
 from hakobune.bem.database.interpolant import (
@@ -21,7 +22,6 @@ from hakobune.bem.database.interpolant import (
     ringing_of,
     windows,
 )
-from hakobune.bem.kernels.poles import poles
 from hakobune.bem.methods.panel_problem import prepare
 from hakobune.bem.waves import wavenumber
 from hakobune.pipelines.scene.scene import make_scene

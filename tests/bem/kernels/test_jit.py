@@ -11,11 +11,12 @@ from pathlib import Path
 
 import forked
 import numba  # loaded once: a second for each process that begins without it
+import numpy as np
 import pytest
 
 from hakobune import bem
 from hakobune.bem.kernels import kept
-from hakobune.bem.kernels.jit import kernel
+from hakobune.bem.kernels.jit import as_python, kernel
 from hakobune.bem.kernels.sources import Sources, imported
 
 ROOT = Path(bem.__file__).parents[1]
@@ -310,3 +311,21 @@ def test_python_collects_no_garbage_while_kernels_compile_and_then_as_before():
 @kernel()
 def adds(x):
     return x + 1.0
+
+
+@kernel()
+def part_of(x, y):
+    return adds(x) / y
+
+
+@COMPILED
+def test_a_kernel_runs_as_python_where_asked_and_compiled_where_python_refuses():
+    fresh = kernel()(part_of.function)
+    with as_python():
+        assert fresh(2.0, 4.0) == 0.75 and fresh._entry is None
+        assert fresh(2.0, 0.0) == np.inf and fresh._entry is not None
+        with pytest.raises(RuntimeError), as_python():
+            raise RuntimeError
+        assert kernel()(part_of.function)(2, 8) == 0.375  # still within the first
+    after = kernel()(part_of.function)
+    assert after(2.0, 4.0) == 0.75 and after._entry is not None

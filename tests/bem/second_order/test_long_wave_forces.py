@@ -1,5 +1,7 @@
 """Forces of long waves that are bound: Haskind's relation, the cylinder on the bed, published difference forces."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from exact import maccamy_fuchs
@@ -8,7 +10,8 @@ from exact.second_order_cylinder import free_surface_force, long_wave_force, qua
 from hakobune.bem import DOFS
 from hakobune.bem.methods.panel_problem import PanelProblem
 from hakobune.bem.second_order.bound_waves import bound_waves
-from hakobune.bem.second_order.long_wave_forces import LongWaveBody
+from hakobune.bem.second_order.long_wave_forces import LongWaveBody, kept_forces
+from hakobune.bem.time_domain import kept_fits
 from hakobune.bem.waves import wavenumber
 from hakobune.meshing.shapes import box, buoy
 
@@ -61,3 +64,14 @@ def test_the_sums_on_the_cylinder_are_whole_with_the_forcing_of_the_surface():
     whole = squares + free_surface_force(RADIUS, DEPTH, one, two)
     assert abs(whole) / (RHO * G * RADIUS) == pytest.approx(2.880, abs=5e-4)
     assert abs(squares) / (RHO * G * RADIUS) == pytest.approx(2.886, abs=5e-4)
+
+
+def test_forces_that_are_kept_are_those_of_the_body_in_its_own_water(tmp_path, monkeypatch):
+    monkeypatch.setattr(kept_fits, "cache_folder", lambda *_: tmp_path)
+    problem = PanelProblem(box(100, 50, 10, panels=40), depth=DEPTH)
+    omega, number = np.array([0.2, 0.35]), np.array([[[0.03, 0.01]], [[0.05, 0.0]]])
+    for asked in (problem, replace(problem, density=1.5 * problem.density), replace(problem, depth=1.2 * DEPTH)):
+        made = [LongWaveBody(asked).forces(*one) for one in zip(omega, number, strict=True)]
+        for _ in range(2):
+            assert np.array_equal(kept_forces(asked, omega, number), made)
+    assert len([*(tmp_path / "fits").iterdir()]) == 3

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from hakobune.bem.time_domain import kept_fits
-from hakobune.bem.time_domain.kept_fits import NoFit, kept_fit
+from hakobune.bem.time_domain.kept_fits import NoFit, kept_array, kept_fit
 from hakobune.bem.time_domain.passive_fit import Passive
 
 ASKED = np.linspace(0.1, 2.0, 7), np.eye(2) * (1 + 0.3j), 1e-3
@@ -68,3 +68,20 @@ def test_a_search_in_vain_is_kept_with_the_error_it_came_to(tmp_path, monkeypatc
             kept_fit(__file__, make, *ASKED)
         assert fault.value.best == 0.0123
     assert len(tried) == 1
+
+
+def test_a_kept_array_is_the_one_that_was_made_and_of_the_same_question(tmp_path, monkeypatch):
+    monkeypatch.setattr(kept_fits, "cache_folder", lambda *_: tmp_path)
+    made = []
+
+    def make():
+        made.append(np.array([0.1 + 0.7j, 1 / 3]) * (1 + len(made)))
+        return made[-1]
+
+    first, again = (kept_array(__file__, make, *ASKED, "xy") for _ in range(2))
+    assert len(made) == 1 and np.array_equal(first, again) and first.dtype == again.dtype
+    other = kept_array(__file__, make, *ASKED, "x")
+    assert len(made) == 2 and not np.array_equal(first, other)
+    for file in (tmp_path / "fits").glob("*.npz"):
+        file.write_bytes(b"PK")
+    assert np.array_equal(kept_array(__file__, make, *ASKED, "x"), made[2]) and len(made) == 3

@@ -1,5 +1,7 @@
 """One line between an anchor and a fairlead: which solver it asks, and the spans of its curve from slack to taut."""
 
+import subprocess
+import sys
 from types import SimpleNamespace
 
 import numpy as np
@@ -7,6 +9,7 @@ import pytest
 
 from hakobune.mooring.lines import one_line
 from hakobune.mooring.lines.catenary import buoyant, solve
+from hakobune.mooring.lines.catenary.solve import LineSolution
 from hakobune.mooring.lines.catenary.state import LineError
 from hakobune.mooring.lines.multi_segment import span as of_spans
 from hakobune.mooring.lines.one_line import NEAR_SHORE, OneLine, _span_over_bed, tension_curve
@@ -87,3 +90,26 @@ def test_the_shore_of_a_curve_is_where_its_bed_reaches_the_fairlead(monkeypatch)
     tension_curve(made(slope=0.1))
     tension_curve(made())
     assert seen == pytest.approx([20 / np.tan(0.1)] * 2 + [np.inf] * 2)
+
+
+@pytest.mark.parametrize("weight, EA, height, span", [
+    (500.0, 1e8, 20.0, 85.0), (500.0, np.inf, 20.0, 97.9), (500.0, 2e5, 20.0, 130.0), (500.0, 1e8, 0.0, 100.02),
+    (-50.0, 1e6, 12.0, 90.0),
+])  # fmt: skip
+def test_a_line_without_the_compiler_is_the_one_with_it(weight, EA, height, span):
+    one, kind = made(weight, EA, height=height), LineSolution._fields
+    asked = span, height, 100.0, weight, EA
+    compiled = (
+        buoyant.solve_buoyant_lines(*asked, one.depth) if one.floats else solve.solve_lines(*asked, one.friction, 0.0)
+    )
+    for name, found, other in zip(kind, one.solve(span), compiled, strict=True):
+        assert found == pytest.approx(other, rel=1e-12), name
+    assert one.span_at(float(compiled.horizontal_fairlead)) == pytest.approx(span, rel=1e-9)
+    assert one.shape(span, 9)[-1] == pytest.approx([span, height], rel=1e-9, abs=1e-9)
+
+
+def test_one_line_needs_no_compiler():
+    script = "import hakobune, sys; hakobune.line(weight=4e3, length=260.0, depth=20.0, tension=4e5, {}); "
+    script += "sys.exit('numba' in sys.modules)"
+    for more in ("", "characteristic=True, slope=-0.02, friction=0.5, stiffness=1e9"):
+        assert not subprocess.run([sys.executable, "-c", script.format(more)], timeout=120).returncode

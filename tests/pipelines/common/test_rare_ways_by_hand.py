@@ -4,6 +4,8 @@ import math
 import os
 import signal
 import sys
+import time
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
@@ -14,7 +16,7 @@ import pytest
 from hakobune.mooring.environment.sea import Components
 from hakobune.mooring.lines.system.parts import Anchor, CompositeLine, Fairlead, FreePoint, LineType, UniformLine
 from hakobune.pipelines import cli, doctor, start
-from hakobune.pipelines.common import interrupt
+from hakobune.pipelines.common import interrupt, picture
 from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.common.weather import seas
 from hakobune.pipelines.design import project_checks as of_project
@@ -690,3 +692,17 @@ def test_a_sweep_keeps_what_it_is_asked_for():
     assert kept(found, ("b",)) == {"b": 2}
     with pytest.raises(StudyError, match="keep: 'c' is not a quantity of the result; allowed: a, b"):
         kept(found, ("c",))
+
+
+def test_what_pictures_need_is_loaded_while_runs_go_on_and_there_when_they_end_or_are_interrupted(monkeypatch):
+    loaded = []
+    monkeypatch.setattr(picture, "import_module", lambda name: time.sleep(0.01) or loaded.append(name))
+    with picture.loaded_meanwhile(False):
+        pass
+    assert not loaded
+    for way in (None, KeyboardInterrupt):
+        with suppress(KeyboardInterrupt), picture.loaded_meanwhile(True):
+            if way:
+                raise way
+        assert loaded == ["matplotlib.figure", "matplotlib.backends.backend_agg"]
+        loaded.clear()

@@ -224,3 +224,12 @@ def run(s, work, water, motion, control, scheme, state, until, rows, frame_times
     store_state(state, q, v, a, slip)
     worst = worst_element(work, last) if why == TOO_SHORT else 0
     return why, used, drawn, t, h, rejected, iterations, worst
+
+
+SCHEME = tableau()
+
+
+@kernel(counted=False)
+def follow(s, work, water, motion, control, state, until, rows, frame_times, frames, stations, station_rows):
+    """`run` for Python: what takes longest to compile is compiled once for lines alone and for lines of bodies"""
+    return run(s, work, water, motion, control, SCHEME, state, until, rows, frame_times, frames, stations, station_rows)

@@ -10,8 +10,8 @@ A Ω, with Ω (m, width) a sparse random sign matrix, which keeps the norm of ev
 
 import numpy as np
 
-from .jit import kernel
-from .threads import parallel_rows
+from ..kernels.jit import kernel
+from ..kernels.threads import parallel_rows
 
 ENTRIES = 4  # non-zero entries in each row of Ω
 SEED = 1_982

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from hakobune.bem.kernels import interpolative_decomposition as interpolation
-from hakobune.bem.kernels.interpolative_decomposition import (
+from hakobune.bem.algebra import interpolative_decomposition as interpolation
+from hakobune.bem.algebra.interpolative_decomposition import (
     Sketch,
     interpolative_decomposition,
     truncated_least_squares,

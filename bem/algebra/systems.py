@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from ..kernels.threads import blas_threads, parallel_rows
 from .real_times_complex import real_times_complex
-from .threads import blas_threads, parallel_rows
 
 # up to which a system runs on one thread of BLAS beside the others: four of 944 unknowns, by two threads of BLAS one
 # after another, took four times as long on a machine whose second core was taken, and as long where it was free

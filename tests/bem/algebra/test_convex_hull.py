@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.spatial import ConvexHull
 
-from hakobune.bem.kernels.convex_hull import convex_hull
+from hakobune.bem.algebra.convex_hull import convex_hull
 
 
 def clouds():

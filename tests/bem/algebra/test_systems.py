@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from hakobune.bem.kernels.systems import WORTH_REFINING, _refined, solved_beside_few, solved_systems
+from hakobune.bem.algebra.systems import WORTH_REFINING, _refined, solved_beside_few, solved_systems
 
 
 def systems(singular):
@@ -34,7 +34,7 @@ def test_only_where_the_real_matrix_is_singular_a_complex_one_of_its_size_is_sol
             _factored.append(len(matrix) if np.iscomplexobj(matrix) else 0)
             return np.linalg.solve(matrix, side)
 
-        monkeypatch.setattr("hakobune.bem.kernels.systems._solved", solve)
+        monkeypatch.setattr("hakobune.bem.algebra.systems._solved", solve)
         solved_beside_few(systems(singular), (4, 4, 4))
         assert factored.count(40) == wanted and factored.count(5) == 3
 
