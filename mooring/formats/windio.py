@@ -5,13 +5,21 @@
     components.floating_platform   joints: location [x, y, z], or [r, θ in degrees, z] where cylindrical; members:
                                    joint1, joint2 and axial_joints, each at a share `grid` of the way
 
-A type that has the word chain and a diameter alone is refused: files have the diameter of the bar there, or that of a
-bar of the same volume, twice as large.  windIO's schema of turbines, version 2.
+A chain by its diameter d alone is the chain that WISDEM makes of it, told in a warning: d is that of the bar, as in the
+turbines of IEA Wind (0.185 and 0.225 m), although windIO's schema of turbines, version 2, asks for that of the same
+volume, 1.8 d.  No bar is thicker than `THICKEST`.
+
+    m = 19.9e3 d² kg/m,    EA = 8.54e10 d² N        studless chain, `wisdem/floatingse/mooring.py`
 """
 
 import math
+import warnings
 
 from .fault import FormatError
+
+CHAIN_MASS, CHAIN_STIFFNESS = 19.9e3, 8.54e10  # kg/m and N over d²
+SAME_VOLUME = 1.8  # diameter of a rod of the same volume, over that of the bar
+THICKEST = 0.25  # m, diameter of a bar; the largest that are made have 0.22
 
 
 def is_windio(data):
@@ -68,9 +76,23 @@ def _point(node, places, path):
 def _type(row, path):
     missing = [key for key in ("mass_density", "stiffness") if key not in row]
     if missing:
-        raise FormatError(
-            f"{path}: line type {row['name']} of windIO has no {' and no '.join(missing)}, and its "
-            f"{row.get('type', 'diameter')} of {row.get('diameter')} m may be the nominal or the volume-equivalent "
-            f"diameter; give both, in kg/m and N"
-        )
+        row = _chain(row, missing, path)
     return {key: value for key, value in row.items() if key != "type"}
+
+
+def _chain(row, missing, path):
+    """A line type with mass and stiffness of a studless chain by the diameter of its bar.  Raises FormatError."""
+    kind, d = str(row.get("type", "diameter")), row.get("diameter")
+    if kind.lower() != "chain" or len(missing) == 1 or not isinstance(d, int | float) or not 0 < d <= THICKEST:
+        raise FormatError(
+            f"{path}: line type {row['name']} of windIO has no {' and no '.join(missing)}, and its {kind} of {d} m "
+            f"is no chain by the diameter of its bar (up to {THICKEST:g} m); give both, in kg/m and N"
+        )
+    made = {"diameter": SAME_VOLUME * d, "mass_density": CHAIN_MASS * d**2, "stiffness": CHAIN_STIFFNESS * d**2}
+    warnings.warn(
+        f"{path}: line type {row['name']} is taken as studless chain with a bar of {d:g} m, as WISDEM takes it: "
+        f"{made['mass_density']:.4g} kg/m, EA {made['stiffness']:.4g} N; if {d:g} m is the diameter of the same "
+        f"volume, the chain is {SAME_VOLUME**2:.2f} times lighter: give mass_density and stiffness",
+        stacklevel=4,
+    )
+    return row | made

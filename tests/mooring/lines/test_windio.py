@@ -1,4 +1,4 @@
-"""The mooring of windIO: joints in cylindrical coordinates and along members; a chain by its diameter alone is none."""
+"""The mooring of windIO: joints in cylindrical coordinates and along members; a chain by the diameter of its bar."""
 
 import copy
 import math
@@ -60,6 +60,28 @@ def test_what_windio_leaves_open_is_named(change, said):
     turbine = copy.deepcopy(TURBINE)
     change(turbine["components"]["mooring"])
     with pytest.raises(FormatError, match=said):
+        system_of_moorpy(turbine, "t.yaml")
+
+
+def test_a_chain_by_its_bar_weighs_what_steel_of_its_volume_does():
+    """IEA's 22 MW turbine: bar of 0.225 m, 1007.4 kg/m and 4.3234e9 N in its own MoorDyn file; steel of 7 850 kg/m³ in
+    sea water weighs 1 − 1025/7850 of that"""
+    turbine = copy.deepcopy(TURBINE)
+    turbine["components"]["mooring"]["line_types"] = [{"name": "main", "type": "chain", "diameter": 0.225}]
+    with pytest.warns(UserWarning, match="bar of 0.225 m, as WISDEM takes it: 1007 kg/m, .* is 3.24 times lighter"):
+        (line,) = system_of_moorpy(turbine, "t.yaml").lines
+    assert line.type.mass == pytest.approx(1007.4375) and line.type.axial_stiffness == pytest.approx(4.3234e9, rel=1e-4)
+    assert line.type.weight == pytest.approx(1007.4375 * 9.80665 * (1 - 1025 / 7850), rel=2e-3)
+
+
+@pytest.mark.parametrize("row", [
+    {"type": "chain", "diameter": 0.333}, {"type": "polyester", "diameter": 0.2}, {"type": "chain", "diameter": "thick"},
+    {"type": "chain", "diameter": 0.2, "stiffness": 1e9}, {"type": "chain", "diameter": 0.0},
+])  # fmt: skip
+def test_what_is_no_bar_of_a_chain_is_refused(row):
+    turbine = copy.deepcopy(TURBINE)
+    turbine["components"]["mooring"]["line_types"] = [{"name": "main", **row}]
+    with pytest.raises(FormatError, match="no mass_density.* is no chain by the diameter of its bar"):
         system_of_moorpy(turbine, "t.yaml")
 
 
