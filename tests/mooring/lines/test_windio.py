@@ -75,13 +75,13 @@ def test_a_chain_by_its_bar_weighs_what_steel_of_its_volume_does():
 
 
 @pytest.mark.parametrize("row", [
-    {"type": "chain", "diameter": 0.333}, {"type": "polyester", "diameter": 0.2}, {"type": "chain", "diameter": "thick"},
+    {"type": "chain", "diameter": 0.333}, {"type": "polyester", "diameter": 0.2}, {"type": "chain", "diameter": "?"},
     {"type": "chain", "diameter": 0.2, "stiffness": 1e9}, {"type": "chain", "diameter": 0.0},
 ])  # fmt: skip
 def test_what_is_no_bar_of_a_chain_is_refused(row):
     turbine = copy.deepcopy(TURBINE)
     turbine["components"]["mooring"]["line_types"] = [{"name": "main", **row}]
-    with pytest.raises(FormatError, match="no mass_density.* is no chain by the diameter of its bar"):
+    with pytest.raises(FormatError, match=r"no mass_density.* is no chain by the diameter of its bar"):
         system_of_moorpy(turbine, "t.yaml")
 
 
