@@ -88,7 +88,7 @@ def read_mesh(path):
         raise ValueError(
             f"{path}: all its panels lie in the water surface and face up: it is a lid or a deck, not a hull"
         )
-    return replace(_on_positive_side(hull).merged(SAME_POINT), name=path.stem)
+    return replace(wetted(_on_positive_side(hull).merged(SAME_POINT)), name=path.stem)  # merging closes up slivers
 
 
 def write_mesh(mesh, path, lid=None, fields=None):
