@@ -12,13 +12,13 @@ from functools import cached_property
 import numpy as np
 
 from ..hydrostatics import waterplane_area
+from ..panels import NO_AREA
 from .overlap import connected, overlaps
 from .seams import rings
 
 WELD = 1e-6  # points closer than this share of the hull's size are one point
 AT_SURFACE = 1e-6  # distance from z = 0 below which a point lies in the surface, as a share of the draft
 DRAWN = 4e-3  # distance within which a point belongs to the surface or a mirror plane, as a share of its edge
-NO_AREA = 1e-9  # area over the square of the longest edge, below which a panel has no area
 LONGEST_ASPECT = 100.0
 LARGEST_WARP = 0.1  # distance of a corner from the panel's mean plane, of the longest edge
 PANELS_PER_WAVE = 3  # panels of two by two nodes along a wave: six nodes a wave
