@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 
 from . import node_lists, text_formats
-from .panels import PanelMesh, joined
+from .panels import NO_AREA, PanelMesh, joined
 from .text_files import check_size
 from .whole_files import made_beside
 
@@ -46,7 +46,6 @@ COUNTS = re.compile(  # counts from which readers allocate arrays, whatever the 
 )
 PACKED = 1000.0  # values for a byte, at most, of a compressed file
 SAME_POINT = 1e-6  # points closer than this share of the mesh size are one point
-NO_AREA = 1e-9  # area over the square of the longest edge, below which a panel has no area
 DRAWN = 4e-3  # distance from the surface or a mirror plane of points that are moved into it, as a share of its edge
 
 
@@ -88,7 +87,7 @@ def read_mesh(path):
         raise ValueError(
             f"{path}: all its panels lie in the water surface and face up: it is a lid or a deck, not a hull"
         )
-    return replace(_on_positive_side(hull).merged(SAME_POINT), name=path.stem)
+    return replace(wetted(_on_positive_side(hull).merged(SAME_POINT)), name=path.stem)  # merging closes up slivers
 
 
 def write_mesh(mesh, path, lid=None, fields=None):

@@ -13,6 +13,7 @@ import numpy as np
 SYMMETRIES = ("", "x", "y", "xy")
 SAME_PLACE = 1e-5  # points closer than this share of the largest radius are one point: files round coordinates
 AT_FOOT = 1e-6  # distance below which a point lies at the foot of a hull or on the bed, as a share of the draft
+NO_AREA = 1e-9  # area over the square of the longest edge, below which a panel has no area
 SAME_SIDE = 1e-9  # points closer to a plane than this share of the hull's size lie in the plane
 ROUND = 12  # least number of turns about the vertical that map a mesh to itself for a body of revolution
 
@@ -266,7 +267,8 @@ class PanelMesh:
             ring = _below(points, panel, cut)
             corners += [np.array([ring[0], *ring[i : i + 3]])[[0, 1, 2, -1]] for i in range(1, len(ring) - 1, 2)]
         made = PanelMesh(np.concatenate([points, np.reshape(cut, (-1, 3))]), corners, self.symmetry).merged()
-        used, corners = np.unique(made.corners, return_inverse=True)
+        kept = made.areas > NO_AREA * made.sizes**2  # a cut close to a corner leaves a sliver
+        used, corners = np.unique(made.corners[kept], return_inverse=True)
         return replace(self, points=made.points[used], corners=corners.reshape(-1, 4))
 
     def flipped(self):

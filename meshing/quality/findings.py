@@ -12,13 +12,13 @@ from functools import cached_property
 import numpy as np
 
 from ..hydrostatics import waterplane_area
+from ..panels import NO_AREA
 from .overlap import connected, overlaps
 from .seams import rings
 
 WELD = 1e-6  # points closer than this share of the hull's size are one point
 AT_SURFACE = 1e-6  # distance from z = 0 below which a point lies in the surface, as a share of the draft
 DRAWN = 4e-3  # distance within which a point belongs to the surface or a mirror plane, as a share of its edge
-NO_AREA = 1e-9  # area over the square of the longest edge, below which a panel has no area
 LONGEST_ASPECT = 100.0
 LARGEST_WARP = 0.1  # distance of a corner from the panel's mean plane, of the longest edge
 PANELS_PER_WAVE = 3  # panels of two by two nodes along a wave: six nodes a wave
@@ -53,13 +53,14 @@ def findings(mesh, depth=math.inf, shortest_wave=None, lid=None):
         return unreadable
     welded = mesh.merged(WELD)
     edges = _Edges(welded, depth)
+    crossing = overlaps(mesh.whole().merged(WELD), depth)
     found = [
         *_position(mesh),
         *_shapes(mesh),
         *_duplicates(welded),
         *_holes(edges, float(mesh.areas.sum())),
-        *_orientation(welded, edges),
-        *_overlaps(mesh, depth),
+        *_orientation(welded, edges, crossing),
+        *_overlaps(crossing),
         *_clearance(mesh, depth, edges),
         *_resolution(mesh, shortest_wave),
         *lid_findings(mesh, lid),
@@ -269,7 +270,7 @@ def _holes(edges, area):
         )
 
 
-def _orientation(mesh, edges):
+def _orientation(mesh, edges, crossing):
     mixed = (edges.uses == 2) & (edges.balance != 0)
     if mixed.any():
         yield Finding(
@@ -282,6 +283,10 @@ def _orientation(mesh, edges):
     standing = np.zeros(len(volume), bool)
     standing[part[edges.panel[edges.at_bed[edges.number]]]] = True  # the sign of its volume may be that of a moonpool
     inward = (volume < 0) & ~standing & closed
+    for inside, of, place in crossing:
+        if inside == of:  # a cavity, whose normals point into it, out of the body
+            place = np.where([axis in mesh.symmetry for axis in "xyz"], np.abs(place), place)
+            inward[part[np.argmin(np.linalg.norm(mesh.centroids - place, axis=1))]] = False
     if standing.any() and volume[standing].sum() < 0:
         inward |= standing
     if inward.any():
@@ -309,12 +314,15 @@ def _parts(mesh, edges):
     return part, mesh.copies * np.bincount(part, share), closed
 
 
-def _overlaps(mesh, depth):
-    for inside, of, place in overlaps(mesh.whole().merged(WELD), depth):
+def _overlaps(crossing):
+    for inside, of, place in crossing:
+        way = "join them into one hull, or move them apart"
+        if inside == of:
+            way += ", or remove the inner one, which no water reaches"
         yield Finding(
             "error",
             f"two parts of the hull overlap: {inside} of {of} checked panels of one are inside the other, the "
-            f"first at {_where(place)}; join them into one hull, or move them apart",
+            f"first at {_where(place)}; {way}",
         )
 
 

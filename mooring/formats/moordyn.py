@@ -8,6 +8,7 @@ it, or reports why not. MoorDyn 2.7 documentation, "Inputs" (moordyn.readthedocs
 
 from __future__ import annotations
 
+import difflib
 import re
 import typing
 from dataclasses import dataclass, field
@@ -63,6 +64,7 @@ class MoorDynFile:
 
 LARGEST = 8  # MB
 NOTE = re.compile("[#!]")
+LAST = "END", "NEED THIS LINE"  # of the heading that ends a file
 COUNT = re.compile(r"\s*\d+\s+N[A-Z][A-Za-z]+\b")  # version 1.01 gives the number of rows first: "2 NTypes"
 IDLE = ("fx", "fy", "fz", "ctrlchan", "calcchans", "control")  # forces on points and winch channels: only 0 is accepted
 
@@ -79,7 +81,7 @@ def parse_moordyn(text, path="MoorDyn file") -> MoorDynFile:
     lines = text.splitlines()
     for number, line in enumerate(lines, 1):
         if line.lstrip().startswith("---"):
-            if key is None and "FILE" in line.upper():
+            if key is None and _is_title(line):
                 title.append(line.rstrip())
                 continue
             key = _section_of(line, number, path)
@@ -109,12 +111,34 @@ def parse_moordyn(text, path="MoorDyn file") -> MoorDynFile:
     return checked
 
 
-def _section_of(line, number, path):
-    words = " ".join(line.replace("-", " ").upper().split())
+def _is_title(line):
+    """Whether a line of dashes before the first section is free text: no heading, nor nearly one"""
+    words = _words(line)
+    if "FILE" in words or not words:
+        return True
+    near = difflib.get_close_matches(
+        words, [word for section in SECTIONS.values() for word in section.words], cutoff=0.6
+    )
+    return not near and _known(words) is None and not words.startswith(LAST)
+
+
+def _words(line):
+    return " ".join(line.replace("-", " ").upper().split())
+
+
+def _known(words):
+    """Key of the section of a heading, None without one"""
     for key, section in SECTIONS.items():
         if any(words.startswith(word) or f" {word}" in f" {words}" for word in section.words):
             return key
-    if words.startswith(("END", "NEED THIS LINE")) or not words:
+    return None
+
+
+def _section_of(line, number, path):
+    words = _words(line)
+    if (key := _known(words)) is not None:
+        return key
+    if words.startswith(LAST) or not words:
         return "end"
     known = ", ".join(section.title for section in SECTIONS.values())
     raise fault(path, number, words, f"is not a section; allowed: {known}, END")

@@ -2,16 +2,28 @@
 
     components.mooring             nodes: fixed, vessel or connection, by location or joint; lines: node1, node2,
                                    unstretched_length, line_type; line_types
-    components.floating_platform   joints: location [x, y, z], or [r, θ in degrees, z] where cylindrical; members:
-                                   joint1, joint2 and axial_joints, each at a share `grid` of the way
+    components.floating_platform   joints: location [x, y, z], or [r, θ, z] where cylindrical; members: joint1, joint2,
+                                   axial_joints, each at a share `grid` of the way
 
-A type that has the word chain and a diameter alone is refused: files have the diameter of the bar there, or that of a
-bar of the same volume, twice as large.  windIO's schema of turbines, version 2.
+Version 2 has θ in degrees, version 1 has it in radians, and files of version 1 are called version 2: the angles are
+radians where none of them is above 2π.
+
+A chain by its diameter d alone is the chain that WISDEM makes of it, told in a warning: d is that of the bar, as in the
+turbines of IEA Wind (0.185 and 0.225 m), although windIO's schema of turbines, version 2, asks for that of the same
+volume, 1.8 d.  No bar is thicker than `THICKEST`.
+
+    m = 19.9e3 d² kg/m,    EA = 8.54e10 d² N        studless chain, `wisdem/floatingse/mooring.py`
 """
 
 import math
+import warnings
 
 from .fault import FormatError
+
+CHAIN_MASS, CHAIN_STIFFNESS = 19.9e3, 8.54e10  # kg/m and N over d²
+SAME_VOLUME = 1.8  # diameter of a rod of the same volume, over that of the bar
+TURN = 2 * math.pi + 1e-6  # rad, largest angle of joints in radians
+THICKEST = 0.25  # m, diameter of a bar; the largest that are made have 0.22
 
 
 def is_windio(data):
@@ -44,11 +56,13 @@ def raft_of_windio(data, path):
 
 def _joints(platform):
     """{name: [x, y, z]} m of joints, and of those along members"""
-    places = {}
-    for joint in platform.get("joints", ()):
-        a, b, z = map(float, joint["location"])
-        turned = [a * math.cos(math.radians(b)), a * math.sin(math.radians(b)), z]
-        places[joint["name"]] = turned if joint.get("cylindrical") else [a, b, z]
+    places = {joint["name"]: [float(value) for value in joint["location"]] for joint in platform.get("joints", ())}
+    round_ = [joint["name"] for joint in platform.get("joints", ()) if joint.get("cylindrical")]
+    radians = max((abs(places[name][1]) for name in round_), default=0.0) <= TURN
+    for name in round_:
+        r, angle, z = places[name]
+        angle = angle if radians else math.radians(angle)
+        places[name] = [r * math.cos(angle), r * math.sin(angle), z]
     for member in platform.get("members", ()):
         for joint in member.get("axial_joints", ()):
             start, end, share = places[member["joint1"]], places[member["joint2"]], float(joint["grid"])
@@ -68,9 +82,23 @@ def _point(node, places, path):
 def _type(row, path):
     missing = [key for key in ("mass_density", "stiffness") if key not in row]
     if missing:
-        raise FormatError(
-            f"{path}: line type {row['name']} of windIO has no {' and no '.join(missing)}, and its "
-            f"{row.get('type', 'diameter')} of {row.get('diameter')} m may be the nominal or the volume-equivalent "
-            f"diameter; give both, in kg/m and N"
-        )
+        row = _chain(row, missing, path)
     return {key: value for key, value in row.items() if key != "type"}
+
+
+def _chain(row, missing, path):
+    """A line type with mass and stiffness of a studless chain by the diameter of its bar.  Raises FormatError."""
+    kind, d = str(row.get("type", "diameter")), row.get("diameter")
+    if kind.lower() != "chain" or len(missing) == 1 or not isinstance(d, int | float) or not 0 < d <= THICKEST:
+        raise FormatError(
+            f"{path}: line type {row['name']} of windIO has no {' and no '.join(missing)}, and its {kind} of {d} m "
+            f"is no chain by the diameter of its bar (up to {THICKEST:g} m); give both, in kg/m and N"
+        )
+    made = {"diameter": SAME_VOLUME * d, "mass_density": CHAIN_MASS * d**2, "stiffness": CHAIN_STIFFNESS * d**2}
+    warnings.warn(
+        f"{path}: line type {row['name']} is taken as studless chain with a bar of {d:g} m, as WISDEM takes it: "
+        f"{made['mass_density']:.4g} kg/m, EA {made['stiffness']:.4g} N; if {d:g} m is the diameter of the same "
+        f"volume, the chain is {SAME_VOLUME**2:.2f} times lighter: give mass_density and stiffness",
+        stacklevel=4,
+    )
+    return row | made

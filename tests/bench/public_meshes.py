@@ -2,9 +2,10 @@
 
     python tests/bench/public_meshes.py FOLDER
 
-A hull drawn whole is cut at the surface; one that is told to be a half is mirrored, and a wall that is told to end on a
-bed is given one.  Right is one without an error among its findings, whose volumes by x, y and z agree within 2 % and
-whose lid has the area of its waterplane within 5 %; the rest is refused, with the reason.
+A hull drawn whole is cut at the surface; one that is told to be a half is mirrored, a wall that is told to end on a
+bed is given one, and one above z = 0 is moved down by half of its height, since the message asks for its draft.  Right
+is one without an error among its findings, whose volumes by x, y and z agree within 2 % and whose lid has the area of
+its waterplane within 5 %; the rest is refused, with the reason.
 """
 
 from __future__ import annotations
@@ -43,14 +44,17 @@ def of_meshes(folder):
 def judged(path):
     """("right", "refused" or "wrong", why) of a file of panels"""
     try:
-        mesh = read_mesh(path)
+        mesh, done = read_mesh(path), ""
+        if mesh.points[:, 2].min() >= 0 and np.ptp(mesh.points[:, 2]) > 0:
+            bottom, top = mesh.points[:, 2].min(), mesh.points[:, 2].max()
+            mesh, done = mesh.moved(0, 0, -0.5 * (bottom + top)), ", --move as told"
         if mesh.points[:, 2].max() > 0:
             mesh = mesh.clipped()
     except ValueError as error:
         return "refused", str(error).replace(str(path), path.name)
     if mesh.total > LARGEST:
-        return "right", f"{mesh.total} panels, only read"
-    mesh, depth, done = folded(mesh), np.inf, ""
+        return "right", f"{mesh.total} panels, only read{done}"
+    mesh, depth = folded(mesh), np.inf
     while errors := [one.text for one in findings(mesh, depth) if one.severity == "error"]:
         half, foot = HALF.search(errors[0]), FOOT.search(errors[0])
         if half and half[1] not in mesh.symmetry:

@@ -551,3 +551,21 @@ def test_a_packed_file_holds_a_thousand_values_a_byte_and_no_more(tmp_path):
     path.write_text('<Piece NumberOfPoints="100001">'.ljust(100))
     with pytest.raises(ValueError, match="it announces 100001 points"):
         _check_counts(path)
+
+
+def test_slivers_that_merging_closes_up_are_no_panels(tmp_path):
+    """A cube of 1 m whose corner C was drawn twice, 5e-7 m apart, with two slivers between: 10 triangles are left"""
+    A, B, C, D, near = (0, 0, -1), (1, 0, -1), (1, 1, -1), (0, 1, -1), (1, 1 - 5e-7, -1)
+    a, b, c, d = ((x, y, 0) for x, y, _ in (A, B, C, D))
+    drawn = [(A, D, C), (A, C, near), (A, near, B), (B, near, b), (near, C, c), (near, c, b), (A, B, b), (A, b, a),
+             (C, D, d), (C, d, c), (D, A, a), (D, a, d)]  # fmt: skip
+    facets = "".join(
+        "facet normal 0 0 0\nouter loop\n"
+        + "".join(f"vertex {x} {y} {z}\n" for x, y, z in three)
+        + "endloop\nendfacet\n"
+        for three in drawn
+    )
+    (tmp_path / "cube.stl").write_text(f"solid cube\n{facets}endsolid\n")
+    mesh = read_mesh(tmp_path / "cube.stl")
+    assert mesh.total == 10 and mesh.volume == pytest.approx(1.0, rel=1e-6)
+    assert [one.text for one in findings(mesh) if one.severity == "error"] == []

@@ -32,6 +32,18 @@ def test_a_hull_within_another_is_found_from_the_inner_one():
     assert inside == of
 
 
+@pytest.mark.parametrize("symmetry", ["", "xy"])
+def test_a_cavity_has_its_normals_right_and_is_to_be_removed(symmetry):
+    """An air space in the hull whose normals point into it, out of the steel; --flip would turn the hull inside out"""
+    hull, space = box(40, 10, 5, panels=120, symmetry="xy"), box(10, 5, 2, panels=40, symmetry="xy").flipped()
+    if not symmetry:
+        hull, space = hull.whole(), space.whole()
+    errors = [found.text for found in findings(joined([hull, space])) if found.severity == "error"]
+    assert len(errors) == 1 and "or remove the inner one, which no water reaches" in errors[0]
+    outward = [found.text for found in findings(joined([hull, space.flipped()])) if found.severity == "error"]
+    assert len(outward) == 1 and "overlap" in outward[0]
+
+
 def test_a_mirrored_half_is_no_second_hull():
     assert said(box(40, 10, 5, panels=120)) == [] and said(box(40, 10, 5, panels=120).moved()) == []
 

@@ -182,3 +182,12 @@ def test_numbers_of_bodies_may_be_a_list_one_for_each_panel():
     assert mesh.body.tolist() == [0, 1] and mesh.body.dtype == np.int64
     with pytest.raises(ValueError, match=r"body has shape \(3,\); allowed: \(2,\), one for each panel"):
         PanelMesh(np.eye(4, 3), corners, body=[0, 1, 1])
+
+
+def test_a_cut_close_to_an_edge_leaves_no_sliver():
+    """Of a triangle with an edge of 2 m at 1.1e-9 m depth a strip of 2.2e-9 m² is wet, below 1e-9 edge²"""
+    sliver = one((-1, 0, -1.1e-9), (1, 0, -1.1e-9), (0, 0, 1))
+    wall = one((-1, 1, -1), (1, 1, -1), (1, 1, 0), (-1, 1, 0))
+    assert joined([sliver, wall]).clipped().areas == pytest.approx([2.0])
+    strip = one((-1, 0, -1e-6), (1, 0, -1e-6), (0, 0, 1))
+    assert joined([strip, wall]).clipped().areas.sum() == pytest.approx(2.0 + 2e-6, abs=1e-9)

@@ -1,6 +1,6 @@
 """Checks of the numbers of a set against each other, without its hull.
 
-    Z = Zᵀ,  B ≥ 0                                                                     reciprocity, energy
+    Z = Zᵀ,  B ≥ 0,  ω²A₃₃ ≪ C₃₃ in long waves                             reciprocity, energy, waterplane
     B_ii = k/(8π ρ g C_g) ∫₀²π |X_i(β)|² dβ                                            Haskind and Newman
     X₃ → C₃₃ − ω²(A₃₃ + ρV),   X₁ → −i k g (A₁₁ + ρV) cosβ / tanh kh · tanh kh         of a wave longer than the body
     A(ω) − A(∞) = (2/π) ⨍ B(s)/(s² − ω²) ds                                            causality
@@ -33,6 +33,7 @@ NOISE = 0.02  # negative damping up to this fraction of ω A is tolerated
 OFTEN = 0.1  # fraction of frequencies that violate a law; fewer count as irregular frequencies
 SCATTERS = 0.5  # relative spread of a ratio between its 10 % and 90 % quantiles
 FAINT = 1e-3  # damping below this fraction of the largest is rounding
+DECKED = 0.4  # least −ω²A₃₃/C₃₃ in long waves of a hull that panels close at the surface; else near 0
 CANCELS = 0.1  # moment, over force times body length, below which it is a small difference of large terms
 EVEN = 1e-3  # terms below this fraction of the largest diagonal vanish by symmetry
 SURGE, SWAY, HEAVE = 0, 1, 2
@@ -176,7 +177,7 @@ def _haskind(values):
     found = haskind_ratios(values)
     if found is None:
         return None
-    off = [i for i, mode in found.items() if not _agrees(*mode)]
+    off = [i for i, mode in found.items() if not (_agrees(*mode) or (i == HEAVE and _deck(values)))]
     if not off:
         return []
     i, (ratio, omega) = off[0], found[off[0]]
@@ -225,6 +226,21 @@ def _of_depth(values):
     return f"they agree in {where}, not in {values.water_depth:g} m (--depth)"
 
 
+def _deck(values):
+    """A line where panels in the surface heave with the hull and lift water, A₃₃ → −C₃₃/ω² if they cover the
+    waterplane; else None
+    """
+    C = values.get("hydrostatic_stiffness")
+    long = _waves(values)[1] < LONG
+    if C is None or not C[2, 2] > 0 or long.sum() < FEW:
+        return None
+    share = float(np.median(-(values.omega**2 * values.get("added_mass")[:, HEAVE, HEAVE])[long])) / C[2, 2]
+    if share < DECKED:
+        return None
+    return [f"A_33 of long waves is {-share:.2g} C_33/ω²: the mesh has a deck or a lid in the surface whose panels "
+            "heave with the hull and lift water; solve it without these"]  # fmt: skip
+
+
 def _of_channel(values, found):
     """States the width w of a channel whose walls keep the waves in, B = 2/kw of surge and 1/kw of heave; else ""
 
@@ -268,8 +284,8 @@ def _why(ratio, slope, ratios):
 
 def _long_waves(values):
     X, C = values.get("excitation_force"), values.get("hydrostatic_stiffness")
-    if X is None or not X[:, :, HEAVE].any() or values.others:  # next to other bodies the flow is different
-        return None
+    if X is None or not X[:, :, HEAVE].any() or values.others or _deck(values):
+        return None  # next to other bodies the flow is different
     _, kL = _waves(values)
     n = int(np.argmin(kL))
     if kL[n] > LONG:
@@ -386,6 +402,7 @@ def _follows(w, a, b):
 LAWS = {
     "reciprocity": _reciprocity,
     "energy": _energy,
+    "waterplane": _deck,
     "damping and excitation": _haskind,
     "long waves": _long_waves,
     "causality": _causality,

@@ -99,6 +99,26 @@ def test_the_walls_of_a_channel_are_told_by_the_damping_of_surge_and_heave():
     )
 
 
+def test_a_deck_in_the_surface_is_told_by_the_water_that_it_lifts():
+    """Heave of a deck that covers a share of the waterplane lifts as much water: A₃₃ → A₃₃ − share C₃₃/ω²"""
+    omega, nine = body().omega, np.diag([1, 1, 9, 1, 1, 1])
+
+    def lifted(share):
+        more = np.zeros((len(omega), 6, 6))
+        more[:, 2, 2] = -share * C33 / omega**2
+        return changed(body(), added_mass=lambda A: A + more, radiation_damping=lambda B: B * nine)
+
+    assert doubts(lifted(0.95))[0] == [
+        "waterplane: A_33 of long waves is -0.91 C_33/ω²: the mesh has a deck or a lid in the surface whose panels "
+        "heave with the hull and lift water; solve it without these"
+    ]
+    assert "a deck or a lid in the surface" in said(replace(lifted(0.5), others=2))
+    assert "deck" not in said(lifted(0.3)) and "B_33 is 9 times" in said(lifted(0.3))
+    assert "deck" not in said(replace(lifted(0.95), body={}))
+    steep = changed(lifted(0.95), radiation_damping=lambda B: B * np.diag([9, 1, 1, 1, 1, 1]))
+    assert "B_11 is 9 times" in said(steep) and "deck" in said(steep)
+
+
 def test_beside_other_bodies_one_mode_tells_no_channel_and_two_do():
     """Waves that another body reflects give surge and heave no common width"""
     k = wavenumber(body().omega, DEPTH, G)

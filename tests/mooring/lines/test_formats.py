@@ -543,3 +543,18 @@ def test_a_column_of_control_channels_is_read_where_it_is_nought():
         ValueError, match="2 is a force on a point or a winch channel, which is not supported; allowed: 0"
     ):
         parse_moordyn(with_channels.replace("      p  0\n", "      p  2\n"))
+
+
+@pytest.mark.parametrize(
+    "first", ["--- MoorDyn ---", "-----------------------", "---------- Mooring of a buoy, October -----"]
+)
+def test_dashes_before_the_first_section_are_free_text(first):
+    """MoorDyn: the lines before a heading are for notes"""
+    file = parse_moordyn(VERSION_2.replace(VERSION_2.splitlines()[0], first))
+    assert file.title[0] == first and replace(file, title=()) == replace(parse_moordyn(VERSION_2), title=())
+
+
+@pytest.mark.parametrize("first", ["LINE TIPES", "OPTION", "POINT", "BODY"])
+def test_a_first_heading_that_is_nearly_one_is_refused(first):
+    with pytest.raises(FormatError, match=f"line 1, section {first}: is not a section"):
+        parse_moordyn(VERSION_2.replace(VERSION_2.splitlines()[0], f"--- {first} ---"))

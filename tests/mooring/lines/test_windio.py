@@ -1,4 +1,4 @@
-"""The mooring of windIO: joints in cylindrical coordinates and along members; a chain by its diameter alone is none."""
+"""The mooring of windIO: joints in cylindrical coordinates and along members; a chain by the diameter of its bar."""
 
 import copy
 import math
@@ -60,6 +60,54 @@ def test_what_windio_leaves_open_is_named(change, said):
     turbine = copy.deepcopy(TURBINE)
     change(turbine["components"]["mooring"])
     with pytest.raises(FormatError, match=said):
+        system_of_moorpy(turbine, "t.yaml")
+
+
+@pytest.mark.parametrize(("angles", "turned"), [
+    ((math.pi, math.pi / 3, -math.pi / 3), (180.0, 60.0, -60.0)), ((180.0, 60.0, -60.0), (180.0, 60.0, -60.0)),
+    ((0.0, 2 * math.pi / 3, 4 * math.pi / 3), (0.0, 120.0, 240.0)), ((0.0, 0.0, 6.3), (0.0, 0.0, 6.3)),
+])  # fmt: skip
+@pytest.mark.parametrize("version", [2.0, None])
+def test_angles_that_never_pass_a_turn_are_radians(angles, turned, version):
+    """Files of version 1, and such files that are called version 2, have radians; 6.3 is above 2π"""
+    turbine = copy.deepcopy(TURBINE)
+    turbine["windIO_version"] = version
+    parts = turbine["components"]
+    parts["floating_platform"] = {
+        "joints": [{"name": f"j{i}", "location": [30.0, angle, -20.0], "cylindrical": True}
+                   for i, angle in enumerate(angles)] + [{"name": "far", "location": [-700.0, 40.0, -150.0]}]
+    }  # fmt: skip
+    nodes = parts["mooring"]["nodes"]
+    nodes[1:] = [{"name": f"n{i}", "node_type": "vessel", "joint": f"j{i}"} for i in range(3)]
+    parts["mooring"]["lines"] = [
+        {"name": f"l{i}", "line_type": "main", "unstretched_length": 760.0, "node1": "a", "node2": f"n{i}"}
+        for i in range(3)
+    ]
+    points = system_of_moorpy(turbine).points[1:]
+    for point, angle in zip(points, turned, strict=True):
+        across = 30 * math.cos(math.radians(angle)), 30 * math.sin(math.radians(angle))
+        assert point.position == pytest.approx((*across, -20.0), abs=1e-9)
+
+
+def test_a_chain_by_its_bar_weighs_what_steel_of_its_volume_does():
+    """IEA's 22 MW turbine: bar of 0.225 m, 1007.4 kg/m and 4.3234e9 N in its own MoorDyn file; steel of 7 850 kg/m³ in
+    sea water weighs 1 − 1025/7850 of that"""
+    turbine = copy.deepcopy(TURBINE)
+    turbine["components"]["mooring"]["line_types"] = [{"name": "main", "type": "chain", "diameter": 0.225}]
+    with pytest.warns(UserWarning, match="bar of 0.225 m, as WISDEM takes it: 1007 kg/m, .* is 3.24 times lighter"):
+        (line,) = system_of_moorpy(turbine, "t.yaml").lines
+    assert line.type.mass == pytest.approx(1007.4375) and line.type.axial_stiffness == pytest.approx(4.3234e9, rel=1e-4)
+    assert line.type.weight == pytest.approx(1007.4375 * 9.80665 * (1 - 1025 / 7850), rel=2e-3)
+
+
+@pytest.mark.parametrize("row", [
+    {"type": "chain", "diameter": 0.333}, {"type": "polyester", "diameter": 0.2}, {"type": "chain", "diameter": "?"},
+    {"type": "chain", "diameter": 0.2, "stiffness": 1e9}, {"type": "chain", "diameter": 0.0},
+])  # fmt: skip
+def test_what_is_no_bar_of_a_chain_is_refused(row):
+    turbine = copy.deepcopy(TURBINE)
+    turbine["components"]["mooring"]["line_types"] = [{"name": "main", **row}]
+    with pytest.raises(FormatError, match=r"no mass_density.* is no chain by the diameter of its bar"):
         system_of_moorpy(turbine, "t.yaml")
 
 
