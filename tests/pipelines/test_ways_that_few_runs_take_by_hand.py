@@ -4,6 +4,7 @@ problems, bodies of several, holes in a database, lines in loops, fairleads of t
 import os
 import re
 import signal
+from dataclasses import dataclass
 from types import SimpleNamespace
 
 import msgspec
@@ -156,6 +157,115 @@ def test_an_executor_is_one_of_its_kinds_with_a_number_that_is_allowed(monkeypat
     assert choice.executor_of(text) == wanted
 
 
+@pytest.mark.parametrize("stopped, found", [(False, ["done", "late"]), (True, ["done"])])
+def test_results_are_waited_for_without_taking_the_processor_until_somebody_stops_it(monkeypatch, stopped, found):
+    """The second future is done after three pauses; asked to stop, only what is done is given"""
+    stop, pauses = SimpleNamespace(asked=False), []
+
+    class Later:
+        def done(self):
+            assert self.asked < 9, "asked again and again without a pause"
+            self.asked += 1
+            return len(pauses) == 3
+
+        def result(self):
+            return "late"
+
+        asked = 0
+
+    def pause(seconds):
+        pauses.append(seconds)
+        stop.asked = stopped
+
+    ready = SimpleNamespace(done=lambda: True, result=lambda: "done")
+    monkeypatch.setattr(choice.time, "sleep", pause)
+    monkeypatch.setattr(choice, "_futures", lambda executor, calls: [ready, Later()])
+    given = list(choice.in_order_until(stop, "executor", "calls"))
+    assert given == list(enumerate(found)) and pauses == [choice.LOOK] * (1 if stopped else 3)
+
+
+def test_work_of_this_process_ends_at_once_where_it_is_stopped():
+    """Nothing is begun after the call in which the stop was asked for"""
+    stop, called = SimpleNamespace(asked=False), []
+
+    def work(number):
+        called.append(number)
+        stop.asked = number == 1
+        if number == 0:
+            raise ValueError("no answer")
+        return number
+
+    found = list(choice.in_order_until(stop, choice.Here(), ((work, n) for n in range(4))))
+    assert called == [0, 1] and [place for place, _ in found] == [0, 1] and found[1][1] == 1
+    assert isinstance(found[0][1], ValueError) and str(found[0][1]) == "no answer"
+
+
+# ------------------------------------------------------------------ moored bodies, keys of files
+
+
+@pytest.mark.parametrize("bodies, quay, asked", [((), None, True), ((), "quay", True), (("a", "b"), None, False),
+                                                 (("a", "b"), "quay", True)])  # fmt: skip
+def test_what_one_body_is_moored_by_is_looked_at_and_the_mooring_is_told_with_its_anchors(
+    monkeypatch, bodies, quay, asked
+):
+    from hakobune.pipelines.moor import result
+
+    excluded, given = [], []
+    system = SimpleNamespace(line_names=("bow", "stern"))
+    study = SimpleNamespace(
+        quay=quay, hinges="hinges", allowable=0.5, without_berth=excluded.append, hulls_of=lambda db: "hull",
+        system_of=lambda db, hull: system, anchors_on=lambda names: [f"anchor of {name}" for name in names],
+        berth_of=lambda db, hull: "berth", conditions=lambda: "conditions", remarks=lambda hull, db: ("remark",),
+    )  # fmt: skip
+
+    @dataclass(frozen=True)
+    class Made:
+        warnings: tuple = ("warned",)
+        extreme: object = None
+
+    extreme = SimpleNamespace(horizontal_a="along", vertical_a=np.array([-5.0, 3.0]))
+    monkeypatch.setattr(result, "linked", lambda reader, hinges, db: (reader, hinges))
+    monkeypatch.setattr(result, "multi_point", lambda *of: given.append(of) or Made(extreme=extreme))
+    monkeypatch.setattr(
+        result, "anchor_findings", lambda names, anchors, along, up: [(names, anchors, along, up.tolist())]
+    )
+    db = SimpleNamespace(bodies=bodies, bodies_reader="reader")
+    made, hull = result.studied(study, db)
+    assert excluded == ["moor of one body"] * asked and hull == "hull"
+    berth = "berth" if bodies else None
+    assert given == [(db, system, "hull", "conditions", 0.5, berth, ("reader", "hinges"))]
+    anchors = ["anchor of bow", "anchor of stern"]
+    assert made.warnings == ("remark", "warned", (("bow", "stern"), anchors, "along", [5.0, -3.0]))
+    study.system_of = lambda db, hull: None
+    with pytest.raises(
+        StudyError, match=re.escape("the study has no lines; give at least one [[spreads]] or [[lines]]")
+    ):
+        result.studied(study, db)
+
+
+def test_schemas_are_written_to_the_place_that_is_named(tmp_path, monkeypatch, capsys):
+    from hakobune.pipelines.keys import command, schema
+
+    monkeypatch.setattr(schema, "schema", lambda kind: {"of": kind})
+    monkeypatch.setattr(schema, "as_text", lambda made: f"text {made['of']}")
+    monkeypatch.setattr(schema, "write_schemas", lambda place: [place / "a.json", place / "b.json"])
+    one = tmp_path / "study.json"
+    assert command._schemas("study", (), one) == 0
+    assert one.read_text() == "text study\n" and capsys.readouterr().out == f"{one}\n"
+    folder = tmp_path / "all"
+    assert command._schemas(None, (), folder) == 0
+    assert capsys.readouterr().out == f"{folder / 'a.json'}\n{folder / 'b.json'}\n"
+    for kind, words, place, says in (
+        (None, (), one, f"{one} is the name of a single file; give a folder for all kinds, or name one kind"),
+        (None, (), tmp_path / "x.json", "is the name of a single file"),
+        ("study", (), tmp_path / "x.txt", f"{tmp_path / 'x.txt'} has the suffix '.txt'; allowed: .json"),
+        ("study", ("waves",), one, "'waves' and --schema are given; a schema has all keys of a kind; leave the words"),
+    ):
+        with pytest.raises(ValueError) as refused:
+            command._schemas(kind, words, place)
+        assert says in str(refused.value)
+
+
 # ------------------------------------------------------------------ responses, large problems, several bodies
 
 
@@ -239,7 +349,8 @@ def test_bodies_of_several_have_matrices_of_their_own_and_centres_in_the_scene(m
     def of_one(scene, hull):
         k = scene + 1
         made = {"mass": 1e3 * k, "center_of_mass": np.array([1.0, 0.0, -k]),
-                "center_of_buoyancy": np.array([2.0, 1.0, -2.0 * k]), "hydrostatic_stiffness": np.full((6, 6), 10.0 * k)}  # fmt: skip
+                "center_of_buoyancy": np.array([2.0, 1.0, -2.0 * k])}  # fmt: skip
+        made["hydrostatic_stiffness"] = np.full((6, 6), 10.0 * k)
         return made | ({"inertia_matrix": np.full((6, 6), 7.0 * k)} if scene else {})
 
     scene = SimpleNamespace(bodies=bodies, alone=lambda i: i, motions_known=True)

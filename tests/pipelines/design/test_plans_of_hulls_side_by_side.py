@@ -49,7 +49,11 @@ def test_both_views_have_every_line_fender_and_hull(drawn):
         lines = axes.lines
         assert lines[0].get_xydata().tolist() == [[90, -60], [20, -5]] and lines[0].get_linewidth() == 2
         assert lines[1].get_xydata().tolist() == [[10, 7], [12, 5]]
-        assert [lines[i].get_color() for i in range(3)] == [turbo(0.2), turbo(0.5), turbo(0.0)]  # of infinite strength 0
+        assert [lines[i].get_color() for i in range(3)] == [
+            turbo(0.2),
+            turbo(0.5),
+            turbo(0.0),
+        ]  # of infinite strength 0
         assert [lines[i].get_xydata().tolist() for i in (3, 4)] == [[[5.0, 5.5]], [[-5.0, 5.5]]]
         assert [(lines[i].get_marker(), lines[i].get_color()) for i in (3, 4)] == [("s", turbo(0.4)), ("s", turbo(0.0))]
         for i, (hull, place) in enumerate(zip((SHIP, BARGE), PLACE, strict=True)):

@@ -105,7 +105,7 @@ def test_a_body_has_a_database_and_water_behind_a_breakwater_has_none(monkeypatc
     with pytest.raises(StudyError) as refused:
         result.downtime("d.toml", database)
     assert str(refused.value) == says
-    asked, read, _ = made_up(monkeypatch, lee=lee)
+    asked, _, _ = made_up(monkeypatch, lee=lee)
     result.downtime("d.toml", None if lee else "base.h5")
     assert asked["linear"][2] == (None if lee else ("opened", "base.h5"))
 

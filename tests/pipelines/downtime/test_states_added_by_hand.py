@@ -123,6 +123,4 @@ def test_fewer_than_eight_states_with_an_answer_are_refused_with_the_first_reaso
     known.failing = {3: "first\u00a0reason", 5: "second"}
     with pytest.raises(StudyError) as refused:
         ask(states=9)
-    assert str(refused.value) == (
-        "only 7 of 9 states could be simulated, and at least 8 are needed: first\u00a0reason"
-    )
+    assert str(refused.value) == ("only 7 of 9 states could be simulated, and at least 8 are needed: first\u00a0reason")

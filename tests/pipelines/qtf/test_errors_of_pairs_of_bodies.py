@@ -51,9 +51,8 @@ def test_errors_of_sums_are_of_the_largest_force_and_the_largest_moment_of_their
     """Forces 4 kN of the ship and 9 of the barge, moments 8 and 4 kN m"""
     first, second = report._of_sums(stored(FORCE, ERROR))
     ship = "ship surge 1 %, ship sway 1.5 %, ship heave 0.25 %, ship roll 0.625 %, ship pitch 0.75 %, ship yaw 2 %"
-    barge = (
-        "barge surge 0.333 %, barge sway 0.556 %, barge heave 1 %, barge roll 0.5 %, barge pitch 0.75 %, barge yaw 0.5 %"
-    )
+    barge = "barge surge 0.333 %, barge sway 0.556 %, barge heave 1 %, barge roll 0.5 %, "
+    barge += "barge pitch 0.75 %, barge yaw 0.5 %"
     assert first == f"estimated error of the panels, of the largest force and moment: {ship}, {barge}"
     assert second.startswith("left out: the free-surface forcing around the body, a large part of sum-frequency")
     few = ERROR.copy()
