@@ -57,7 +57,7 @@ def test_every_shape_without_masses_has_the_mass_of_its_own_table(shapes, monkey
     tables = [SimpleNamespace(mass=one) for one in (5.0, 7.0, 11.0, 13.0)]
     monkeypatch.setattr(modes, "_tables", lambda scene: tables)
     found = [SimpleNamespace(name=str(i), shape=Table(masses=masses), moves=moves)
-             for i, (masses, moves) in enumerate((([1.0], (0,)), (None, (0, 1)), (None, (2,)), (None, (2,))))]  # fmt: skip
+             for i, (masses, moves) in enumerate((([1.0], (0,)), (None, (0, 1)), *[(None, (2,))] * 2))]  # fmt: skip
     M = np.zeros((10, 10))
     modes._with_own_mass(SimpleNamespace(motions_known=True), found, M, 6)
     assert np.diag(M).tolist() == [0.0] * 8 + [11.0, 13.0] and np.count_nonzero(M) == 2
