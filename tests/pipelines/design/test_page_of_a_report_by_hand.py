@@ -85,7 +85,9 @@ def test_every_part_of_a_page_is_made_of_what_it_tells(page):
 
 
 def test_levels_have_their_depth_and_the_address_of_their_database():
-    read = SimpleNamespace(study={"water": {"depth": 20.0}}, project=SimpleNamespace(level=lambda name: len(name) - 1.5))
+    read = SimpleNamespace(
+        study={"water": {"depth": 20.0}}, project=SimpleNamespace(level=lambda name: len(name) - 1.5)
+    )
     found = list(report._levels(read, {"mean": None, "high": "/p/bases/high.h5"}, "/p/out"))
     assert found == [{"name": "mean", "depth": "22.5", "link": ""},
                      {"name": "high", "depth": "22.5", "link": "../bases/high.h5"}]  # fmt: skip
