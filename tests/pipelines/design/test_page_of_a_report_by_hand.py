@@ -1,4 +1,4 @@
-"""The page of a report: every part of it in its place, addresses from its folder, words of bodies in the field's units."""
+"""The page of a report: every part in its place, addresses from its folder, bodies in the units of the field."""
 
 from pathlib import Path
 from types import SimpleNamespace
@@ -12,14 +12,15 @@ from hakobune.pipelines.design import report
 from hakobune.pipelines.moor import study as moored
 from hakobune.pipelines.solve import report as checks
 
-WORDS = ("issue", "summary", "advice_words", "return_words", "time_words", "state_row", "line_rows", "criterion", "case",
-         "rule_set", "motion_rows", "warnings", "part_table")  # fmt: skip
+WORDS = ("issue", "summary", "advice_words", "return_words", "time_words", "state_row", "line_rows", "criterion",
+         "case", "rule_set", "motion_rows", "warnings", "part_table")  # fmt: skip
 
 
 class Asked:
     """Stand-in of the words of a report: each function gives its name and what it was given"""
 
-    MARK = {True: "yes", False: "no", None: "none"}
+    def __init__(self, **own):
+        self.__dict__ |= own | {"MARK": {True: "yes", False: "no", None: "none"}}
 
     def __getattr__(self, name):
         assert name in WORDS
@@ -30,8 +31,8 @@ class Asked:
 def page(monkeypatch):
     own = SimpleNamespace(name="quay 3", note="draft", other_rules=True)
     project = SimpleNamespace(project=own, states=["calm", "storm"])
-    read = SimpleNamespace(project=project, study="study", text="project text", study_text="study text",
-                           kind=SimpleNamespace(words=lambda project, study: ("door", "sources", ("method", study))))  # fmt: skip
+    kind = SimpleNamespace(words=lambda project, study: ("door", "sources", ("method", study)))
+    read = SimpleNamespace(project=project, study="study", text="project text", study_text="study text", kind=kind)
     ran = [SimpleNamespace(case=SimpleNamespace(name=name), path=Path(f"/p/cases/{name}.toml")) for name in "ab"]
     verdict = SimpleNamespace(ran=ran, word="holds", judged=["one", "two"], rule_sets=["rules"])
     points = [SimpleNamespace(text=f"point {met}", met=met, how=f"how {met}") for met in (True, False, None)]
@@ -39,9 +40,7 @@ def page(monkeypatch):
     def noted(name):
         return lambda *given: iter([(name, *given)])
 
-    words = Asked()
-    words.__dict__["part_table"] = lambda read, verdict: ("head", "rows") if (read, verdict) == known[:2] else None
-    known = read, verdict
+    words = Asked(part_table=lambda *given: ("head", "rows") if given == (read, verdict) else None)
     monkeypatch.setattr(report, "words", words)
     monkeypatch.setattr(report, "CSS", {"holds": "good"})
     monkeypatch.setattr(report, "WORDS", {True: "met", False: "not met"})
@@ -123,7 +122,7 @@ def one(mass=1000.0, center=(0.5, -0.25, -2.0)):
 def test_a_body_is_told_with_its_sizes_displacement_and_centre_of_gravity(monkeypatch):
     """1025 kg/m³ of 1000 m³ are 1025 t; periods 2π/ω"""
     base = SimpleNamespace(
-        bodies=(), dimensions={"length": 50.0, "radius": 2.5}, density=1025.0, omega=2 * np.pi / np.array([20.0, 10, 4]),
+        bodies=(), dimensions={"length": 50.0, "radius": 2.5}, density=1025.0, omega=2 * np.pi / np.array([20, 10, 4]),
         mesh=SimpleNamespace(total=480), wave_direction=np.zeros(3), **vars(one()),
     )  # fmt: skip
     end = "displacement 1 025 t, centre of gravity 0.5, -0.25, -2 m (z up from the water)"
