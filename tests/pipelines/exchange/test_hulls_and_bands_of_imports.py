@@ -18,7 +18,9 @@ class Values:
     bodies: tuple = ()
 
 
-@pytest.mark.parametrize("low, high, kept", [(0.3, 0.5, [1, 2]), (0.31, 9.0, [2, 3]), (0.0, 0.2, [0]), (0.0, 9.0, None)])
+@pytest.mark.parametrize(
+    "low, high, kept", [(0.3, 0.5, [1, 2]), (0.31, 9.0, [2, 3]), (0.0, 0.2, [0]), (0.0, 9.0, None)]
+)
 def test_a_band_keeps_its_frequencies_with_both_ends_and_the_limits(low, high, kept):
     omega = np.array([0.2, 0.3, 0.5, 0.8])
     values = Values(omega, {"added_mass": 10 * omega[:, None], "damping": omega, LIMIT: np.array([7.0])})
@@ -63,7 +65,9 @@ def test_pairs_are_read_beside_files_of_wamit_alone(monkeypatch):
 
     asked = []
     monkeypatch.setattr(wamit_pairs, "SUFFIXES", ("one", "two"))
-    monkeypatch.setattr(wamit_pairs, "read_pairs", lambda *given: asked.append(given) or (None if given[2] == "one" else 5))
+    monkeypatch.setattr(
+        wamit_pairs, "read_pairs", lambda *given: asked.append(given) or (None if given[2] == "one" else 5)
+    )
     monkeypatch.setattr(importing, "_of_bodies", lambda *given: given)
     values = SimpleNamespace(density=1000.0, gravity=9.8)
     known = {"length_unit": 2.0}
