@@ -128,7 +128,8 @@ def of_runs(monkeypatch, rows, hinges=()):
 
 def test_gaps_have_their_smallest_and_hinges_their_largest_either_way(monkeypatch):
     rows = {"surge": {}, "gap a b": {"smallest": 2.5}, "gap a c": {"smallest": -0.5},
-def test_motions_are_of_the_larger_side_and_the_way_is_no_less_than_that_of_other_runs(monkeypatch):
+            "bow force x": {"largest": 3e3, "smallest": -5e3},
+            "bow force y": {"largest": 4e3, "smallest": 1e3}}  # fmt: skip
     found = in_time._between(of_runs(monkeypatch, rows, ("bow force x", "bow force y")))
     assert found == {GAP: {"a b": 2.5, "a c": -0.5}, HINGE_FORCE: {"bow force x": 5.0, "bow force y": 4.0}}
     assert in_time._between(of_runs(monkeypatch, {"surge": {}})) == {}
