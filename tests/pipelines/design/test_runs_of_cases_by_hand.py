@@ -99,7 +99,7 @@ def test_more_motion_never_lowers_what_was_simulated(simulated, monkeypatch):
 
 def test_a_seed_that_failed_is_a_case_that_failed_and_a_ctrl_c_ends_the_design(simulated):
     simulated.outcome.failures = [(3, "a line parts"), (4, "again")]
-    with pytest.raises(ValueError, match="^seed 3: a line parts$"):
+    with pytest.raises(ValueError, match=r"^seed 3: a line parts$"):
         in_time._simulated("study", "base", "runs.h5", (1,))
     simulated.outcome.interrupted = True
     with pytest.raises(KeyboardInterrupt):
@@ -133,6 +133,15 @@ def test_each_line_and_rope_is_held_where_it_pulled_most_and_farther_from_the_me
         berth_of=lambda db, hull: ("berth", db, hull),
     )  # fmt: skip
     held = []
+
+    def line(system, number, at):
+        held.append(("line", number, *at))
+        return at[0], -at[0], 9
+
+    def rope(berth, number, at):
+        held.append(("rope", number, *at))
+        return 1, at[0], at[0]
+
     monkeypatch.setattr(in_time, "make_study_of", lambda study: made if study == "study" else None)
     monkeypatch.setattr(
         in_time, "_held_line", lambda system, line, at: held.append(("line", line, *at)) or (at[0], -at[0], 9)
@@ -177,8 +186,11 @@ def judged(monkeypatch):
 
 
 def test_a_case_of_statics_has_the_tensions_of_each_factor_that_ran(judged):
-    ran = {factor: SimpleNamespace(name=f"x{factor}", case=case(), numbers=there and numbers(motions="m", bodies=("ship",)),
-                                   runs=None, largest=f"L{factor}") for factor, there in ((1.0, 1), (1.5, 0), (2.0, 1))}  # fmt: skip
+    of_ship = numbers(motions="m", bodies=("ship",))
+    ran = {
+        factor: SimpleNamespace(name=f"x{factor}", case=case(), numbers=there, runs=None, largest=f"L{factor}")
+        for factor, there in ((1.0, of_ship), (1.5, None), (2.0, of_ship))
+    }
     found = running.judged_case("read", ran, "others")
     assert found.tensions == {1.0: ("x1.0", "L1.0"), 2.0: ("x2.0", "L2.0")} and found.motions == (("ship",), "m")
     assert found[:4] == ("storm", "abnormal", "intact", "quasi-static")

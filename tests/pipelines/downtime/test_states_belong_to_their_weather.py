@@ -1,4 +1,4 @@
-"""States that are stored belong to their study, seeds, duration, weather and database: another of any of them is none."""
+"""States that are stored belong to their study, seeds, duration, weather and database, all of which count."""
 
 from types import SimpleNamespace
 
