@@ -165,8 +165,8 @@ def case(**more):
 
 def numbers(**more):
     known = {"bodies": (), "motions": np.zeros(0), "parts": {"own": {"a": 1}}, "names": ("a", "b", "c"),
-             "types": (("R3",), ("rope",), ("R3",)), "hawsers": ("c",), "length": np.array([330.0, 50.0, 60.0])}  # fmt: skip
-    return SimpleNamespace(**known | more)
+             "types": (("R3",), ("rope",), ("R3",)), "hawsers": ("c",)}  # fmt: skip
+    return SimpleNamespace(**{"length": np.array([330.0, 50.0, 60.0])} | known | more)
 
 
 def test_amplitudes_are_in_metres_and_degrees_of_one_body_or_by_name():
