@@ -85,7 +85,8 @@ def prepare(monkeypatch):
         plan = Plan(given, Settings(**settings or {}))
         reader = SimpleNamespace(viscous=viscous, floating=lambda: "floating",
                                  between=SimpleNamespace(forget=lambda: ASKED.append("forgotten")))  # fmt: skip
-        db = SimpleNamespace(bodies_reader=SimpleNamespace(words=("surge", "sway"), omega="omega"), modes=modes, reader="own",
+        water = SimpleNamespace(words=("surge", "sway"), omega="omega")
+        db = SimpleNamespace(bodies_reader=water, modes=modes, reader="own",
                              path="b.h5", wall=None)  # fmt: skip
         body = Moored(free=free, reader=reader)
         choice = SimpleNamespace(settings="chosen", left_out=("lines",), words=("trial",), pace=(1.0, 2.0))
@@ -173,12 +174,14 @@ def test_calm_water_has_no_wave_forces_and_those_of_another_sea_are_taken(prepar
 
 
 @pytest.mark.parametrize("settings, of_quay, memory, found, remembers", [
-    ({}, (), None, None, False), ({"memory": "constant"}, (), None, "no memory", False), ({}, ("q",), None, "no memory", True),
+    ({}, (), None, None, False), ({"memory": "constant"}, (), None, "no memory", False),
+    ({}, ("q",), None, "no memory", True),
     ({"memory": "constant"}, ("q",), None, "no memory", False), ({"memory": "constant"}, (), "kept", "kept", False),
     ({}, ("q",), "kept", "kept", False),
 ])  # fmt: skip
-def test_memory_is_left_to_the_fit_except_before_a_quay_or_where_none_is_asked_for(prepare, settings, of_quay, memory, found,
-                                                                                 remembers):  # fmt: skip
+def test_memory_is_fitted_except_before_a_quay_or_where_none_is_wanted(
+    prepare, settings, of_quay, memory, found, remembers
+):
     (_, _, said), *_ = prepare(settings, of_quay=of_quay, memory=memory)
     assert made_of()[1]["memory"] == found and said == ("remark", *of_quay)
     assert any(one[0] == "remembering" for one in ASKED) is remembers
@@ -270,7 +273,8 @@ def test_the_way_to_pairs_is_the_command_that_stores_them(quay, level, way):
 
 
 @pytest.mark.parametrize("ramp, duration, step, first, last, count", [
-    (0.0, 1.0, 0.25, 0.0, 1.0, 5), (0.5, 1.0, 0.25, 0.0, 1.0, 5), (0.6, 1.0, 0.25, 0.15, 0.9, 4), (0.1, 0.3, 0.1, 0.0, 0.3, 4),
+    (0.0, 1.0, 0.25, 0.0, 1.0, 5), (0.5, 1.0, 0.25, 0.0, 1.0, 5), (0.6, 1.0, 0.25, 0.15, 0.9, 4),
+    (0.1, 0.3, 0.1, 0.0, 0.3, 4),
 ])  # fmt: skip
 def test_samples_that_are_kept_begin_after_the_ramp(ramp, duration, step, first, last, count):
     time = work.sample_times(SimpleNamespace(ramp=ramp, duration=duration, step=step))
