@@ -210,3 +210,30 @@ def test_tries_end_at_the_first_within_the_limits_or_take_the_nearest(monkeypatc
         "drawing: the panels have a volume of 2 m³ and a waterplane of 3 m², the drawing 4 m³ and 5 m²; allowed: "
         "3 % apart, and the same middle; give smaller panels or a larger `around`"
     )
+
+
+def test_a_file_of_a_hull_with_its_lid_tells_which_panels_are_the_lid_and_has_no_field_there(tmp_path):
+    """Half a box and a lid of two panels: fields are those of the hull and its image, nothing on the lid"""
+    import meshio
+
+    hull = box(8.0, 4.0, 2.0, counts=(2, 1, 1), grading=False, symmetry="y")
+    lid = PanelMesh(
+        [(-4, 0, 0), (4, 0, 0), (4, 2, 0), (-4, 2, 0), (0, 0, 0), (0, 2, 0)], [[0, 4, 5, 3], [4, 1, 2, 5]], "y"
+    )
+    field = np.arange(1.0, len(hull) + 1)
+    files._write_vtu(hull, tmp_path / "h.vtu", lid, {"f": field})
+    read = meshio.read(tmp_path / "h.vtu")
+    marks, values = (np.concatenate(read.cell_data[name]) for name in ("lid", "f"))
+    assert len(marks) == 2 * len(hull) + 4 and marks.sum() == 4 and np.isnan(values[marks == 1]).all()
+    assert sorted(values[marks == 0]) == sorted([*field, *field])
+    files._write_vtu(hull, tmp_path / "h.vtu", None, {"f": field})
+    read = meshio.read(tmp_path / "h.vtu")
+    assert len(np.concatenate(read.cell_data["f"])) == 2 * len(hull) and not np.concatenate(read.cell_data["lid"]).any()
+
+
+@pytest.mark.parametrize("signs", [(1, 1), (-1, 1), (1, -1), (-1, -1)])
+def test_walls_on_either_side_of_their_mirror_planes_are_closed_by_their_foot(signs):
+    walls = box(10, 8, 4, counts=(2, 2, 2), bottom=False)
+    made = PanelMesh(walls.points * (*signs, 1), walls.corners[:, :: int(np.prod(signs))], "xy")
+    assert made.foot is not None and made.foot.area_vectors[:, 2].sum() == pytest.approx(-20.0)
+    assert made.volume == pytest.approx(10 * 8 * 4)

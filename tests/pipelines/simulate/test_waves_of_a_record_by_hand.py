@@ -26,17 +26,23 @@ def record(monkeypatch):
         table = {"file": "r.csv", "shortest": None, "direction_deg": 90.0, "incidence_deg": None} | given
         tables = SimpleNamespace(qtf="newman", sea=[], record=SimpleNamespace(**table))
         settings = SimpleNamespace(ramp=ramp, duration=duration)
-        of = SimpleNamespace(waves=None, conditions=lambda: SimpleNamespace(current="stream"), water=SimpleNamespace(depth=9.0))
+        of = SimpleNamespace(
+            waves=None, conditions=lambda: SimpleNamespace(current="stream"), water=SimpleNamespace(depth=9.0)
+        )
 
         def components(first, towards, period):
             asked.append((len(first.elevation), towards, period))
             waves = every if period == 0 else every if kept is None else kept
             return Components(*(np.array([one[i] for one in waves]) for i in (0, 1)))
 
-        monkeypatch.setattr(wave_records, "read_record", lambda path: asked.append(path) or Record(np.zeros(count), 0.5))
+        monkeypatch.setattr(
+            wave_records, "read_record", lambda path: asked.append(path) or Record(np.zeros(count), 0.5)
+        )
         monkeypatch.setattr(wave_records, "components_of", components)
         monkeypatch.setattr(study, "carrier_of", lambda current: carrier if current == "stream" else 0)
-        monkeypatch.setattr(study, "in_water", lambda waves, way, depth, g: asked.append(("met", way, depth, g)) or waves)
+        monkeypatch.setattr(
+            study, "in_water", lambda waves, way, depth, g: asked.append(("met", way, depth, g)) or waves
+        )
         found, told = study._record(of, tables, settings, BAND, "folder")
         return found, told, asked
 
@@ -47,7 +53,11 @@ def test_waves_are_those_of_the_run_and_its_ramp_down_to_the_shortest_that_is_st
     """10 s at 0.5 s are 21 values; the highest frequency is among the waves, whatever its rounding"""
     found, told, (path, first, second) = record(count=99)
     assert str(path) == "folder/r.csv" and first == (21, pytest.approx(math.pi / 2), 0.0)
-    assert second[:2] == first[:2] and second[2] < 2 * math.pi / 1.6 and second[2] == pytest.approx(2 * math.pi / 1.6, rel=2e-9)
+    assert (
+        second[:2] == first[:2]
+        and second[2] < 2 * math.pi / 1.6
+        and second[2] == pytest.approx(2 * math.pi / 1.6, rel=2e-9)
+    )
     assert found.omega.tolist() == [0.5, 1.5] and told == ()
     assert record(shortest=7.0)[2][2][2] == 7.0
     with pytest.raises(StudyError, match=r"simulation\.record\.shortest is 0"):
@@ -59,7 +69,9 @@ def test_a_record_lasts_as_long_as_the_run_and_its_ramp(record, count, good):
     if good:
         record(count=count)
         return
-    with pytest.raises(StudyError, match=r"simulation\.record lasts 9\.5 s; allowed: ramp and duration, 10 s, or longer"):
+    with pytest.raises(
+        StudyError, match=r"simulation\.record lasts 9\.5 s; allowed: ramp and duration, 10 s, or longer"
+    ):
         record(count=count)
 
 
