@@ -3,12 +3,16 @@ refused by its name, and the good ones are taken."""
 
 import math
 import re
+import tomllib
 from types import SimpleNamespace
 
 import pytest
 
+from hakobune.pipelines.berth import study as berths
 from hakobune.pipelines.breakwater import study as breakwaters
 from hakobune.pipelines.common.quantities import StudyError
+from hakobune.pipelines.common.typed import typed
+from hakobune.pipelines.keys.kinds import SCENES
 from hakobune.pipelines.line_dynamics import moordyn
 from hakobune.pipelines.moor import anchors, checked
 from hakobune.pipelines.moor.study import HullTable, Study
@@ -268,3 +272,23 @@ def test_types_of_a_moordyn_file_that_moves(changes, says):
     assert made(SimpleNamespace(**KIND | {"breaking_load": math.inf})).breaking_load_kN is None
     own.damping = 2e5  # N s of an element of 10 m: over 10 √(EA m)
     assert made(SimpleNamespace(**KIND)).damping_ratio == pytest.approx(2e5 / (10 * math.sqrt(5e8 * 110)))
+
+
+BERTHING = tomllib.loads((SCENES / "berth_tanker.toml").read_text(encoding="utf-8"))
+HALF = 0.5 * BERTHING["ship"]["length"]
+
+
+@pytest.mark.parametrize("table, key, value, says", [
+    (None, "depth", 0.0, "depth is 0; allowed: above 0"), (None, "depth", math.inf, "depth is inf; allowed: above 0"),
+    ("ship", "center", HALF, f"ship.center is {HALF:g}; allowed: within half the length, {HALF:g} m"),
+    ("ship", "center", -HALF, f"ship.center is {-HALF:g}"), ("approach", "abnormal", 0.99, "approach.abnormal is 0.99"),
+    ("approach", "abnormal", 10.1, "approach.abnormal is 10.1; allowed: 1 to 10"),
+])  # fmt: skip
+def test_berthings(table, key, value, says):
+    def approach(key, value):
+        change = {key: value} if table is None else {table: BERTHING[table] | {key: value}}
+        return berths.approach_of(typed(BERTHING | change, berths.BerthStudy, StudyError))
+
+    approach(*{"depth": ("depth", 30.0), "center": ("center", 0.1 * HALF), "abnormal": ("abnormal", 10.0)}[key])
+    with pytest.raises(StudyError, match=re.escape(says)):
+        approach(key, value)

@@ -188,12 +188,14 @@ def test_several_bodies_move_on_the_damping_of_what_drives_them_and_the_stiffnes
     monkeypatch.setattr(moored, "gusts_of", lambda wind: gusts)
     monkeypatch.setattr("hakobune.pipelines.response.study.viscous_laws", lambda *of: "laws" if of == (read, db) else 0)
     monkeypatch.setattr("hakobune.pipelines.response.study.viscous_words", lambda held, laws, damping: [damping])
+
+    def in_sea(body, laws, where):
+        same = where == (db.bodies_reader, SEA)
+        return SimpleNamespace(of=body, stiffness="K"), f"damped by {laws}" if same else where
+
     monkeypatch.setattr(
         "hakobune.mooring.response.viscous.in_sea",
-        lambda reader, sea, laws, body: (
-            SimpleNamespace(of=body, stiffness="K"),
-            f"damped by {laws}" if (reader, sea) == (db.bodies_reader, SEA) else 0,
-        ),  # fmt: skip
+        lambda reader, sea, laws, body: in_sea(body, laws, (reader, sea)),
     )
     monkeypatch.setattr("hakobune.mooring.studies.long_period.drag_of_each", lambda conditions, hulls, depth: depth)
     monkeypatch.setattr(
