@@ -237,3 +237,13 @@ def test_walls_on_either_side_of_their_mirror_planes_are_closed_by_their_foot(si
     made = PanelMesh(walls.points * (*signs, 1), walls.corners[:, :: int(np.prod(signs))], "xy")
     assert made.foot is not None and made.foot.area_vectors[:, 2].sum() == pytest.approx(-20.0)
     assert made.volume == pytest.approx(10 * 8 * 4)
+
+
+@pytest.mark.parametrize("draft", [0.1, 1.0, 50.0])
+@pytest.mark.parametrize("share, dry", [(0.9e-6, False), (1.1e-6, True)])
+def test_a_millionth_of_the_draft_above_the_water_is_in_it(draft, share, dry):
+    made = mesh(square(z=-draft), square(z=-0.5 * draft))
+    points = made.points.copy()
+    points[4:, 2] = share * draft
+    lines = said(_position(PanelMesh(points, made.corners)))
+    assert any("above the water" in line for line in lines) is dry

@@ -8,6 +8,7 @@ import msgspec
 import numpy as np
 import pytest
 
+from hakobune.mooring.response.points import KeelPoint, Point, keel_name
 from hakobune.pipelines.breakwater.tables import SeaTable
 from hakobune.pipelines.common.gaps import Gaps
 from hakobune.pipelines.common.quantities import StudyError
@@ -79,6 +80,25 @@ def test_the_least_water_under_the_keel_is_told_of_the_point_that_has_it(number)
         f"probability {touched} in 2 h; waves only, without squat"
     )
     assert list(findings._keel_lines(SimpleNamespace(under_keel=dict, duration=1.0))) == []
+
+
+@pytest.mark.parametrize("number", [0, 1])
+def test_the_least_water_of_many_years_is_that_of_the_point_with_least_left(number):
+    """Of gaps of 9 and 5 m and drops of 6 and 1 m 3 and 4 m are left, or with a drop of 3 m 3 and 2 m; the other point
+    drops more"""
+    drops = {"fore": 6.0, "aft": (1.0, 3.0)[number]}
+    points = [KeelPoint(name, (0.0, 0.0, -10.0), gap) for name, gap in (("fore", 9.0), ("aft", 5.0))]
+    deck = Point("deck", (0.0, 0.0, 5.0), 4.0)
+
+    def term(name):
+        drop = next(drop for point, drop in drops.items() if name == keel_name(points[point == "aft"]))
+        return SimpleNamespace(level=lambda time: drop, crossing_rate=lambda level: 1e-20)
+
+    result = SimpleNamespace(points=[deck, *points], long_term=term)
+    (line,) = findings._keel_in_years(result, 100.0)
+    assert line.startswith(("under keel: least at fore, 3 of 9 m are left by the drop reached once in 100 years; ",
+                            "under keel: least at aft, 2 of 5 m are left by the drop")[number])  # fmt: skip
+    assert list(findings._keel_in_years(SimpleNamespace(points=[deck]), 100.0)) == []
 
 
 @pytest.mark.parametrize("spreading, angle, normal", [(None, 0.0, True), ("cosine:4", 0.0, False), (None, 5.0, False),

@@ -10,6 +10,7 @@ from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.single_point import maps, pictures, running
 
 TIME = np.linspace(0.0, 12.0, 13)
+LINE = np.linspace(1e5, 5e5, 13)
 
 
 def run_of(hawser=True, still=False):
@@ -21,7 +22,7 @@ def run_of(hawser=True, still=False):
     place = np.column_stack([np.arange(n), -2.0 * np.arange(n)])
     record = SimpleNamespace(
         time=TIME, heading=heading, wave=wave, hawser=np.full((n, 1), 4e5) * (1 if still else TIME[:, None]),
-        lines=np.column_stack([np.full(n, 3e5), np.linspace(1e5, 5e5, n), np.full(n, 4e5)]), place=place, buoy=place + 50.0,
+        lines=np.column_stack([np.full(n, 3e5), LINE, np.full(n, 4e5)]), place=place, buoy=place + 50.0,
     )  # fmt: skip
     point = SimpleNamespace(
         lengths=np.array([30.0 if hawser else 0.0]), system=SimpleNamespace(line_names=("a", "b", "c"))
@@ -90,7 +91,8 @@ GOOD = {"duration": 100.0, "slow_step": 1.0, "tolerance": 1e-3, "step": None, "s
 
 @pytest.mark.parametrize("change, says", [
     *(({key: 0.0}, f"slewing.{key} is 0") for key in ("duration", "slow_step", "tolerance", "step")),
-    ({"scheme": "guess"}, "slewing.scheme is 'guess'; allowed: "), ({"waves_after": -1.0}, "slewing.waves_after is -1 s"),
+    ({"scheme": "guess"}, "slewing.scheme is 'guess'; allowed: "),
+    ({"waves_after": -1.0}, "slewing.waves_after is -1 s"),
     ({"waves_after": 100.1}, "slewing.waves_after is 100.1 s; allowed: 0 to the duration of 100 s"),
     ({"offset_deg": 180.1}, "slewing.offset_deg is 180.1; allowed: −180 to 180"),
     ({"offset_deg": -180.1}, "is -180.1"),
