@@ -1,5 +1,6 @@
 """Where there are two or more of a thing: the second one's hour, hull, record, motion or table, each by hand."""
 
+import hashlib
 import math
 import warnings
 from types import SimpleNamespace
@@ -19,6 +20,7 @@ from hakobune.pipelines.design.kinds.needs import GAP, HINGE_FORCE
 from hakobune.pipelines.downtime import result as downtime
 from hakobune.pipelines.keys import command as keys
 from hakobune.pipelines.response import findings, solved
+from hakobune.pipelines.scene import identity
 from hakobune.pipelines.simulate import file as stored
 from hakobune.pipelines.simulate import run as runs
 
@@ -130,6 +132,29 @@ def test_kinds_and_tables_are_written_as_they_are_asked_for(monkeypatch, capsys,
     assert capsys.readouterr().out == f"{way} of ('study', ('waves',))\n"
     with pytest.raises(ValueError, match="--json and --markdown are given; allowed: one of the two"):
         keys.keys("study", json=True, markdown=True)
+
+
+def test_mesh_files_of_bodies_come_before_those_of_shapes_and_without_files_there_is_nothing(tmp_path):
+    """The first sixteen figures of the SHA-256 of their bytes"""
+    hashes = {}
+    for name in ("hull", "shape"):
+        (tmp_path / name).write_bytes(name.encode())
+        hashes[name] = f"sha256 {hashlib.sha256(name.encode()).hexdigest()[:16]}"
+    none = SimpleNamespace(file=None)
+    hull, shape = (SimpleNamespace(file=tmp_path / name) for name in ("hull", "shape"))
+    found = identity.contents(SimpleNamespace(bodies=[none, hull], modes=[shape, none]))
+    assert found == f"{hashes['hull']}; {hashes['shape']}"
+    assert identity.contents(SimpleNamespace(bodies=[hull], modes=None)) == hashes["hull"]
+    assert identity.contents(SimpleNamespace(bodies=[none], modes=None)) is None
+
+
+def test_a_difference_names_two_keys_and_counts_the_rest():
+    old = {"a": "1", "b": "2", "c": "3", "same": "4"}
+    assert identity.difference(old, dict(old)) == ""
+    one = identity.difference(old, old | {"b": "5"})
+    assert "b" in one and "2" in one and "5" in one and "more" not in one and "same" not in one
+    many = identity.difference(old, {"same": "4", "a": "9", "d": "7"})
+    assert many.endswith(" and 2 more") and many.count("; ") == 1
 
 
 # ------------------------------------------------------------------ runs in time

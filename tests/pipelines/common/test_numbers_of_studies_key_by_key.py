@@ -128,6 +128,8 @@ def water_of(**changes):
     ({"method": "guess"}, "method is 'guess'; allowed: "),
     ({"panels": passages.PANELS[0] - 1}, f"panels is {passages.PANELS[0] - 1}; allowed: {passages.PANELS[0]} to"),
     ({"panels": passages.PANELS[1] + 1}, f"panels is {passages.PANELS[1] + 1}; allowed: {passages.PANELS[0]} to"),
+    *(({"track": {"distance": 40.0, "speed": 2.0, "lengths": value}}, f"track.lengths is {value:g}; allowed: 0.5 to 20")
+      for value in (0.49, 20.1)),
     ({"method": "wang", "wall": 30.0}, "wall is given with method = 'wang'; it applies to 'panels' only"),
     ({"method": "panels", "quay": True}, "quay is given with method = 'panels'; it applies to 'kriebel' only"),
     ({"method": "panels", "peaks": [50.0, 50.0, 50.0]}, "peaks is given with method = 'panels'"),
@@ -135,7 +137,10 @@ def water_of(**changes):
     ({"wall": math.inf, "method": "panels"}, "wall is inf m; allowed: finite; leave it out for open water"),
 ])  # fmt: skip
 def test_passages(changes, says):
-    water_of()
+    for lengths in (0.5, 20.0):
+        water_of(track={"distance": 40.0, "speed": 2.0, "lengths": lengths})
+    for panels in passages.PANELS:
+        water_of(panels=panels)
     with pytest.raises(StudyError, match=re.escape(says)):
         water_of(**changes)
 

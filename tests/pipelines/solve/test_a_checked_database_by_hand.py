@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from hakobune.bem.database.integrity import DamagedError
-from hakobune.pipelines.solve import checking
+from hakobune.pipelines.solve import checking, report
 
 SCENE = '[water]\ndepth = 20.0\n[[bodies]]\nshape = "box"\nlength = 50.0\nbeam = 10.0\ndraft = 4.0\n[waves]\n'
 SCENE += "omegas = [0.5]\nheadings_deg = [0]\n"
@@ -134,3 +134,12 @@ def test_nothing_is_checked_where_nothing_is_solved_and_damage_is_all_that_is_to
     assert printed == [] and lines == COMMON
     printed, lines, _ = checked(damaged=True)
     assert printed == [] and lines == ["FAILS: the numbers are damaged"]
+
+
+def test_the_table_of_checks_has_a_name_and_a_side_for_each_column():
+    """Numbers stand on the right"""
+    table = report.checks_table([])
+    assert [(column.header, column.justify) for column in table.columns] == [
+        ("check", "left"), ("what", "left"), ("largest", "right"), ("at ω rad/s", "right"), ("limit", "right"),
+        ("", "left"),
+    ]  # fmt: skip
