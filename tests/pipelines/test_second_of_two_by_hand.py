@@ -3,6 +3,7 @@
 import hashlib
 import math
 import warnings
+from pathlib import Path
 from types import SimpleNamespace
 
 import msgspec
@@ -132,6 +133,17 @@ def test_kinds_and_tables_are_written_as_they_are_asked_for(monkeypatch, capsys,
     assert capsys.readouterr().out == f"{way} of ('study', ('waves',))\n"
     with pytest.raises(ValueError, match="--json and --markdown are given; allowed: one of the two"):
         keys.keys("study", json=True, markdown=True)
+
+
+@pytest.mark.parametrize("file, name", [(None, "study.toml"), ("own.toml", "own.toml")])
+def test_a_new_file_is_told_with_what_was_written_and_the_steps_that_run_it(monkeypatch, capsys, file, name):
+    from hakobune.pipelines.keys import beginning, shown
+
+    monkeypatch.setattr(shown, "kinds_text", lambda *given: f"kinds {given}")
+    monkeypatch.setattr(beginning, "write", lambda kind, path: ([path, f"fender of {kind}"], ["run it", "look"]))
+    assert keys.new() == 0 and capsys.readouterr().out == "kinds (False, False)\n"
+    assert keys.new("study", file and Path(file)) == 0
+    assert capsys.readouterr().out == f"{name}\nfender of study\n    run it\n    look\n"
 
 
 def test_mesh_files_of_bodies_come_before_those_of_shapes_and_without_files_there_is_nothing(tmp_path):
