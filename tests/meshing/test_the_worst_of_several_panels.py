@@ -2,13 +2,14 @@
 and files of meshes at their limits."""
 
 import math
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from hakobune.meshing import drawing, files, text_formats
-from hakobune.meshing.panels import PanelMesh
+from hakobune.meshing.panels import PanelMesh, structured
 from hakobune.meshing.quality.findings import _position, _resolution, _shapes, lid_findings
 from hakobune.meshing.shapes import box
 
@@ -213,7 +214,7 @@ def test_tries_end_at_the_first_within_the_limits_or_take_the_nearest(monkeypatc
 
 
 def test_a_file_of_a_hull_with_its_lid_tells_which_panels_are_the_lid_and_has_no_field_there(tmp_path):
-    """Half a box and a lid of two panels: fields are those of the hull and its image, nothing on the lid"""
+    """Half a box of ten panels and a lid of twelve: fields are those of the hull and its image, nothing on the lid"""
     import meshio
 
     hull = box(8.0, 4.0, 2.0, counts=(2, 1, 1), grading=False, symmetry="y")
@@ -224,7 +225,7 @@ def test_a_file_of_a_hull_with_its_lid_tells_which_panels_are_the_lid_and_has_no
     files._write_vtu(hull, tmp_path / "h.vtu", lid, {"f": field})
     read = meshio.read(tmp_path / "h.vtu")
     marks, values = (np.concatenate(read.cell_data[name]) for name in ("lid", "f"))
-    assert len(marks) == 2 * len(hull) + 4 and marks.sum() == 4 and np.isnan(values[marks == 1]).all()
+    assert len(marks) == 2 * len(hull) + 24 and marks.sum() == 24 and np.isnan(values[marks == 1]).all()
     assert sorted(values[marks == 0]) == sorted([*field, *field])
     files._write_vtu(hull, tmp_path / "h.vtu", None, {"f": field})
     read = meshio.read(tmp_path / "h.vtu")
