@@ -218,9 +218,8 @@ def test_a_file_of_a_hull_with_its_lid_tells_which_panels_are_the_lid_and_has_no
     import meshio
 
     hull = box(8.0, 4.0, 2.0, counts=(2, 1, 1), grading=False, symmetry="y")
-    lid = PanelMesh(
-        [(-4, 0, 0), (4, 0, 0), (4, 2, 0), (-4, 2, 0), (0, 0, 0), (0, 2, 0)], [[0, 4, 5, 3], [4, 1, 2, 5]], "y"
-    )
+    x, y = np.meshgrid(np.linspace(-4, 4, 7), np.linspace(0, 2, 3), indexing="ij")
+    lid = replace(structured(np.stack([x, y, 0 * x], axis=2)), symmetry="y")
     field = np.arange(1.0, len(hull) + 1)
     files._write_vtu(hull, tmp_path / "h.vtu", lid, {"f": field})
     read = meshio.read(tmp_path / "h.vtu")

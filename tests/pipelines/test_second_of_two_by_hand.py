@@ -286,7 +286,7 @@ def sea_of(monkeypatch):
         monkeypatch.setattr("hakobune.mooring.on_current.body.on_current", note("current", "on current"))
         monkeypatch.setattr("hakobune.mooring.response.viscous.in_sea", note("in sea", ("body in sea", "damping")))
         monkeypatch.setattr(
-            "hakobune.mooring.response.pair_levels.beside_newman", note("pairs", ("bound", ["left out"]))
+            "hakobune.mooring.response.pair_levels.beside_newman", note("pairs", ("bound", ["left out", "too"]))
         )
         monkeypatch.setattr("hakobune.mooring.response.sea_state.sea_state", note("state", "state"))
         read = SimpleNamespace(sea=SimpleNamespace(qtf=qtf, duration_hours=hours), stream=lambda: "stream")
@@ -301,7 +301,7 @@ def sea_of(monkeypatch):
 
 def test_a_body_in_a_sea_is_carried_damped_and_pushed_by_pairs_and_both_are_told(sea_of):
     found, given, said, read, db = sea_of()
-    assert found == ("state", "body in sea") and said == ["viscous", "weak", "left out"]
+    assert found == ("state", "body in sea") and said == ["viscous", "weak", "left out", "too"]
     assert given == {
         "sea": ("sea", read.sea, 20.0), "laws": (read, db), "carrier": ("stream",), "current": ("body", "carrier"),
         "in sea": ("reader", "sea", "laws", "on current"), "words": ("body in sea", "laws", "damping"),
