@@ -5,7 +5,7 @@ import sys
 import numpy as np
 import pytest
 
-from hakobune.pipelines.results import frames, records
+from hakobune.pipelines.results import frames, records, tables
 from hakobune.pipelines.results.quantity import Quantity
 from hakobune.pipelines.results.result import Result, labels
 
@@ -100,3 +100,19 @@ def test_a_page_has_tables_in_units_of_print_and_no_marks_of_its_own(result):
         "</p>"
     )
     assert page.count("<tr>") == 3 and page.count("<th>") == page.split("</tr>")[1].count("<td>")
+
+
+def test_rows_of_their_own_units_have_them_beside_their_names_and_columns_of_one_unit_in_the_head():
+    """A force of 2 kN and a moment of 3 kN m at 4 and 5 m"""
+    made = {
+        "held.load": Quantity(np.array([2e3, 3e3]), ("part",), ("N", "N m"), "load", "held"),
+        "held.at": Quantity(np.array([4.0, 5.0]), ("part",), "m", "at", "held"),
+    }
+    result = Result("x", made, labels("part", ["force", "moment"]))
+    (shown,) = tables.tables(result)
+    table = tables.rich_table(shown, result.labels)
+    first, load, at = ([str(cell) for cell in column.cells] for column in table.columns)
+    assert first == ["force, kN", "moment, kN m"] and [float(cell) for cell in load] == [2.0, 3.0]
+    assert [float(cell) for cell in at] == [4.0, 5.0]
+    heads = [str(column.header) for column in table.columns]
+    assert "kN" not in heads[1] and "load" in heads[1] and "at" in heads[2] and "m" in heads[2]
