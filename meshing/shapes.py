@@ -15,7 +15,7 @@ from dataclasses import replace
 import numpy as np
 
 from .gmsh_session import graded_patches
-from .panels import SYMMETRIES, PanelMesh
+from .panels import PanelMesh
 
 WELL_RESOLVED = (2, 2, 3)  # lowest counts of a hull with 200 panels or more
 
@@ -34,7 +34,6 @@ def box(length, beam, draft, *, panels=500, symmetry="xy", counts=None, grading=
     Raises ValueError for dimensions that are not positive and for too few panels.
     """
     _check_dimensions(length=length, beam=beam, draft=draft)
-    _check_symmetry(symmetry)
     n_length, n_beam, n_draft = _counts(counts) if counts else box_counts(length, beam, draft, panels, bottom, longest)
     x = length / 2 * _towards_end(n_length, grading)
     y = beam / 2 * _towards_end(n_beam, grading)
@@ -61,7 +60,6 @@ def buoy(radius, draft, *, panels=500, symmetry="xy", counts=None, grading=True,
     R √((2π/N) / sin(2π/N)): waterplane and volume are exact, the wall is too long by the fraction π²/(6 N²).
     """
     _check_dimensions(radius=radius, draft=draft)
-    _check_symmetry(symmetry)
     if counts:
         n_quarter, n_radius, n_draft = _counts(counts)
     else:
@@ -134,11 +132,6 @@ def _check_dimensions(**dimensions):
     for name, value in dimensions.items():
         if not (math.isfinite(value) and value > 0):
             raise ValueError(f"{name} is {value} m; allowed: a positive length")
-
-
-def _check_symmetry(symmetry):
-    if symmetry not in SYMMETRIES:
-        raise ValueError(f"symmetry is {symmetry!r}; allowed: {', '.join(map(repr, SYMMETRIES))}")
 
 
 def _counts(counts):

@@ -210,8 +210,8 @@ def test_an_earthquake_that_fenders_do_not_stand_is_a_case_with_its_fault(monkey
 
     monkeypatch.setattr("hakobune.pipelines.design.kinds.earthquake.run", run)
     one, two = running._shaken(read, {running.MEAN: "db"}, tmp_path)
-    assert one.numbers is not None and one.case.apart and one.case.name == "earthquake, big"
-    assert two.numbers is None and two.fault == "fenders yield"
+    assert one.numbers is not None and one.case.apart and one.case.name == two.case.name == "earthquake, big"
+    assert (two.path, two.numbers, two.runs, two.fault) == (tmp_path / "quake.toml", None, None, "fenders yield")
     assert one.path.parent == tmp_path / "cases" and one.path.name.endswith("_numbers.json")
     read.project.earthquakes = []
     assert not list(running._shaken(read, {}, tmp_path))

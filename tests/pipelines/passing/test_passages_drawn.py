@@ -35,6 +35,12 @@ def test_forces_are_drawn_over_the_place_of_the_other_ship_in_kilonewtons(pictur
     assert [text.get_text() for text in above.get_legend().get_texts()] == ["surge", "sway"]
     assert [text.get_text() for text in below.get_legend().get_texts()] == ["yaw"]
     assert (above.get_ylabel(), below.get_ylabel()) == ("force, kN", "moment, kN m")
+    assert below.get_xlabel() == "passing ship ahead of the moored one by, m" and above.get_xlabel() == ""
+    assert above.get_title() == "force on a moored ship during a passage"
+    assert pictures[0].get_size_inches().tolist() == [8.0, 6.0]
+    styles = [line.get_linestyle() for line in (surge, sway, below.lines[0])]
+    assert styles == ["-", "--", "-"] and below.lines[0].get_color() == "k"
+    assert all(axes.xaxis.get_gridlines()[0].get_visible() for axes in (above, below))
 
 
 @pytest.mark.parametrize(

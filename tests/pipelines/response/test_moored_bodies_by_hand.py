@@ -77,7 +77,7 @@ def house(monkeypatch):
     monkeypatch.setattr(of_period, "long_period", note("long_period", SimpleNamespace(
         damping=np.array([0.1, 0.2, 0.05]), period=np.array([100.0, np.nan, 50.0]))))  # fmt: skip
     monkeypatch.setattr(of_motion, "slow_motion", note("slow_motion", "slow"))
-    monkeypatch.setattr(of_response, "viscous_laws", lambda read, db: "laws")
+    monkeypatch.setattr(of_response, "viscous_laws", lambda *of: "laws" if of == (read, db) else of)
     monkeypatch.setattr(of_response, "viscous_words", lambda held, laws, damping: (f"{held.name} {laws} {damping}",))
     monkeypatch.setattr(of_viscous, "in_sea", lambda body, sea, laws, *held: (held[0] if held else body, "damped"))
     monkeypatch.setattr("hakobune.mooring.on_current.body.on_current",
@@ -186,11 +186,16 @@ def test_several_bodies_move_on_the_damping_of_what_drives_them_and_the_stiffnes
     monkeypatch.setattr(of_study, "read_study", lambda path: (study, ""))
     monkeypatch.setattr("hakobune.bem.hinges.driven", lambda alone: driven)
     monkeypatch.setattr(moored, "gusts_of", lambda wind: gusts)
-    monkeypatch.setattr("hakobune.pipelines.response.study.viscous_laws", lambda read, db: "laws")
+    monkeypatch.setattr("hakobune.pipelines.response.study.viscous_laws", lambda *of: "laws" if of == (read, db) else 0)
     monkeypatch.setattr("hakobune.pipelines.response.study.viscous_words", lambda held, laws, damping: [damping])
+
+    def in_sea(body, laws, where):
+        same = where == (db.bodies_reader, SEA)
+        return SimpleNamespace(of=body, stiffness="K"), f"damped by {laws}" if same else where
+
     monkeypatch.setattr(
         "hakobune.mooring.response.viscous.in_sea",
-        lambda reader, sea, laws, body: (SimpleNamespace(of=body, stiffness="K"), f"damped by {laws}"),
+        lambda reader, sea, laws, body: in_sea(body, laws, (reader, sea)),
     )
     monkeypatch.setattr("hakobune.mooring.studies.long_period.drag_of_each", lambda conditions, hulls, depth: depth)
     monkeypatch.setattr(

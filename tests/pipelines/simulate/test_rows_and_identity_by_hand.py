@@ -172,7 +172,8 @@ def test_where_the_simplified_method_has_no_answer_it_says_so(monkeypatch, more,
 
     monkeypatch.setattr(beside, "multi_point", refused)
     found = beside.simplified(study_of(**more), SimpleNamespace(bodies=()))
-    assert says in found.findings[0] and not found.tension.size and np.isnan([*found.period, *found.slow]).all()
+    assert says in found.findings[0] and not found.tension.size and not found.utilisation.size
+    assert np.isnan([*found.period, *found.slow]).all() and found.period.shape == found.slow.shape == (3,)
 
 
 def study_of(at_berth=False, quay=None, lines=("a",), **_):
