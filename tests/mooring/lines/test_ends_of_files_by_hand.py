@@ -25,7 +25,7 @@ def test_a_value_of_fast_farm_stands_before_its_name(name, value):
 def test_options_may_begin_with_their_names_and_units():
     rows = [(7, "Option  Value"), (8, "(-)  (-)"), (9, "50.0  WtrDpth  the depth"), (10, "0.5 dtM")]
     assert moordyn._options(rows, "f") == {"WtrDpth": "50.0", "dtM": "0.5"}
-    with pytest.raises(FormatError, match="line 11.*'12.5' is not a value and a name"):
+    with pytest.raises(FormatError, match=r"line 11.*'12.5' is not a value and a name"):
         moordyn._options([*rows, (11, " 12.5 ")], "f")
 
 
