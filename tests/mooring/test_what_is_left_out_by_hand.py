@@ -7,7 +7,9 @@ import numpy as np
 import pytest
 
 from hakobune.bem.database.reader import BetweenError
-from hakobune.mooring.response import drift, points, sea_state, viscous
+from hakobune.mooring.breakwater import anchors as of_anchors
+from hakobune.mooring.motion import given_forces
+from hakobune.mooring.response import bound_wave_drift, drift, points, sea_state, viscous
 from hakobune.mooring.single_point import equilibria, rings
 from hakobune.mooring.studies.breakwater import pareto
 from hakobune.mooring.studies.breakwater.breakwater import BreakwaterError
@@ -164,6 +166,36 @@ def test_drift_of_each_body_is_left_out_where_it_is_not_known(monkeypatch):
     rows = np.arange(12.0).reshape(2, 1, 2, 3)
     known = SimpleNamespace(bodies=("a", "b"), drift_of_each=lambda omega, heading: rows)
     assert sea_state.drift_of_each(known, *given) == pytest.approx(2 * rows[0, 0] + 2 * rows[1, 0])
+
+
+@pytest.mark.parametrize("drift, inertia, known", [(True, "M", True), (False, "M", False), (True, None, False)])
+def test_slow_forces_of_bound_waves_are_compared_where_drift_and_inertia_are_known(drift, inertia, known, monkeypatch):
+    """Root of ∫ (S_x + S_y) dΔ: 2 and 8 N² s/rad over 0.5 rad/s, by Newman 18: √(10/18)"""
+    monkeypatch.setattr(bound_wave_drift, "held_beyond", lambda omega, D, spectrum: (omega, D))
+    monkeypatch.setattr(bound_wave_drift, "differences", lambda body: np.linspace(0.0, 0.5, 33))
+    monkeypatch.setattr(bound_wave_drift, "force_spectrum_with", lambda bound, spectrum, omega, D, step: (
+        np.tile([2.0, 8.0, 99.0], (len(step), 1)) if not D.any() else None))  # fmt: skip
+    monkeypatch.setattr(bound_wave_drift, "force_spectrum", lambda spectrum, omega, D, step: (
+        np.tile([6.0, 12.0, 99.0], (len(step), 1))))  # fmt: skip
+    spectrum = SimpleNamespace(moment=lambda n: 1.0, quantile=lambda p: np.array([0.5, 2.0]))
+    body = SimpleNamespace(knows_drift=drift, inertia=inertia, omega=np.array([0.6, 1.8]),
+                           drift=lambda omega, heading: np.ones((len(omega), 1, 3)))  # fmt: skip
+    found = bound_wave_drift.bound_to_newman(body, SimpleNamespace(spectrum=spectrum, direction=0.0))
+    assert found == (pytest.approx(math.sqrt(10 / 18)) if known else None)
+
+
+def test_forces_that_are_not_given_are_nil_of_every_body():
+    total, step = given_forces.sampled((), 10.0, 100.0, 2)
+    assert total.shape == (12, 1) and not total.any() and step == 1.0
+
+
+@pytest.mark.parametrize("value, least", [(0.5, 0.5), ([0.5, 1e-4, 2.0], 1e-4), (1e-3, None), ([1e-3, 2.0], None)])
+def test_a_friction_is_a_thousandth_or_more_everywhere(value, least):
+    if least is None or np.min(value) >= 1e-3:
+        assert np.all(of_anchors.common_sinker(1.0, 0.0, value) == 1 / np.asarray(value))
+    else:
+        with pytest.raises(ValueError, match=f"friction is {least:g}; allowed: 0.001 or more"):
+            of_anchors.common_sinker(1.0, 0.0, value)
 
 
 # ------------------------------------------------------------------ designs of breakwaters
