@@ -134,6 +134,25 @@ def test_a_body_without_laws_has_no_viscous_damping_in_regular_waves():
     assert body is floating and damping.shape == (6, 6) and not damping.any()
 
 
+def test_damping_in_regular_waves_is_beside_that_of_the_water_and_the_body(monkeypatch):
+    """A = 2ω, radiated 3 and its own 4 N s/m, laws at the amplitude of the waves; the body has what is found"""
+    told = {}
+
+    def response(omega, A, B, force, inertia, stiffness, laws):
+        told.update(at=(omega, A, B, force, inertia, stiffness), amplitude=laws.wave_amplitude)
+        return None, ("found",)
+
+    monkeypatch.setattr(viscous, "linearised_response", response)
+    monkeypatch.setattr(viscous, "replace", lambda laws, **changes: SimpleNamespace(**{**vars(laws), **changes}))
+    floating = SimpleNamespace(damping=4.0, inertia="M", stiffness="K", coefficients=lambda w: ([2.0 * w[0]], [3.0]),
+                               forces=lambda w, b: [[f"F at {w[0]:g} to {b[0]:g}"]],
+                               restrained=lambda damping: ("held", damping))  # fmt: skip
+    laws = SimpleNamespace(laws={"Roll": "law"}, wave_amplitude=9.0)
+    reader = SimpleNamespace(viscous=laws, floating=lambda: floating)
+    assert viscous.in_regular_waves(reader, 0.8, 1.5, 0.25) == (("held", "found"), "found")
+    assert told == {"at": (0.8, 1.6, 7.0, ["F at 0.8 to 0.25"], "M", "K"), "amplitude": 1.5}
+
+
 def test_damping_in_waves_on_a_current_is_at_the_frequency_that_is_met(monkeypatch):
     """m₀ = ¼ and m₂ = 1 at the frequencies met: σ = ½, ω₂ = 2; the law is told both, of motions that have one"""
     monkeypatch.setattr(viscous, "frequencies", lambda body, density: np.array([0.5, 1.0]))
