@@ -8,6 +8,8 @@ import pytest
 
 from hakobune.bem.database.reader import BetweenError
 from hakobune.mooring.breakwater import anchors as of_anchors
+from hakobune.mooring.dolphins import earthquake
+from hakobune.mooring.lines.system import equilibrium
 from hakobune.mooring.motion import given_forces
 from hakobune.mooring.response import bound_wave_drift, drift, points, sea_state, viscous
 from hakobune.mooring.single_point import equilibria, rings
@@ -283,3 +285,44 @@ def test_behind_a_design_in_a_sea_are_four_deviations_of_what_passes(few, monkey
     assert asked["at"] == ("taut", "linear", 0.0, "ω", 0.75, "ways")
     counts = (pareto.FEW_CELLS, pareto.FEW_WAYS) if few else (pareto.SEA_CELLS, pareto.WAYS)
     assert (asked["cells"], asked["ways"]) == counts
+
+
+# ------------------------------------------------------------------ searches
+
+
+@pytest.mark.parametrize("radius", [1e-3, 0.1, 1.0, 2.0, 5.0])
+def test_a_step_where_a_stiffness_is_indefinite_solves_an_evenly_stiffer_system_at_its_length(radius):
+    """K = Q diag(−2, 1, 4) Qᵀ: s = Q (|λ| + m)⁻¹ Qᵀ r, of the length asked for, or of m = 0 where that is shorter"""
+    rng = np.random.default_rng(3)
+    Q, _ = np.linalg.qr(rng.normal(size=(3, 3)))
+    K = np.zeros((4, 4))
+    K[:3, :3] = Q @ np.diag([-2.0, 1.0, 4.0]) @ Q.T
+    K[3, 3] = 7.0
+    residual, moving = np.array([1.0, -2.0, 3.0, 9.0]), np.array([True, True, True, False])
+    found = equilibrium._Indefinite(K, residual, np.ones(4), moving).within(radius)
+    whole = Q @ (Q.T @ residual[:3] / np.array([2.0, 1.0, 4.0]))
+    if radius >= np.linalg.norm(whole):
+        assert found == pytest.approx(whole)
+    else:
+        assert 0.98 * radius <= np.linalg.norm(found) <= radius * (1 + 1e-12)
+        along, rest = Q.T @ found, Q.T @ residual[:3]
+        assert rest / along - np.array([2.0, 1.0, 4.0]) == pytest.approx(np.full(3, rest[0] / along[0] - 2.0))
+    still = equilibrium._Indefinite(K, np.zeros(4), np.ones(4), moving).within(radius)
+    assert still.tolist() == [0.0, 0.0, 0.0]
+
+
+def test_a_scaled_stiffness_is_that_of_the_scaled_freedoms():
+    """Freedoms over units of 1 and 10: K/(u uᵀ)"""
+    K, unit = np.diag([-2.0, 300.0]), np.array([1.0, 10.0])
+    found = equilibrium._Indefinite(K, np.array([1.0, 6.0]), unit, np.array([True, True])).within(100.0)
+    assert np.abs(found) == pytest.approx([0.5, 2.0])
+
+
+@pytest.mark.parametrize("slow", [1.0, 1e-4])
+def test_the_frequency_of_a_body_on_a_spring_has_the_added_mass_there(slow):
+    """ω² (m + A(ω)) = K with A = ½m (1 + ω²/ω₀²): ω²/ω₀² = x of x (1.5 + ½x) = κ, however slow"""
+    floater = SimpleNamespace(mass=2.0, added_mass=0.3, water=lambda omega: (
+        np.array([1.0 + (omega / slow) ** 2]), np.zeros(1)))  # fmt: skip
+    found = earthquake.natural(floater, 2.0 * slow**2 * 0.8)
+    x = -1.5 + math.sqrt(1.5**2 + 2 * 0.8)
+    assert found == pytest.approx(slow * math.sqrt(x), rel=1e-6)
