@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from hakobune.mooring.motion.simulation import body, realisation, run
+from hakobune.mooring.motion.simulation import body, moored_body, realisation, run
 from hakobune.mooring.motion.simulation.failures import SimulationError
 
 
@@ -201,3 +201,94 @@ def test_waves_pass_the_origin_by_the_sum_of_their_parts():
     assert realisation._elevation(table, t, None) == pytest.approx(wanted, abs=1e-9)
     none = SimpleNamespace(omega=np.zeros(0))
     assert realisation._elevation(none, t, None).tolist() == [0.0] * 20
+
+
+# ------------------------------------------------------------------ how a moored body is prepared
+
+
+@pytest.fixture
+def prepared(monkeypatch):
+    """`moored_body.moored` with stand-ins of what it calls: what it made, and in which order"""
+    calls = []
+
+    def stands(name, value):
+        monkeypatch.setattr(moored_body, name, lambda *given, **more: (
+            calls.append(name), value(*given) if callable(value) else value)[1])  # fmt: skip
+
+    stands("in_time", SimpleNamespace(damping="damping", quadratic="quadratic", body="viscous body"))
+    stands("fitted_memory", ("memory", ("fitted",)))
+    stands("_of_viscous", ("viscous",))
+    stands("_check_place", None)
+    stands("_check_upright", None)
+    stands("check_bending", None)
+    stands("check_held", None)
+    stands("body_lines", None)
+    stands("_rest", (np.full(6, 2.0), 5 * np.eye(6)))
+    stands("tables_of", "tables")
+    stands("_of_tables", ("coarse",))
+    stands("with_shapes", lambda berth, body: berth)
+    stands("_but_berth", "others")
+    stands("at_rest", lambda berth, others, start, units: start + 1)
+    stands("berth_stiffness", lambda berth, start: start[0] * np.eye(6))
+    stands("_of_loose", ("loose",))
+    stands("rest_bent", lambda body, berth, others, start, units, free: (start + 3, 9 * np.eye(6)))
+    stands("_rest_together", lambda *given: (given[-1] + 4, 8 * np.eye(6)))
+    stands("units_of", "units")
+    stands("wave_forces", "waves")
+
+    def make(modes=(), links=None, each=True, lines=False, fenders=(), **more):
+        monkeypatch.setattr(moored_body, "links_of", lambda body: links)
+        body = SimpleNamespace(words=range(6), modes=modes, damping=np.zeros((6, 6)), stiffness=7 * np.eye(6), rigid=6,
+                               between=SimpleNamespace(forget=lambda: calls.append("forget")),
+                               held_added_mass=lambda omega: [f"A at {omega:g}"], knows_drift_of_each=each)  # fmt: skip
+        berth = SimpleNamespace(names=fenders)
+        db = SimpleNamespace(bodies_reader=SimpleNamespace(floating=lambda: body))
+        return moored_body.moored(db, "system" if lines else None, "hull", berth=berth, **more), calls
+
+    return make
+
+
+def test_a_body_on_its_own_springs_rests_where_it_is(prepared):
+    found, calls = prepared(spring=2 * np.eye(6))
+    assert found.stiffness == pytest.approx(9 * np.eye(6)) and found.start.tolist() == [0.0] * 6
+    assert (
+        found.findings == ("fitted", "viscous") and found.slow_added_mass == "A at 0" and found.free == tuple(range(6))
+    )
+    assert (found.memory, found.damping, found.quadratic, found.waves) == ("memory", "damping", "quadratic", "waves")
+    assert "_check_upright" in calls and not {"_rest", "at_rest", "rest_bent", "check_held", "check_bending"} & {*calls}
+    given, calls = prepared(memory="given", waves="theirs", motions=(0, 2))
+    assert (given.memory, given.waves, given.free) == ("given", "theirs", (0, 2)) and given.findings == ("viscous",)
+
+
+@pytest.mark.parametrize("lines, fenders, start, stiffness, said", [
+    (True, (), 2.0, 5.0, ("coarse",)), (False, ("f",), 1.0, 7.0 + 1.0, ("loose",)),
+    (True, ("f",), 3.0, 5.0 + 3.0, ("coarse", "loose")),
+])  # fmt: skip
+def test_a_body_on_lines_and_fenders_rests_where_both_hold_it(lines, fenders, start, stiffness, said, prepared):
+    found, calls = prepared(lines=lines, fenders=fenders)
+    assert found.start.tolist() == [start] * 6 and found.stiffness == pytest.approx(stiffness * np.eye(6))
+    assert found.findings == ("fitted", "viscous", *said) and "_check_upright" in calls
+    assert {"_check_place", "body_lines"} <= {*calls} if lines else "_check_place" not in calls
+
+
+@pytest.mark.parametrize("lines, fenders, start, stiffness", [
+    (False, (), 0.0, 7.0), (True, (), 5.0, 9.0), (False, ("f",), 3.0, 9.0),
+])  # fmt: skip
+def test_a_body_that_bends_rests_with_its_shapes_on_lines_or_fenders(lines, fenders, start, stiffness, prepared):
+    found, calls = prepared(modes=("shape",), lines=lines, fenders=fenders)
+    assert found.start.tolist() == [start] * 6 and found.stiffness == pytest.approx(stiffness * np.eye(6))
+    assert {"check_bending", "with_shapes", "_check_upright"} <= {*calls} and "at_rest" not in calls
+    assert ("rest_bent" in calls) == bool(lines or fenders)
+
+
+@pytest.mark.parametrize("each", [True, False])
+def test_bodies_with_hinges_rest_together_and_are_held_by_them(each, prepared):
+    found, calls = prepared(links="links", each=each, lines=True, fenders=("f",))
+    assert found.start.tolist() == [4.0] * 6 and found.stiffness == pytest.approx(8 * np.eye(6))
+    assert "check_held" in calls and not {"_rest", "at_rest", "_check_upright", "rest_bent"} & {*calls}
+    assert any("mean and slow drift of hinged bodies" in line for line in found.findings) == each
+
+
+def test_a_moored_body_says_how_many_lines_and_states_it_has(prepared):
+    found, _ = prepared()
+    assert repr(found) == "<Moored 0 lines, memory>"
