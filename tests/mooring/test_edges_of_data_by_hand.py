@@ -12,10 +12,12 @@ from hakobune.mooring.lines.dynamics.bed import ElasticBed
 from hakobune.mooring.lines.dynamics.line import AttachedBody, DynamicLine, DynamicSegment
 from hakobune.mooring.lines.dynamics.regime import regime_of
 from hakobune.mooring.lines.dynamics.run import stopped
+from hakobune.mooring.motion.simulation import loads as of_loads
 from hakobune.mooring.passing import double_body
 from hakobune.mooring.passing.passage import Track
 from hakobune.mooring.seas import directions, wavewatch
 from hakobune.mooring.studies.breakwater import tides
+from hakobune.mooring.studies.breakwater.breakwater import Breakwater, BreakwaterError
 
 CHAIN = DynamicSegment(100.0, 90.0, 780.0, 0.1, 5e8, 20)
 
@@ -255,3 +257,54 @@ def test_a_line_snaps_in_waves_of_half_the_height_at_the_period_of_its_largest_t
         assert tides.snapping(made, rows, held) is None
     made.lines.stretch = None
     assert tides.snapping(made, rows, SimpleNamespace(slack=(("low", "front"),))) is None
+
+
+@pytest.mark.parametrize("pull, taken", [(9.99, True), (10.01, False)])
+def test_a_pretension_stretches_a_line_by_half_of_its_length_at_most(pull, taken):
+    """2 P₀ s ≤ EA: 10 kN/m at the highest level of lines 5 m apart with EA = 100 kN"""
+    rises = {0.0: 1e3, -1.0: 2e3, 1.0: 1e3 * pull}
+    lines = SimpleNamespace(axial_stiffness=1e5, spacing=5.0)
+    made = SimpleNamespace(lines=lines, levels=[("mean", 0.0), ("low", -1.0), ("high", 1.0)], pretension=rises.get)
+    if taken:
+        Breakwater._check_stretch(made)
+    else:
+        with pytest.raises(BreakwaterError, match=r"lines.axial_stiffness is 100 kN and the pretension up to 50.05 kN"):
+            Breakwater._check_stretch(made)
+        for none in (None, SimpleNamespace(axial_stiffness=None, spacing=5.0)):
+            Breakwater._check_stretch(SimpleNamespace(lines=none, levels=made.levels, pretension=rises.get))
+
+
+def test_a_pretension_is_half_of_what_floats_up_over_the_sine_of_the_lines():
+    """g (ρ A − m)/2 sin α at the level of the tide"""
+    water = SimpleNamespace(density=1000.0, gravity=10.0)
+    made = SimpleNamespace(body="body", water=water, mass=2e4, angle=math.pi / 6,
+                           wetted=lambda rise: SimpleNamespace(area=30.0 + rise))  # fmt: skip
+    assert Breakwater.pretension(made, 2.0) == pytest.approx(10.0 * (32e3 - 2e4))
+    made.body = None
+    assert Breakwater.pretension(made, 2.0) is None
+
+
+@pytest.mark.parametrize("carrier", [None, "current"])
+def test_wave_pairs_push_each_body_at_its_own_heading_by_the_waves_of_their_sea(carrier, monkeypatch):
+    """Three components of the first sea, whose pairs are not asked for, and two of the second; two bodies, headed to
+    0.1 + 0.2 and 0.3 + 0.4 rad, of which the second drifts"""
+    told = []
+    monkeypatch.setattr(of_loads, "_band", lambda moored, sea, settings: ("low", "high", sea))
+    monkeypatch.setattr(of_loads, "met_by_a_place", lambda own, carrier, depth, gravity: (carrier, depth, gravity))
+    monkeypatch.setattr(of_loads, "drift_of", lambda waves, own, heading: (waves.drift, heading))
+    monkeypatch.setattr(of_loads, "pair_record", lambda *given: (
+        told.append(given) or (np.array([0.0, 1.0]), np.ones((2, 6)))))  # fmt: skip
+    at_rest = np.array([[0, 0, 0, 0, 0, 0.1], [0, 0, 0, 0, 0, 0.3]])
+    reader = SimpleNamespace(axes_at_rest=at_rest, depth=20.0, gravity=9.8)
+    each = [SimpleNamespace(drift=None), SimpleNamespace(drift="D")]
+    moored = SimpleNamespace(reader=reader, start=np.array([0, 0, 0, 0, 0, 0.2] * 2) * np.repeat([1.0, 2.0], 6),
+                             waves=SimpleNamespace(each=each))  # fmt: skip
+    weather = SimpleNamespace(seas=(3, 2), beside_newman=(None, ("Ta", "Tb")), carrier=carrier)
+    parts = tuple(np.arange(5.0) + 10 * i for i in range(4))
+    found = list(of_loads.pairs(moored, weather, SimpleNamespace(ramp=5.0, duration=60.0), parts))
+    assert [one.body for one in found] == [0, 1] and all(one.times.tolist() == [-5.0, -4.0] for one in found)
+    (first, own, length, none, met), (second, _, _, drift, _) = told
+    assert (first, second, length) == ("Ta", "Tb", 65.0) and met == (carrier, 20.0, 9.8)
+    assert [part.tolist() for part in own] == [[3, 4], [13, 14], [23, 24], [33, 34]]
+    assert none is None and drift == ("D", pytest.approx(0.7))
+    assert all(one.smooth for one in found)
