@@ -1,0 +1,298 @@
+"""Kernels of a step beside lines that move, as plain Python: what a wrong course costs, ends, samples, contacts."""
+
+import math
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from plain import plain
+
+integrator, line_loads = plain("mooring.motion.integrator"), plain("mooring.motion.line_loads")
+contact_loads, stage = plain("mooring.motion.contact_loads"), plain("mooring.lines.dynamics.lumped.stage")
+surroundings, steps = plain("mooring.lines.dynamics.lumped.surroundings"), plain("mooring.lines.system.steps")
+BLOCK = integrator.BLOCK
+
+# ------------------------------------------------------------------ a wrong course
+
+
+class Course:
+    """One line of spring k along its stretch on each of two bodies; masses of 4 kg, coupled or not"""
+
+    def __init__(
+        self, off, speed, number=(1,), heading=0.0, whole=True, given=(3.0, 4.0, 0.0), stretch=(1.0, 0, 0, 0, 0, 0),
+        coupled=0.0,
+    ):  # fmt: skip
+        inverse = np.eye(12) / 4.0
+        inverse[0, 6] = inverse[6, 0] = coupled
+        work = SimpleNamespace(whole=np.array([True, whole]), given=np.array([[(9.0, 9, 9)], [given]]))
+        body = SimpleNamespace(mass_inverse=inverse, heading=np.array([0.0, heading]))
+        self.scene = SimpleNamespace(line_work=work, lines=SimpleNamespace(body=np.array([0, 1])), body=body)
+        trial = np.zeros(2 * BLOCK)
+        foreseen = np.zeros((2, 12))
+        foreseen[1] = 7.0
+        trial[BLOCK : BLOCK + 6] = 7.0 + np.array(off)
+        trial[BLOCK + 6 : BLOCK + 12] = 7.0 + np.array(speed)
+        self.clock = SimpleNamespace(trial=trial, scale=np.full((2, 12), 1e-3))
+        self.clock.scale[0], self.clock.scale[1, 6:] = 1e-1, 1e-2
+        count, way = len(number), np.array(stretch, float)
+        lines = SimpleNamespace(number=np.array(number), spring=np.full(count, 50.0), tolerance=0.01,
+                                stretch=np.tile(way, (count, 1)), tension=np.full(count, 2.0))  # fmt: skip
+        kept = SimpleNamespace(push=np.zeros(12), foreseen=foreseen, room=SimpleNamespace(push=np.zeros(6)))
+        self.moving = lines, kept
+
+    def __call__(self, h=0.6):
+        return integrator.missed_course(self.scene, self.clock, self.moving, h)
+
+
+NONE = np.zeros(6)
+
+
+@pytest.mark.parametrize("given, tension", [((3.0, 4.0, 0.0), 5.0), ((0.0, 0.0, 1.0), 2.0), ((2.0, 3.0, 6.0), 7.0)])
+def test_a_pull_is_wrong_by_what_the_place_missed_stretches_over_its_tension(given, tension):
+    """k x = 50 · 1e-4 N of the larger of the tension now and that of the line, over a tolerance of 1 %"""
+    off = NONE.copy()
+    off[0] = -1e-4
+    assert Course(off, NONE, given=given)(1e-9) == pytest.approx(5e-3 / (0.01 * tension))
+
+
+def test_a_place_missed_moves_the_body_by_its_acceleration_over_a_step():
+    """h/12 k x/m over the scale of the place: 0.6/12 · 50 · 0.1/4 over 1e-3"""
+    off = NONE.copy()
+    off[0] = 0.1
+    made = Course(off, NONE, given=(0.0, 0.0, 1e9))
+    assert made() == pytest.approx(0.6 / 12 * 50 * 0.1 / 4 / 1e-3)
+    made.moving[0].spring[:] = 100.0
+    assert made(0.3) == pytest.approx(0.3 / 12 * 100 * 0.1 / 4 / 1e-3)
+
+
+def test_a_velocity_missed_changes_that_of_the_body_twice_as_much():
+    """h/6 k v/m over the scale of the velocity"""
+    speed = NONE.copy()
+    speed[0] = 0.1
+    assert Course(NONE, speed, given=(0.0, 0.0, 1e9))() == pytest.approx(0.6 / 6 * 50 * 0.1 / 4 / 1e-2)
+
+
+def test_a_coupled_body_is_moved_too_by_its_own_scale():
+    """1/M₀₆ = 2: h/12 · 2 k x over 1e-1 of the other, beside 1/4 over 1e-3 of its own"""
+    off = NONE.copy()
+    off[0] = 0.1
+    found = Course(off, NONE, given=(0.0, 0.0, 1e9), coupled=200.0)()
+    assert found == pytest.approx(0.6 / 12 * 200 * 50 * 0.1 / 1e-1)
+
+
+def test_places_in_space_are_missed_along_the_axes_at_rest_and_velocities_as_they_are():
+    """At 90° a metre along y is one ahead"""
+    off = NONE.copy()
+    off[1] = 0.1
+    straight, turned = (Course(off, NONE, heading=angle, given=(0.0, 0.0, 1e9))() for angle in (0.0, math.pi / 2))
+    assert straight == 0.0 and turned == pytest.approx(0.6 / 12 * 50 * 0.1 / 4 / 1e-3)
+    off[:2] = 0.1, 0.0
+    side = Course(off, NONE, heading=math.pi / 2, given=(0.0, 0.0, 1e9), stretch=(0, 1.0, 0, 0, 0, 0))
+    assert side() == pytest.approx(0.6 / 12 * 50 * 0.1 / 4 / 1e-3)
+    speed = NONE.copy()
+    speed[1] = 0.1
+    assert Course(NONE, speed, heading=math.pi / 2, given=(0.0, 0.0, 1e9))() == 0.0
+
+
+def test_lines_that_are_lost_miss_nothing_and_others_add_up():
+    off = NONE.copy()
+    off[0] = 0.1
+    assert Course(off, NONE, whole=False)() == 0.0
+    assert Course(off, NONE, number=(1, 1), given=(0.0, 0.0, 1e9))() == pytest.approx(
+        2 * 0.6 / 12 * 50 * 0.1 / 4 / 1e-3
+    )
+
+
+# ------------------------------------------------------------------ ends, samples
+
+
+def test_a_fairlead_moves_with_its_body_and_turns_about_its_centre():
+    """Heading ψ alone: place r + R p, velocity R (u, v) + ṙ × …, as a difference of places over 2 µs"""
+    p = np.array([20.0, -5.0, 3.0])
+    lines = SimpleNamespace(
+        fairlead=np.array([p]), body=np.array([1]), place=np.array([[0.0, 0, 0], [100.0, 50.0, -2.0]])
+    )
+    room = SimpleNamespace(R=np.zeros((3, 3)), arm=np.zeros(3), unit=np.zeros(3), push=np.zeros(6))
+
+    def at(t):
+        """Surge ahead at 2 m/s and sway at 1 m/s along the heading 0.5 + 0.1 t, heave at 0.3 m/s"""
+        psi = 0.5 + 0.1 * t
+        c, s = math.cos(psi), math.sin(psi)
+        state = np.zeros(12)
+        state[:6] = (
+            7.0 + (2 * math.cos(0.5) - math.sin(0.5)) * t,
+            8.0 + (2 * math.sin(0.5) + math.cos(0.5)) * t,
+            0.3 * t,
+            0,
+            0,
+            psi,
+        )
+        state[6:] = 2.0, 1.0, 0.3, 0.0, 0.0, 0.1
+        place, velocity = np.zeros(3), np.zeros(3)
+        line_loads.fairlead_of(lines, 0, state, room, place, velocity)
+        wanted = [100 + state[0] + c * p[0] - s * p[1], 50 + state[1] + s * p[0] + c * p[1], -2 + state[2] + p[2]]
+        assert place == pytest.approx(wanted)
+        return place, velocity
+
+    (before, _), (_, velocity), (after, _) = at(-1e-6), at(0.0), at(1e-6)
+    assert velocity == pytest.approx((after - before) / 2e-6, rel=1e-6)
+
+
+@pytest.mark.parametrize("s", [0.0, 0.25, 0.7, 1.0])
+def test_samples_of_a_buoy_and_of_shapes_are_cubics_through_values_and_rates(s):
+    """1 − 2t + 3t² − t³ from t = 10 to 12, exactly"""
+    value = lambda t: 1 - 2 * (t - 10) + 3 * (t - 10) ** 2 - (t - 10) ** 3  # noqa: E731
+    rate = lambda t: -2 + 6 * (t - 10) - 3 * (t - 10) ** 2  # noqa: E731
+    size = BLOCK + 6 + 12
+    clock = SimpleNamespace(y=np.full(size, value(10.0)), trial=np.full(size, value(12.0)), scale=np.zeros((1, 12)),
+                            stages=np.full((7, size), np.nan))  # fmt: skip
+    clock.stages[0], clock.stages[6] = rate(10.0), rate(12.0)
+    for put, first, count in ((integrator.put_buoy, BLOCK, 6), (integrator.put_shapes, BLOCK + 6, 12)):
+        clock.y[first + 1] += 5.0
+        clock.trial[first + 1] += 5.0
+        out = np.zeros(count)
+        put(clock, 10.0, 2.0, 10.0 + 2.0 * s, out)
+        wanted = np.full(count, value(10.0 + 2.0 * s))
+        wanted[1] += 5.0
+        assert out == pytest.approx(wanted)
+
+
+@pytest.mark.parametrize("t, after", [(0.0, 3.0), (3.0, 8.0), (2.999, 3.0), (9.0, math.inf)])
+def test_the_next_line_to_break_is_the_first_after_now(t, after):
+    assert integrator.next_break(SimpleNamespace(lost=np.array([8.0, np.inf, 3.0, -1.0])), t) == after
+
+
+def test_contacts_along_a_run_are_those_of_each_of_its_places(monkeypatch):
+    """Depths and forces of two fenders at three places; shapes as they are bent there"""
+    seen = []
+
+    def loads(contacts, work, positions, R, v, f):
+        seen.append((positions.tolist(), work.bent.tolist()))
+        work.now[:, contact_loads.DEPTH] = positions[0, 0] + np.arange(2)
+        work.now[:, contact_loads.FORCE] = 10 * positions[0, 0] + np.arange(2)
+
+    monkeypatch.setattr(contact_loads, "contact_loads", loads)
+    monkeypatch.setattr(contact_loads, "settle", lambda work: seen.append("settled"))
+    work = SimpleNamespace(bent=np.zeros(2), now=np.zeros((2, 9)))
+    positions, bent = np.arange(3.0).reshape(3, 1, 1), np.arange(6.0).reshape(3, 2)
+    contacts = SimpleNamespace(numbers=np.zeros((2, 3)))
+    depth, force = np.zeros((3, 2)), np.zeros((3, 2))
+    contact_loads.contacts_along(contacts, work, positions, None, None, None, depth, force, bent)
+    assert depth.tolist() == [[0, 1], [1, 2], [2, 3]] and force.tolist() == [[0, 1], [10, 11], [20, 21]]
+    assert seen[::2] == [([[k]], bent[k].tolist()) for k in range(3)] and seen[1::2] == ["settled"] * 3
+    contact_loads.contacts_along(contacts, work, positions, None, None, None, depth, force)
+    assert seen[-2][1] == [4.0, 5.0]  # as they were
+
+
+# ------------------------------------------------------------------ lines
+
+
+@pytest.mark.parametrize("change, worst", [
+    ([9.0, 1, 5, 2], 1), ([0.0, 7, 5, 2], 0), ([0.0, 1, 5, 8], 2), ([0.0, 1, np.nan, 8], 1), ([0.0, 3, 3, 3], 0),
+])  # fmt: skip
+def test_the_worst_element_is_that_whose_tension_changes_most_or_is_no_number(change, worst):
+    """Element e at place e + 1; of several that are no number the last"""
+    work = SimpleNamespace(change=np.array(change, float))
+    found = stage.worst_element(work, 3)
+    assert found == worst or (np.isnan(change).any() and found >= worst)
+
+
+@pytest.mark.parametrize("z, speed", [(-60.0, 0.2), (-50.0, 0.2), (-40.0, 0.4), (-30.0, 0.6), (-15.0, 0.9), (0.0, 1.2),
+                                      (5.0, 1.2)])  # fmt: skip
+def test_a_current_is_straight_between_its_levels_and_constant_beyond(z, speed):
+    """0.2 m/s at −50 m, 0.6 at −30 m and 1.2 at the surface, which holds above it too; the ramp and its rate"""
+    water = SimpleNamespace(level=np.array([-50.0, -30.0, 0.0]),
+                            current=np.array([[0.2, -2.0], [0.6, -6.0], [1.2, -12.0]]))  # fmt: skip
+    q, u, du = np.zeros((3, 8)), np.ones((3, 8)), np.ones((3, 8))
+    q[2] = z
+    surroundings.add_current(water, q, 2, 0.5, 0.25, u, du)
+    assert u[:, :2] == pytest.approx(np.tile([[1 + 0.5 * speed], [1 - 5 * speed], [1.0]], 2))
+    assert du[:, :2] == pytest.approx(np.tile([[1 + 0.25 * speed], [1 - 2.5 * speed], [1.0]], 2))
+    assert np.all(u[:, 2:] == 1.0)
+
+
+# ------------------------------------------------------------------ steps to rest
+
+
+def step(K, force, radius, unit=None, moving=None):
+    n = len(force)
+    out = np.full(n, 9.0)
+    found = steps.step_within(np.array(K, float), np.array(force, float), np.ones(n) if unit is None else unit,
+                              np.ones(n, bool) if moving is None else moving, radius, out)  # fmt: skip
+    return found, out
+
+
+def test_a_step_within_its_radius_is_newton_s_in_the_given_units():
+    """K s = f of what moves; over units: K/(u uᵀ)"""
+    found, out = step([[4.0, 1, 7], [1, 3, 7], [7, 7, 7]], [1.0, 2.0, 5.0], 10.0, moving=np.array([True, True, False]))
+    assert found == steps.FOUND and out == pytest.approx([1 / 11, 7 / 11, 0.0])
+    found, out = step([[4.0, 0], [0, 300.0]], [1.0, 2.0], 10.0, np.array([1.0, 10.0]))
+    assert out == pytest.approx([0.25, 2 / 3])
+    found, out = step([[4.0, 1], [0, 3]], [1.0, 2.0], 10.0)  # not symmetric, as with friction
+    assert found == steps.FOUND and out == pytest.approx([1 / 12, 2 / 3])
+
+
+@pytest.mark.parametrize("radius", [0.01, 0.3])
+def test_a_longer_step_is_shortened_by_an_evenly_greater_stiffness(radius):
+    """(K + m) s = f of the length asked for, within 2 %"""
+    K, f = np.array([[4.0, 1.0], [1.0, 3.0]]), np.array([1.0, 2.0])
+    found, out = step(K, f, radius)
+    size = np.linalg.norm(out)
+    assert found == steps.FOUND and radius * (1 - 1e-12) <= size <= 1.02 * radius
+    left = f - K @ out
+    assert left / out == pytest.approx(np.full(2, left[0] / out[0])) and left[0] / out[0] > 0
+
+
+def test_an_indefinite_stiffness_has_no_step():
+    found, out = step([[1.0, 2.0], [2.0, 1.0]], [1.0, 2.0], 10.0)
+    assert found == steps.INDEFINITE and out.tolist() == [9.0, 9.0]
+    assert step([[-1.0]], [1.0], 10.0)[0] == steps.INDEFINITE
+
+
+BED = -50.0
+FREE = np.array([[0.0, 0.0, -50.0], [1.0, 1.0, -20.0]])
+
+
+@pytest.mark.parametrize("index, force, held", [
+    (8, -1.0, True), (8, 0.0, True), (8, 1.0, False), (7, -1.0, False), (11, -1.0, False), (2, -1.0, False),
+])  # fmt: skip
+def test_a_free_point_on_the_bed_is_held_where_it_is_pressed_down(index, force, held):
+    """Freedoms of a body first, then x, y, z of two points of which the first lies on the bed"""
+    given = np.zeros(12)
+    given[index] = force
+    assert steps.held_by_bed(given, FREE, BED, 6, index) == held
+
+
+def test_what_is_left_over_is_the_largest_force_that_moves_something():
+    """In units; not of what is held, by the study or by the bed; and the pulls of both ends of all lines"""
+    force = np.array([1.0, -2, 30, 40, 5, 6, 7, 8, -99.0, 9, 10, 11])
+    unit = np.ones(12)
+    unit[3] = 10.0
+    may = np.ones(12, bool)
+    may[2] = False
+    rows = np.array([[0, 3.0, -4.0, 5.0, -6.0, 100.0], [0, 1.0, 1.0, 1.0, 1.0, 100.0]])
+    moving, residual = np.zeros(12, bool), np.zeros(12)
+    worst, total = steps.left_over(force, rows, FREE, BED, may, unit, moving, residual)
+    assert (worst, total) == (11.0, 22.0) and moving.tolist() == [
+        True,
+        True,
+        False,
+        *[True] * 5,
+        False,
+        True,
+        True,
+        True,
+    ]
+    assert residual.tolist() == [1, -2, 0, 4, 5, 6, 7, 8, 0, 9, 10, 11]
+    force[4] = np.nan
+    assert np.isnan(steps.left_over(force, rows, FREE, BED, may, unit, moving, residual)[0])
+
+
+def test_work_ahead_of_a_step_is_of_what_is_not_held_there():
+    """Σ s f/u after it, Σ s r before it, and its length"""
+    force = np.array([1.0, 2, 3, 4, 5, 6, 7, 8, -99.0, 9, 10, 11])
+    s, residual, unit = np.full(12, 0.5), np.arange(12.0), np.ones(12)
+    unit[3] = 8.0
+    forth, here, size = steps.ahead_of(s, residual, force, FREE, BED, unit)
+    assert forth == pytest.approx(0.5 * (1 + 2 + 3 + 0.5 + 5 + 6 + 7 + 8 + 9 + 10 + 11))
+    assert here == pytest.approx(33.0) and size == pytest.approx(math.sqrt(3.0))
