@@ -7,6 +7,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from hakobune.mooring.criteria import strength
 from hakobune.mooring.criteria.anchors import Anchor as Holding
 from hakobune.mooring.criteria.anchors import Chart
 from hakobune.mooring.dolphins import linearised
@@ -24,10 +25,11 @@ from hakobune.mooring.lines.system.parts import (
     LineType,
     UniformLine,
 )
-from hakobune.mooring.motion import line_loads
+from hakobune.mooring.loads.box_current import box_table
+from hakobune.mooring.motion import line_loads, statistics
 from hakobune.mooring.motion.moving_lines import prepare
 from hakobune.mooring.motion.simulation import run
-from hakobune.mooring.response import sea_state
+from hakobune.mooring.response import bound_wave_drift, sea_state
 from hakobune.mooring.seas import buoys
 from hakobune.mooring.studies import long_period, system_at_rest
 
@@ -300,3 +302,80 @@ def test_the_rule_over_frequency_is_the_trapezium_s():
     found = every_hour.rule_of(omega, (0, 2))
     assert found[0, [0, -1]] == pytest.approx([0.1, 0.05]) and found.shape == (2, 4)
     assert found[1] == pytest.approx(found[0] * omega**2)
+
+
+# ------------------------------------------------------------------ loads, records, terminations
+
+
+@pytest.mark.parametrize("ratio, part", [(1.0, 1.0), (1.1, 0.5), (1.15, 0.25), (1.2, 0.0)])
+def test_a_square_hull_has_the_mean_of_both_sides_of_the_squarest_that_was_tested(ratio, part):
+    """Between L/B = 1 and 1.2 in proportion; B/d = 10 in deep water"""
+    tested = box_table(12.0, 10.0, 1.0, math.inf)
+    found = box_table(10.0 * ratio, 10.0, 1.0, math.inf)
+    mean = 0.5 * (np.array(tested.x) + np.array(tested.y)[::-1])
+    assert found.x == pytest.approx((1 - part) * np.array(tested.x) + part * mean)
+    assert found.y == pytest.approx((1 - part) * np.array(tested.y) + part * mean[::-1])
+
+
+@pytest.mark.parametrize("below, above", [(0.7, 1.3), (0.52, 1.9), (0.98, 1.02)])
+def test_parts_of_a_record_below_and_above_a_frequency_are_those_of_its_sines(below, above):
+    """3 sin ω₁t + 4 sin ω₂t over whole periods: 3/√2 and 4/√2"""
+    step, count, split = 0.5, 4000, 0.4
+    unit = 2 * math.pi / (count * step)
+    one, two = (round(share * split / unit) * unit for share in (below, above))
+    t = step * np.arange(count)
+    record = 3 * np.sin(one * t + 0.3) + 4 * np.cos(two * t)
+    assert statistics.parts(record, step, split) == pytest.approx([3 / math.sqrt(2), 4 / math.sqrt(2)])
+    assert statistics.slow_part(2.0 + record, step, split) == pytest.approx(2.0 + 3 * np.sin(one * t + 0.3))
+
+
+def test_pairs_of_waves_in_either_order_have_conjugate_forces(monkeypatch):
+    """T_ij of ω_i ≥ ω_j within the highest difference, else its conjugate, and none beyond"""
+    monkeypatch.setattr(bound_wave_drift.BoundWaveForces, "__call__", lambda self, one, two: (
+        (one * two + 1j * (one - two))[..., None] * np.arange(1.0, 7.0)))  # fmt: skip
+    made = bound_wave_drift.BoundWaveForces(0.0, 0.5, (1.0, 2.0), np.zeros((2, 2, 6)), 20.0, 9.8)
+    omega = np.array([0.5, 0.9, 1.3])
+    T = made.of_components(SimpleNamespace(omega=omega))
+    for i, one in enumerate(omega):
+        for j, two in enumerate(omega):
+            wanted = one * two + 1j * (one - two) if abs(one - two) < 0.5 else 0.0
+            assert T[i, j] == pytest.approx(wanted * np.arange(1.0, 7.0))
+
+
+@pytest.mark.parametrize("x, share", [(0.0, 1.0), (0.66, 1.0), (0.8, None), (1.0, 0.0), (1.2, 0.0), (-0.5, 1.0)])
+def test_forces_fade_out_between_four_and_six_tenths_of_the_mean_frequency(x, share):
+    """A cubic step 3s² − 2s³ with s = (1 − x)/(1 − ⅔)"""
+    s = (1 - abs(x)) * 3
+    assert bound_wave_drift.slow_share(x) == pytest.approx(3 * s**2 - 2 * s**3 if share is None else share)
+
+
+@pytest.mark.parametrize("kind, share", [
+    ("socket", 1.0), ("swaged socket", 0.95), ("sleeve", 0.925), ("splice", 0.8), ("wedge socket", 0.75),
+    ("clips", 0.8),
+])  # fmt: skip
+def test_terminations_leave_the_share_of_their_table(kind, share):
+    """TM 5-3810-305-10, table 4, the lower value of each kind"""
+    assert strength.TERMINATIONS[kind] == share
+
+
+def test_a_worn_chain_holds_by_what_is_left_of_its_diameter():
+    """76 mm less 0.4 mm a year for 20 years: d² (44 − 0.08 d) of 68 mm over that of 76 mm; half may be lost"""
+    wanted = 5e6 * 68**2 * (44 - 0.08 * 68) / (76**2 * (44 - 0.08 * 76))
+    assert strength.worn_breaking_load(5e6, 76.0, 0.4, 20.0) == pytest.approx(wanted)
+    assert strength.worn_breaking_load(5e6, 76.0, 0.0, 20.0) == 5e6
+    strength.worn_breaking_load(5e6, 80.0, 2.0, 20.0)
+    with pytest.raises(ValueError, match=r"leaves 39.8 mm of 80 mm after 20.1 years; allowed: at least half"):
+        strength.worn_breaking_load(5e6, 80.0, 2.0, 20.1)
+    for wrong in ((-0.1, 1.0), (0.1, -1.0)):
+        with pytest.raises(ValueError, match="allowed: at least 0"):
+            strength.worn_breaking_load(5e6, 80.0, *wrong)
+
+
+@pytest.mark.parametrize("name, sizes", [
+    ("R3 studless 76 mm", [78, 80, 82]), ("grade 3 98 mm", [100, 105, 110]), ("ORQ 210 mm", [215]),
+    ("wire 6x36 IWRC 1960 60 mm", [64, 72, 80]), ("nylon 16 mm", [20, 24, 28]), ("nylon 256 mm", []),
+])  # fmt: skip
+def test_larger_sizes_of_a_kind_are_those_that_are_made(name, sizes):
+    """Chain by 2 mm up to 98 mm and by 5 mm from 100 mm; rope by 4 mm up to 60 mm and by 8 mm from 64 mm"""
+    kind = name.rsplit(" ", 2)[0]
+    assert strength.larger_sizes(name, 3) == [f"{kind} {size} mm" for size in sizes]
