@@ -10,6 +10,7 @@ from plain import plain
 integrator, line_loads = plain("mooring.motion.integrator"), plain("mooring.motion.line_loads")
 contact_loads, stage = plain("mooring.motion.contact_loads"), plain("mooring.lines.dynamics.lumped.stage")
 surroundings, steps = plain("mooring.lines.dynamics.lumped.surroundings"), plain("mooring.lines.system.steps")
+buoys, links, equation = (plain(f"mooring.motion.{name}") for name in ("buoy", "links", "equation"))
 BLOCK = integrator.BLOCK
 
 # ------------------------------------------------------------------ a wrong course
@@ -296,3 +297,87 @@ def test_work_ahead_of_a_step_is_of_what_is_not_held_there():
     forth, here, size = steps.ahead_of(s, residual, force, FREE, BED, unit)
     assert forth == pytest.approx(0.5 * (1 + 2 + 3 + 0.5 + 5 + 6 + 7 + 8 + 9 + 10 + 11))
     assert here == pytest.approx(33.0) and size == pytest.approx(math.sqrt(3.0))
+
+
+# ------------------------------------------------------------------ buoys, links, ramps
+
+
+@pytest.mark.parametrize("reach", [(0.4, 0.9), (0.9, 0.9), (-1.0, 0.5), (2.5, -1.0)])
+@pytest.mark.parametrize("before", [0.0, 3e5, 1e9])
+def test_a_buoy_tilts_until_its_hawsers_pull_by_what_the_tilt_leaves_of_their_reach(reach, before):
+    """S = Σ T(e − x(S)), T = B (e/L ε)², x = l s/√(1 + s²) with s = S/W; whatever the pull was a moment before"""
+    lever, upright, load = 2.0, 8e5, 1e6
+    ropes = np.array([[30.0, load, 0.1, 2.0, 0.0, 1.0]] * 2)
+    made = SimpleNamespace(ropes=ropes, lever=lever, upright=upright)
+    work = SimpleNamespace(reach=np.zeros((2, 5)), rope=np.full(2, before / 2))
+    work.reach[:, 3] = reach
+    shift, slope = buoys.yielded(made, work)
+
+    def pulled(x):
+        return sum(load * max(e - x, 0.0) ** 2 / 9.0 for e in reach)
+
+    def tilted(S):
+        return lever * (S / upright) / math.sqrt(1 + (S / upright) ** 2)
+
+    low, high = 0.0, pulled(0.0)
+    for _ in range(200):
+        S = 0.5 * (low + high)
+        low, high = (S, high) if pulled(tilted(S)) > S else (low, S)
+    assert shift == pytest.approx(tilted(S), rel=1e-9, abs=1e-12)
+    steep = sum(2 * load * max(e - shift, 0.0) / 9.0 for e in reach)
+    assert slope == pytest.approx(steep * lever / upright / (1 + (S / upright) ** 2) ** 1.5, rel=1e-8)
+
+
+def test_a_buoy_without_a_lever_or_a_pull_does_not_yield():
+    ropes = np.array([[30.0, 1e6, 0.1, 2.0, 0.0, 1.0]])
+    work = SimpleNamespace(reach=np.array([[0, 0, 0, 0.5, 0]]), rope=np.zeros(1))
+    assert buoys.yielded(SimpleNamespace(ropes=ropes, lever=0.0, upright=1.0), work) == (0.0, 0.0)
+    work.reach[0, 3] = -0.5
+    assert buoys.yielded(SimpleNamespace(ropes=ropes, lever=2.0, upright=1.0), work) == (0.0, 0.0)
+
+
+def test_lines_that_lay_on_the_bed_are_followed_together_by_their_span_and_height_over_it(monkeypatch):
+    """Span √(x² + y²) and height above the bed at −50 m; the others, and eight of which none lay, are not"""
+    asked = []
+    monkeypatch.setattr(line_loads, "tensions_near", lambda kept, uniform, ends, n: asked.append(n))
+    wide = line_loads.WIDTH
+    count = 3 * wide
+    work = SimpleNamespace(
+        on_bed=np.zeros(count, bool),
+        kept=np.full((6, count), float(line_loads.GROUNDED)),
+        ends=np.ones((4, count)),
+        away=np.tile([30.0, 40.0, -50.0, -8.0], (count, 1)),
+        uniform=None,
+    )
+    work.on_bed[[1, 2, 2 * wide]] = True
+    work.kept[0, 2] += 1.0
+    work.away[2 * wide] = [6.0, 8.0, -50.0, 2.0]
+    line_loads.follow_on_bed(SimpleNamespace(bed=-50.0), work)
+    assert asked == [0, 2 * wide] and np.isnan(work.ends[2]).all()
+    assert work.ends[:2, 1].tolist() == [50.0, 42.0] and work.ends[:2, 2 * wide].tolist() == [10.0, 52.0]
+    others = np.setdiff1d(np.arange(count), [1, 2 * wide])
+    assert np.isnan(work.ends[:2, others]).all()
+
+
+@pytest.mark.parametrize("first", [-1, 0])
+def test_forces_of_a_link_are_shown_along_its_axes_on_the_first_body_or_in_space(first):
+    """A force of 10 N along x and 4 along y, a moment of 3 along z and a pull of 5 along z, seen from a body at 90°"""
+    made = SimpleNamespace(ends=np.array([[first, 1]]), first=np.array([0, 3]), turns=np.array([2]),
+                           travels=np.array([1]), shown=np.array([np.eye(3)]))  # fmt: skip
+    work = SimpleNamespace(turn=np.zeros((1, 3, 3)), arm=np.zeros(3), mu=np.array([10.0, 4.0, 3.0]),
+                           axis=np.array([[1.0, 0, 0], [0, 1, 0], [0, 0, 1]]), pull=np.array([5.0]),
+                           toward=np.array([[0.0, 0, 1]]), travel=np.array([0.25]))  # fmt: skip
+    poses, out = np.zeros((2, 6)), np.zeros(links.SHOWN)
+    poses[0, 5] = math.pi / 2
+    links.put_forces(made, work, poses, out)
+    force = [10.0, 4.0, 5.0] if first < 0 else [4.0, -10.0, 5.0]
+    assert out[:7] == pytest.approx([*force, 0.0, 0.0, 3.0, 0.25], abs=1e-12)
+
+
+@pytest.mark.parametrize("t, length, share", [
+    (-1.0, 10.0, 0.0), (0.0, 10.0, 0.0), (5.0, 10.0, 0.5), (2.5, 10.0, 0.103515625), (10.0, 10.0, 1.0),
+    (12.0, 10.0, 1.0), (3.0, 0.0, 1.0), (-3.0, 0.0, 1.0),
+])  # fmt: skip
+def test_a_ramp_goes_from_nothing_to_all_by_its_fifth_degree(t, length, share):
+    """10 s³ − 15 s⁴ + 6 s⁵: at a quarter 0.15625 − 0.05859375 + 0.005859375"""
+    assert equation.ramp(t, length) == pytest.approx(share)
