@@ -381,3 +381,68 @@ def test_forces_of_a_link_are_shown_along_its_axes_on_the_first_body_or_in_space
 def test_a_ramp_goes_from_nothing_to_all_by_its_fifth_degree(t, length, share):
     """10 s³ − 15 s⁴ + 6 s⁵: at a quarter 0.15625 − 0.05859375 + 0.005859375"""
     assert equation.ramp(t, length) == pytest.approx(share)
+
+
+@pytest.mark.parametrize("s", [0.0, 0.3, 0.8, 1.0])
+def test_samples_of_a_body_are_quintics_of_its_motions_and_cubics_of_all_else(s):
+    """Heave to yaw exactly a polynomial of fifth degree by value, speed and acceleration; x, y and the rest of third,
+    by value and rate; each of its own size"""
+    t0, h, size = 5.0, 2.0, np.arange(1.0, 1 + integrator.SAMPLED)
+    fifth = np.polynomial.Polynomial([1.0, -2, 3, -1, 0.5, 0.25])
+    third = np.polynomial.Polynomial([1.0, -2, 3, -1])
+    n = BLOCK  # of the second body
+    clock = SimpleNamespace(y=np.full(2 * BLOCK, np.nan), trial=np.full(2 * BLOCK, np.nan),
+                            stages=np.full((7, 2 * BLOCK), np.nan))  # fmt: skip
+    for values, row, at in ((clock.y, 0, 0.0), (clock.trial, 6, h)):
+        for i in range(integrator.SAMPLED):
+            p = third if i < 2 else fifth
+            if i < 6:
+                values[n + i], clock.stages[row, n + i] = size[i] * p(at), size[i] * p.deriv()(at)
+            elif 8 <= i < 12:  # speeds of motions
+                values[n + i], clock.stages[row, n + i] = (
+                    size[i - 6] * fifth.deriv()(at),
+                    size[i - 6] * fifth.deriv(2)(at),
+                )
+            else:
+                values[n + i], clock.stages[row, n + i] = size[i] * third(at), size[i] * third.deriv()(at)
+    out = np.zeros(integrator.SAMPLED)
+    integrator.put_sample(clock, 1, t0, h, t0 + s * h, out)
+    assert out[:2] == pytest.approx(size[:2] * third(s * h)) and out[2:6] == pytest.approx(size[2:6] * fifth(s * h))
+    assert out[[6, 7, *range(12, 18)]] == pytest.approx(size[[6, 7, *range(12, 18)]] * third(s * h))
+
+
+def test_rows_of_links_stand_at_their_bodies_and_shapes(monkeypatch):
+    """Two links: of two rows between the ground and body 0, and of one between bodies 0 and 1; two shapes"""
+    rows = np.arange(36.0).reshape(3, 12)
+    work = SimpleNamespace(amplitude=np.zeros(2), gap=np.array([0.1, 0.2, 0.3]), rows=rows,
+                           by_shapes=100 + np.arange(6.0).reshape(3, 2))  # fmt: skip
+    told = []
+    monkeypatch.setattr(links, "link_work", lambda made: work)
+    monkeypatch.setattr(links, "fill_rows", lambda made, work, poses, pulls: told.append((poses.shape, pulls)))
+    made = SimpleNamespace(ends=np.array([[-1, 0], [0, 1]]), first=np.array([0, 2, 3]), shapes=np.zeros(2, int))
+    G, gap = links.rows_at(made, np.zeros((2, 6)), [7.0, 8.0])
+    wanted = np.zeros((3, 14))
+    wanted[:2, :6], wanted[2, :6], wanted[2, 6:12] = rows[:2, 6:], rows[2, :6], rows[2, 6:]
+    wanted[:, 12:] = work.by_shapes
+    assert G.tolist() == wanted.tolist() and gap.tolist() == [0.1, 0.2, 0.3]
+    assert work.amplitude.tolist() == [7.0, 8.0] and told == [((2, 6), False)]
+
+
+@pytest.mark.parametrize("later, kept", [(3.99, [2, 3]), (4.0, [2, 3, 4]), (1.99, []), (9.0, [2, 3, 4, 5])])
+def test_forces_of_links_are_kept_at_the_samples_of_a_step_from_the_next_one_on(later, kept, monkeypatch):
+    """Steps of 1 s from the second sample on, six in all; the state there is a cubic, 2t here"""
+    asked, put = [], []
+    monkeypatch.setattr(integrator, "rates", lambda scene, buoy, links, t, state, rate: asked.append((t, state[0])))
+    monkeypatch.setattr(integrator, "put_forces", lambda held, work, poses, out: put.append(poses) or out.fill(1.0))
+    size = 3
+    counts = np.zeros(1 + max(integrator.SAMPLES, integrator.STEPS, integrator.WINDOWS), int)
+    counts[integrator.SAMPLES] = 2
+    clock = SimpleNamespace(counts=counts, sample_step=1.0, y=np.full(size, 3.0), trial=np.full(size, 13.0),
+                            stages=np.full((7, size), 2.0))  # fmt: skip
+    work = SimpleNamespace(kept=np.zeros((6, 4)), state=np.zeros(size), rate=np.zeros(size))
+    scene = SimpleNamespace(work=SimpleNamespace(place="poses"))
+    integrator.keep_links(scene, None, ("held", work), clock, 1.5, 5.0, later)
+    at = [row for row in kept if row < 6]
+    assert [t for t, _ in asked][: len(at)] == pytest.approx(at)
+    assert [value for _, value in asked][: len(at)] == pytest.approx([2.0 * t for t in at])
+    assert np.flatnonzero(work.kept[:, 0]).tolist() == at and put == ["poses"] * len(at)
