@@ -446,3 +446,55 @@ def test_forces_of_links_are_kept_at_the_samples_of_a_step_from_the_next_one_on(
     assert [t for t, _ in asked][: len(at)] == pytest.approx(at)
     assert [value for _, value in asked][: len(at)] == pytest.approx([2.0 * t for t in at])
     assert np.flatnonzero(work.kept[:, 0]).tolist() == at and put == ["poses"] * len(at)
+
+
+@pytest.mark.parametrize("lost", [None, 1, 3])
+def test_lines_pull_by_their_table_their_curve_or_their_catenary_and_hawsers_at_both_ends(lost, monkeypatch):
+    """Four lines 3 m along x and 4 m along y: of a table, 10 N and 1 N; a hawser to body 1, 20 N and 2 N; a chain, 30 N
+    and 3 N; one with a motion of its own, whose pull is given, (3, 4, −12); without a force, or lost, none"""
+    pushed, moments, chain = [], [], (5.0, -8.0, 1.0, -50.0, 70.0, 800.0, 1e-8, 0.5)
+    monkeypatch.setattr(line_loads, "place_end", lambda *_: None)
+    monkeypatch.setattr(line_loads, "follow_on_bed", lambda *_: None)
+    monkeypatch.setattr(line_loads, "rotation_of", lambda turn, R: None)
+    monkeypatch.setattr(line_loads, "legendre", lambda x, terms: terms.fill(0.5))
+    monkeypatch.setattr(
+        line_loads, "packed_pull", lambda tables, row, span, up: (10.0, 1.0) if row == 7 else (-1.0, -1.0)
+    )
+    monkeypatch.setattr(line_loads, "straight_pull", lambda curves, row, length, span, up: (
+        (20.0, 2.0) if (row, length, span, up) == (5, 60.0, 5.0, 9.0) else (-1.0, -1.0)))  # fmt: skip
+    monkeypatch.setattr(line_loads, "pull_of_any", lambda kept, row, span, low, high, bed, *line: (
+        (30.0, 3.0) if (span, low, high, bed, *line) == chain else (0.0, 0.0)))  # fmt: skip
+    monkeypatch.setattr(line_loads, "push_shapes", lambda bent, R, x, y, z, push: pushed.append((x, y, z)))
+    monkeypatch.setattr(line_loads, "add_moment", lambda sums, b, ax, ay, az, x, y, z: moments.append((b, ax, x, y, z)))
+    monkeypatch.setattr(line_loads, "generalized", lambda *given: None)
+    lines = SimpleNamespace(
+        lost=np.full(4, np.inf), body=np.array([0, 0, 0, 1]), other=np.array([-1, 1, -1, -1]), bed=-50.0,
+        moves=np.array([False, False, False, True]), table=np.array([7, -1, -1, -1]), hawser=np.array([-1, 5, -1, -1]),
+        lines=np.array([[50.0, 0, 0, 0], [60.0, 0, 0, 0], [70.0, 800.0, 1e-8, 0.5], [80.0, 0, 0, 0]]), tables=None,
+        curves=None, bent=np.zeros((2, 4, 0)),
+    )  # fmt: skip
+    terms = line_loads.TERMS
+    given = np.zeros((4, terms, 3))
+    given[3, :2] = [2.0, 8.0, -20.0], [4.0, 0.0, -4.0]
+    work = SimpleNamespace(
+        sums=np.ones((2, 6)), push=np.ones(0), span=np.array([1.0, 0.0, 2.0]), terms=np.zeros(terms), given=given,
+        whole=np.array([i != lost for i in range(4)]), away=np.tile([3.0, 4.0, -8.0, 1.0], (4, 1)),
+        ends=np.full((4, 8), np.nan), kept=np.zeros((6, 4)), rows=np.zeros((4, 18)), tension=np.zeros((4, 2)), arm=np.zeros((4, 2, 3)),
+    )  # fmt: skip
+    work.arm[:, 0, 0], work.arm[:, 1, 0] = np.arange(4.0), 10 + np.arange(4.0)
+    good = line_loads.line_loads(lines, work, np.zeros((2, 6)), np.zeros((2, 3, 3)), np.ones((2, 6)))
+    pulls = [(10.0, 1.0), (20.0, 2.0), (30.0, 3.0), (5.0, 12.0)]
+    if lost is not None:
+        pulls[lost] = (0.0, 0.0)
+    assert good and work.tension.tolist() == [list(pull) for pull in pulls]
+    wanted = []
+    for i, (H, down) in enumerate(pulls):
+        if i == 3:
+            wanted.append((1, 3.0, 3.0, 4.0, -12.0) if lost != 3 else (1, 3.0, 0.0, 0.0, 0.0))
+            continue
+        wanted.append((0, float(i), -0.6 * H, -0.8 * H, -down))
+        if i == 1:
+            wanted.append((1, 11.0, 0.6 * H, 0.8 * H, down))
+    assert np.array(moments) == pytest.approx(np.array(wanted)) and np.array(pushed) == pytest.approx(
+        np.array([row[2:] for row in wanted])
+    )
