@@ -499,3 +499,26 @@ def test_lines_pull_by_their_table_their_curve_or_their_catenary_and_hawsers_at_
     assert np.array(moments) == pytest.approx(np.array(wanted)) and np.array(pushed) == pytest.approx(
         np.array([row[2:] for row in wanted])
     )
+
+
+def test_hawsers_of_a_buoy_push_the_first_body_and_their_power_is_its_work(monkeypatch):
+    """Force (1 … 6) at speeds (1 … 6): 91 W; loads by half of a ramp of 20 s, waves by all of 4 s"""
+    told = []
+    for name in ("of_one", "move"):
+        monkeypatch.setattr(equation, name, lambda *_: None)
+    monkeypatch.setattr(equation, "of_moorings", lambda scene, y, rate: True)
+    monkeypatch.setattr(equation, "buoy_rates", lambda floating, kept, y, place, R, at, share, grown, rate: (
+        told.append((floating, place.tolist(), R, at, share, grown)), rate.fill(7.0))[0] is None)  # fmt: skip
+    shapes = SimpleNamespace(owner=np.zeros(0, int))
+    body = SimpleNamespace(heading=np.zeros(1), wave_ramp=np.array([2.0, 4.0]), ramp=20.0, shapes=shapes)
+    work = SimpleNamespace(force=np.full(6, 9.0), span=np.array([6.0, 0.5]), R=["first", "second"])
+    scene = SimpleNamespace(body=body, work=work, line_work=SimpleNamespace(span=np.zeros(1)))
+    y, rate = np.zeros(BLOCK + 6), np.full(BLOCK + 6, 5.0)
+    y[6:12], y[BLOCK:] = np.arange(1.0, 7.0), np.arange(6.0)
+    kept = SimpleNamespace(part=np.arange(1.0, 7.0))
+    equation.rates(scene, ("buoy", kept), None, 10.0, y, rate)
+    assert told == [("buoy", [0, 1, 2, 3, 4, 5], "first", 8.0 + equation.EDGE, 0.5, 1.0)]
+    assert work.force.tolist() == [1, 2, 3, 4, 5, 6] and scene.line_work.span[0] == 10.0
+    wanted = np.zeros(BLOCK + 6)
+    wanted[equation.FIRST_WORK + equation.BY_HAWSERS], wanted[BLOCK:] = 91.0, 7.0
+    assert rate.tolist() == wanted.tolist()
