@@ -208,6 +208,9 @@ def test_slow_forces_of_bound_waves_are_compared_where_drift_and_inertia_are_kno
 def test_forces_that_are_not_given_are_nil_of_every_body():
     total, step = given_forces.sampled((), 10.0, 100.0, 2)
     assert total.shape == (12, 1) and not total.any() and step == 1.0
+    one = given_forces.GivenForce(np.linspace(-10.0, 100.0, 56), np.full((56, 6), 3.0), 1)
+    total, _ = given_forces.sampled((one, one), 10.0, 100.0, 3)
+    assert len(total) == 18 and np.allclose(total[6:12], 6.0) and not total[:6].any() and not total[12:].any()
 
 
 @pytest.mark.parametrize("value, least", [(0.5, 0.5), ([0.5, 1e-4, 2.0], 1e-4), (1e-3, None), ([1e-3, 2.0], None)])
