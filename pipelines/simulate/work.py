@@ -200,7 +200,7 @@ def with_pairs(plan, study, db, reader):
 
 
 def _with_pairs_of_each(plan, db, level):
-    """Like `_with_pairs` of several bodies"""
+    """Like `with_pairs` of several bodies"""
     from hakobune.mooring.response.pair_levels import beside_newman_of_bodies
 
     if level not in ("newman", "body", "auto"):

@@ -227,7 +227,7 @@ def prepared(monkeypatch):
     stands("tables_of", "tables")
     stands("_of_tables", ("coarse",))
     stands("with_shapes", lambda berth, body: berth)
-    stands("_but_berth", "others")
+    stands("but_berth", "others")
     stands("at_rest", lambda berth, others, start, units: start + 1)
     stands("berth_stiffness", lambda berth, start: start[0] * np.eye(6))
     stands("_of_loose", ("loose",))
@@ -239,7 +239,7 @@ def prepared(monkeypatch):
     def make(modes=(), links=None, each=True, lines=False, fenders=(), **more):
         monkeypatch.setattr(moored_body, "links_of", lambda body: links)
         body = SimpleNamespace(words=range(6), modes=modes, damping=np.zeros((6, 6)), stiffness=7 * np.eye(6), rigid=6,
-                               between=SimpleNamespace(forget=lambda: calls.append("forget")),
+                               inertia=np.eye(6), between=SimpleNamespace(forget=lambda: calls.append("forget")),
                                held_added_mass=lambda omega: [f"A at {omega:g}"], knows_drift_of_each=each)  # fmt: skip
         berth = SimpleNamespace(names=fenders)
         db = SimpleNamespace(bodies_reader=SimpleNamespace(floating=lambda: body))

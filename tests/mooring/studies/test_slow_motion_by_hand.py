@@ -97,7 +97,7 @@ def test_frequencies_are_close_about_each_slow_resonance(several, monkeypatch):
         assert (len(beside) > 30) == slow and (np.abs(omega - natural).min() < 1e-12) == slow
         if slow:
             assert np.diff(beside).max() < 0.3 * nu * natural
-    still = study._places(None, modes([1e4, 1e4, 1e4]))
+    still = study._places(SimpleNamespace(bodies=()), modes([1e4, 1e4, 1e4]), sea)
     assert still[-1] == 0.2 and len(still) >= 121
 
 
@@ -144,8 +144,9 @@ def test_a_form_of_two_waves_has_the_answer_at_their_difference_and_its_conjugat
 def single(stiffness, damping, monkeypatch, period=(80.0, 0, 0, 0, 0, 60.0)):
     periods = np.array(period, float)
     periods[1] = 70.0
-    monkeypatch.setattr(study, "natural_periods", lambda held: SimpleNamespace(period=periods))
-    held = SimpleNamespace(stiffness=np.diag([stiffness, 2e5, 0, 0, 0, 3e8]))
+    monkeypatch.setattr(study, "natural_periods", lambda held: SimpleNamespace(names=held.names, period=periods))
+    held = SimpleNamespace(stiffness=np.diag([stiffness, 2e5, 0, 0, 0, 3e8]), bodies=(), names=tuple("XYZKMN"),
+                           words=("surge", "sway", "heave", "roll", "pitch", "yaw"))  # fmt: skip
     return study._modes(held, np.diag([4e7, 5e7, 1, 1, 1, 6e10]), np.diag([damping, 2e5, 0, 0, 0, 3e8]))
 
 
@@ -200,9 +201,9 @@ def together(monkeypatch, period=62.0, damping=1.0):
     periods = np.r_[period, np.arange(70.0, 81.0)]
     found = SimpleNamespace(names=names[:11], period=periods[:11], shapes=shapes[:11], scale=4.0)
     monkeypatch.setattr(study, "natural_periods", lambda held: found)
-    held = SimpleNamespace(names=names, words=WORDS, turning=np.arange(12) % 6 > 2,
+    held = SimpleNamespace(bodies=("a", "b"), names=names, words=WORDS, turning=np.arange(12) % 6 > 2,
                            stiffness=np.diag(np.r_[np.full(6, 2.0), np.full(6, 3.0)]))  # fmt: skip
-    return study._modes_together(held, np.diag(np.r_[np.full(6, 5.0), np.full(6, 7.0)]), damping * np.eye(12))
+    return study._modes(held, np.diag(np.r_[np.full(6, 5.0), np.full(6, 7.0)]), damping * np.eye(12))
 
 
 def test_coupled_modes_have_the_stiffness_that_their_motion_feels(monkeypatch):
@@ -287,11 +288,11 @@ def test_wave_drift_damping_of_each_is_along_its_own_axes(monkeypatch):
     monkeypatch.setattr(slow_spectrum, "drift_on_current", lambda body, omega, heading: (None, "B", True))
     monkeypatch.setattr(slow_spectrum, "mean_damping", lambda omega, B, density, weights: rows)
     spectrum = SimpleNamespace(density=lambda omega: omega)
-    found = sea_of(spectrum=spectrum).damping_of_each()
+    found = sea_of(spectrum=spectrum).damping()
     assert found[3:] == pytest.approx(rows[3:])
     assert found[:3] == pytest.approx(np.stack([rows[:3, 1], -rows[:3, 0]], axis=1))
     monkeypatch.setattr(slow_spectrum, "drift_on_current", lambda body, omega, heading: (None, None, False))
-    assert sea_of(spectrum=spectrum).damping_of_each() is None
+    assert sea_of(spectrum=spectrum).damping() is None
 
 
 def test_a_spectrum_between_the_places_that_were_summed_is_straight():
