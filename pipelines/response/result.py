@@ -80,17 +80,12 @@ def response(study: File | Tables | ResponseStudy, database: File | Database, mo
         *failures(found, solved.stiffness, years, body.words),
         *turned(quantities, axes),
     )
-    noted = resonance_lines([one for one in peaks if not underdamped(one)])
-    return Result(
-        KIND,
-        quantities,
-        axes,
-        tuple(dict.fromkeys(warned)),
-        (*notes(found, years), *noted, *solved.notes),
-        (),
-        provenance(text, db),
-        found,
+    noted = (
+        *notes(found, years),
+        *resonance_lines([one for one in peaks if not underdamped(one)]),
+        *solved.notes,
     )
+    return Result(KIND, quantities, axes, tuple(dict.fromkeys(warned)), noted, (), provenance(text, db), found)
 
 
 class Solved(NamedTuple):
