@@ -97,15 +97,15 @@ def inputs_of(place, known):
     potential = _potential(pot, "rotation_center" in known) if pot else None
     hull, point = potential.of_body(known.get("body") or 1) if potential else ("", None)
     gdf = beside(place, ".gdf") or (place.with_name(hull) if hull and place.with_name(hull).is_file() else None)
-    unit, listed = _unit(gdf) if gdf else 1.0, _listed(place, known)
+    unit = _unit(gdf) if gdf else 1.0
     found = {"length_unit": (1.0, ""), "rotation_center": ((0.0, 0.0, 0.0), ""), "water_depth": (None, "")}
+    of_hull = _of_hull(gdf) if gdf and "length_unit" not in known else {}
+    listed = _listed(place, known)
     if listed:
         found |= _of_listing(place, listed)
     if potential:
         found |= _of_potential(pot, potential.depth, point, unit)
-    if gdf and "length_unit" not in known:
-        length = _ulen(gdf)
-        found["length_unit"] = length, f"ULEN {length:g} m of {gdf.name}"
+    found |= of_hull
     length, about, depth = (known.get(name, value) for name, (value, _) in found.items())
     given = Inputs(
         length,
@@ -129,6 +129,12 @@ def _of_listing(place, listed):
     """{input: (value, words, "" to say nothing)} of NAME.out"""
     depth = listed.depth, f"water depth {listed.depth:g} m of {place.stem}.out"
     return {"length_unit": (listed.length, ""), "rotation_center": (listed.about, ""), "water_depth": depth}
+
+
+def _of_hull(gdf):
+    """The same of NAME.gdf"""
+    length = _ulen(gdf)
+    return {"length_unit": (length, f"ULEN {length:g} m of {gdf.name}")}
 
 
 def _of_potential(pot, depth, point, unit):
