@@ -203,8 +203,7 @@ def test_several_bodies_move_on_the_damping_of_what_drives_them_and_the_stiffnes
     )
     monkeypatch.setattr(of_mooring, "multi_point", lambda *given: asked.update(given=given) or made)
     read = SimpleNamespace(current=None, hinges=(), restrained=lambda body: (*body, "read"))
-    reader = SimpleNamespace(floating=lambda: "floating")
-    db = SimpleNamespace(water_depth=20.0, bodies_reader=reader, require_rigid=lambda: None)
+    db = SimpleNamespace(water_depth=20.0, bodies_reader=SimpleNamespace(floating=lambda: "floating"))
     given = "m.toml", read, db, SEA, 7200.0, "points"
     found = moored.moored_together(*given)
     assert found.body.of == ("held", 3.0, "K", "read") and asked["linked"] == ("floating", "hinges")
