@@ -372,12 +372,8 @@ def _wrapped(angle):
 
 def _is_mirrored(plane, matrices, center):
     _, signs, _ = MIRRORS[plane]
-    at_center = abs(center["xy".index(plane)]) <= 1e-9
-    return at_center and all(_is_even(np.asarray(m, float), signs) for m in matrices)
-
-
-def _is_even(matrix, signs):
-    return _is_same(matrix, signs[:, None] * matrix * signs)
+    at_center, flip = abs(center["xy".index(plane)]) <= 1e-9, np.outer(signs, signs)
+    return at_center and all(_is_same(np.asarray(m, float), flip * m) for m in matrices)
 
 
 def _is_same(matrix, other, share=1e-9):

@@ -96,26 +96,16 @@ def inputs_of(place, known):
     pot, cfg = (beside(place, suffix) for suffix in (".pot", ".cfg"))
     potential = _potential(pot, "rotation_center" in known) if pot else None
     hull, point = potential.of_body(known.get("body") or 1) if potential else ("", None)
-    gdf = beside(place, ".gdf")
-    if gdf is None and point and place.with_name(hull).is_file():
-        gdf = place.with_name(hull)
-    unit, listed = _unit(gdf) if gdf else 1.0, _listed(place, known)
-
+    gdf = beside(place, ".gdf") or (place.with_name(hull) if hull and place.with_name(hull).is_file() else None)
+    unit = _unit(gdf) if gdf else 1.0
     found = {"length_unit": (1.0, ""), "rotation_center": ((0.0, 0.0, 0.0), ""), "water_depth": (None, "")}
+    of_hull = _of_hull(gdf) if gdf and "length_unit" not in known else {}
+    listed = _listed(place, known)
     if listed:
-        found["length_unit"], found["rotation_center"] = (listed.length, ""), (listed.about, "")
-        found["water_depth"] = listed.depth, f"water depth {listed.depth:g} m of {place.stem}.out"
+        found |= _of_listing(place, listed)
     if potential:
-        depth = potential.depth * unit if potential.depth > 0 else inf
-        found["water_depth"] = depth, f"water depth {depth:g} m of {pot.name}"
-    if point:
-        about = tuple(x * unit for x in point)
-        words = f"XBODY {', '.join(f'{x:g}' for x in about)} m of {pot.name}"
-        found["rotation_center"] = about, words if any(about) else ""
-    if gdf and "length_unit" not in known:
-        length = _ulen(gdf)
-        found["length_unit"] = length, f"ULEN {length:g} m of {gdf.name}"
-
+        found |= _of_potential(pot, potential.depth, point, unit)
+    found |= of_hull
     length, about, depth = (known.get(name, value) for name, (value, _) in found.items())
     given = Inputs(
         length,
@@ -133,6 +123,29 @@ def inputs_of(place, known):
     if cfg:
         return given._replace(period_kind=_period_kind(cfg))
     return given._replace(period_kind=_kind_listed(place, given)) if listed else given
+
+
+def _of_listing(place, listed):
+    """{input: (value, words, "" to say nothing)} of NAME.out"""
+    depth = listed.depth, f"water depth {listed.depth:g} m of {place.stem}.out"
+    return {"length_unit": (listed.length, ""), "rotation_center": (listed.about, ""), "water_depth": depth}
+
+
+def _of_hull(gdf):
+    """The same of NAME.gdf"""
+    length = _ulen(gdf)
+    return {"length_unit": (length, f"ULEN {length:g} m of {gdf.name}")}
+
+
+def _of_potential(pot, depth, point, unit):
+    """The same of NAME.pot; depth, point : in its unit of length, `unit` m; point : None without bodies"""
+    depth = depth * unit if depth > 0 else inf
+    found = {"water_depth": (depth, f"water depth {depth:g} m of {pot.name}")}
+    if point:
+        about = tuple(x * unit for x in point)
+        words = f"XBODY {', '.join(f'{x:g}' for x in about)} m of {pot.name}" if any(about) else ""
+        found["rotation_center"] = about, words
+    return found
 
 
 def _listed(place, known):

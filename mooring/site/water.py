@@ -2,6 +2,7 @@
 
 import numpy as np
 
+GRAVITY = 9.80665  # m/s²
 LONG = 20  # depths in a wavelength, from which a wave is long
 
 
@@ -21,12 +22,12 @@ def levels(spring_high, spring_low, surge, tsunami, depth):
     return made
 
 
-def tsunami_current(rise, period, depth, gravity=9.80665):
+def tsunami_current(rise, period, depth):
     """m/s under a long wave that rises by `rise`, m.  Raises ValueError for a period, s, of a wave that is not long."""
-    length = period * np.sqrt(gravity * depth)
+    length = period * np.sqrt(GRAVITY * depth)
     if length < LONG * depth:
         raise ValueError(
             f"levels.tsunami_period is {period:g} s; allowed: above {LONG * depth / length * period:.3g} s, so that "
             f"the tsunami is a long wave"
         )
-    return float(rise * np.sqrt(gravity / depth))
+    return float(rise * np.sqrt(GRAVITY / depth))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -54,47 +54,60 @@ def response(study: File | Tables | ResponseStudy, database: File | Database, mo
     if read.sea:
         check_effort(read)
     db = database_of(database)
-    points, held = places_of(read, db), None
-    body = db.bodies_reader.floating()
+    points, body = places_of(read, db), db.bodies_reader.floating()
     if moored is None:
         body = driven(linked(read.restrained(body), read.hinges, db))
     with heard() as caught:
         try:
-            if moored is not None:
-                held = solved_moored(read, db, points, moored)
-                found, body = held.motion.fast, held.body or body
-            else:
-                found, body = (solved_in_sea if read.sea else solved_in_climate)(read, body, db, points, place)
+            solved = _solved(read, body, db, points, place, moored)
         except TypeError as error:
             raise StudyError(f"{study}: {error}") from None
-    warned = [*caught, *(held.motion.warnings if held else found.warnings)]
-    warned += _of_depth(read, db)
-    peaks = resonances(body)
-    warned += resonance_lines([one for one in peaks if underdamped(one)])
-    noted = resonance_lines([one for one in peaks if not underdamped(one)])
-    stiffness, years = (body if held is None else held).stiffness, read.climate and read.climate.years
+    found, body, years = solved.found, solved.body, read.climate and read.climate.years
     quantities, axes = of_sea(found, body.radius, body.bodies) if read.sea else of_climate(found, years, body.radius)
-    if held is not None:
+    if solved.slow is not None:
         several = [f"{one.name} {motion}" for one in db.bodies if not one.fixed for motion in PLANE]
         axis = "horizontal" if several else "plane"
-        quantities |= of_moored(held.motion, axis)
-        axes |= labels("moored_omega", held.motion.omega, "rad/s")
+        quantities |= of_moored(solved.slow, axis)
+        axes |= labels("moored_omega", solved.slow.omega, "rad/s")
         axes |= labels(axis, several or PLANE) | labels(f"with_{axis}", several or PLANE)
-    warned += [
-        *(held.failures if held else ()),
-        *failures(found, stiffness, years, body.words),
+    peaks = resonances(body)
+    warned = (
+        *caught,
+        *solved.warnings,
+        *_of_depth(read, db),
+        *resonance_lines([one for one in peaks if underdamped(one)]),
+        *solved.failures,
+        *failures(found, solved.stiffness, years, body.words),
         *turned(quantities, axes),
-    ]
-    return Result(
-        KIND,
-        quantities,
-        axes,
-        tuple(dict.fromkeys(warned)),
-        (*notes(found, years), *noted, *(held.notes if held else ())),
-        (),
-        provenance(text, db),
-        found,
     )
+    noted = (
+        *notes(found, years),
+        *resonance_lines([one for one in peaks if not underdamped(one)]),
+        *solved.notes,
+    )
+    return Result(KIND, quantities, axes, tuple(dict.fromkeys(warned)), noted, (), provenance(text, db), found)
+
+
+class Solved(NamedTuple):
+    """found : SeaState or Climate; body : Reader of what moves; stiffness : (n, n) SI of water and lines; warnings,
+    failures, notes : one line each; slow : `SlowMotion` on lines, None without them"""
+
+    found: object
+    body: object
+    stiffness: np.ndarray
+    warnings: tuple
+    failures: tuple = ()
+    notes: tuple = ()
+    slow: object = None
+
+
+def _solved(read, body, db, points, place, moored):
+    if moored is None:
+        found, body = (solved_in_sea if read.sea else solved_in_climate)(read, body, db, points, place)
+        return Solved(found, body, body.stiffness, found.warnings)
+    held = solved_moored(read, db, points, moored)
+    motion = held.motion
+    return Solved(motion.fast, held.body or body, held.stiffness, motion.warnings, held.failures, held.notes, motion)
 
 
 def _of_depth(read, db):

@@ -206,21 +206,9 @@ def _about_units(values, own):
     parts = _compared(values, own)
     straight = {name: [part[_straight(name)] for part in three] for name, three in parts.items()}
     yield from _about_length(straight)
-    for words, names in UNITS.items():
-        if all(name in straight for name in names):
-            chosen, taken = (
-                [straight[name] for name in names],
-                [one for name in names for one in LIKE.get(name, (name,))],
-            )
-            for factor in _apart(
-                [factor for three in (chosen, *([one] for one in chosen)) for factor in _factors(three)]
-            ):
-                yield Cause(f"{words} are {_said(factor)}", lambda one, n=taken, f=factor: scaled(one, n, f))
+    yield from _about_factors(straight)
     if "excitation_force" in parts:
-        moments = [part[..., 3:] for part in parts["excitation_force"]]
-        for words, names in (("moments", FORCES), ("rows of rotations", FORCES + MATRICES)):
-            for factor in _apart(_factors([moments])):
-                yield Cause(f"{words} are {_said(factor)}", lambda one, n=names, f=factor: scaled(one, n, f, ROTATION))
+        yield from _about_moments([part[..., 3:] for part in parts["excitation_force"]])
     if "radiation_damping" in values.quantities:
         for words, power in (("damping is that over ω", 1), ("damping is that times ω", -1)):
             yield Cause(
@@ -252,6 +240,24 @@ def _sizes_of_matrices(true, own):
 
 def _sizes_of_X(true, own):
     return np.array([sizes_of_forces(x, own) for x in true])[:, None, :]
+
+
+def _about_factors(straight):
+    """Causes by a factor of one kind of quantities, or of several together"""
+    for words, names in UNITS.items():
+        chosen = [straight[name] for name in names if name in straight]
+        if len(chosen) < len(names):
+            continue
+        taken = tuple(one for name in names for one in LIKE.get(name, (name,)))
+        factors = [factor for three in (chosen, *([one] for one in chosen)) for factor in _factors(three)]
+        for factor in _apart(factors):
+            yield Cause(f"{words} are {_said(factor)}", lambda one, n=taken, f=factor: scaled(one, n, f))
+
+
+def _about_moments(moments):
+    for words, names in (("moments", FORCES), ("rows of rotations", FORCES + MATRICES)):
+        for factor in _apart(_factors([moments])):
+            yield Cause(f"{words} are {_said(factor)}", lambda one, n=names, f=factor: scaled(one, n, f, ROTATION))
 
 
 def _about_length(straight):
