@@ -62,7 +62,7 @@ def prepared(task, db=None, waves=None):
         from hakobune.mooring.motion.simulation import moored
         from hakobune.mooring.motion.wave_loads import no_wave_forces
         from hakobune.mooring.response.viscous import in_time
-        from hakobune.mooring.studies.wave_effects import NO_DRIFT, lacks_drift
+        from hakobune.mooring.studies.wave_effects import FEW, NO_DRIFT, along_few, lacks_drift, stored_degrees
 
         study, db = task.study, database_of(task.database if db is None else db)
         words = db.bodies_reader.words
@@ -86,11 +86,12 @@ def prepared(task, db=None, waves=None):
         if of_quay and reader.viscous is None:  # made from the database's by the far field
             viscous = in_time(db.reader, plan.weather.waves)
             extra, drag = extra + viscous.damping, drag + viscous.quadratic
+        turned = along_few(db, reader, weather)
         with heard() as caught:
             body = moored(
                 reader, system, exposed, memory=memory, damping=extra, quadratic=drag, berth=berth,
                 spring=spring(study, words), motions=motions_of(study, words),
-                waves=no_wave_forces(reader) if calm else waves, linearised_in=plan.weather.waves,
+                waves=no_wave_forces(reader) if calm else waves, linearised_in=weather.waves, turned=turned,
             )  # fmt: skip
             if of_quay and task.memory is None and plan.settings.memory != "constant":
                 body = _remembering(body, db, plan.settings.memory)
@@ -110,7 +111,8 @@ def prepared(task, db=None, waves=None):
         still = (f"{LEFT_OUT} {', '.join(held)}: fixed at rest, as set by simulation.motions",) if held else ()
         bending = (OF_SHAPES,) if db.modes and not calm and plan.settings.slow_drift != "none" else ()
         undrifted = not (calm or plan.settings.slow_drift == "none") and lacks_drift(db, reader)
-        told = *bending, *(NO_DRIFT,) * undrifted, *choice.left_out, *left, *still, *choice.words
+        few = (FEW.format(stored_degrees(reader.ring)),) * turned
+        told = *bending, *(NO_DRIFT,) * undrifted, *few, *choice.left_out, *left, *still, *choice.words
         plan = replace(
             plan,
             sides=sides_of(db),

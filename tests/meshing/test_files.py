@@ -211,7 +211,24 @@ def aqwa():
         f"          ELM1      Body1\n      ZLWL          (        0.)\n{panels} END\n          FINI\n"  # fmt: skip
 
 
+def tecplot(each):
+    """WAMIT's panels for Tecplot: one zone of all, or, with a lid that faces the bed, a zone each, every second one
+    with its normal into the body"""
+    places = {int(number): " ".join(at) for number, *at in map(str.split, NODES.splitlines())}
+    corners = [[places[number] for number in (*row, row[-1])[:4]] for row in PYRAMID]
+    if not each:
+        points = "".join(f"  {place}\n" for row in corners for place in row)
+        return f'ZONE T="BODY PANEL", I= 20, J= 5, F=FEPOINT\n{points}' + "".join(
+            f" {k} {k + 1} {k + 2} {k + 3}\n" for k in range(1, 21, 4))  # fmt: skip
+    corners = [row[::-1] if k % 2 else row for k, row in enumerate(corners)] + [["0 0 0", "0 1 0", "1 1 0", "1 0 0"]]
+    return "".join(
+        "zone I=  2 J=  2 F=POINT\n" + "".join(f"  {place}\n" for place in (a, b, d, c)) for a, b, c, d in corners
+    )
+
+
 LISTS = {
+    "one_pan.dat": tecplot(each=False),
+    "each_pan.dat": tecplot(each=True),
     "a.dat": NODES + "*RETURN\n" + rows_of("{} "),
     "salome.dat": "5 6\n" + NODES + "9 102 1 2\n" + "".join(
         f"{k} {200 + len(row)} {' '.join(map(str, row))}\n" for k, row in enumerate(PYRAMID, 1)),
