@@ -126,9 +126,9 @@ def anchor_findings(names, anchors, along, up, where="at the largest tension"):
     if small:
         least = min(small, key=lambda i: mass[i] / anchors[i].chart.reference)
         yield (
-            f"{len(small)} of {len(known)} anchors {where} are far below their charts, the smallest {names[least]} with "
-            f"{mass[least]:.3g} kg, limit a tenth of the chart's {anchors[least].chart.reference:.4g} kg: the law of the "
-            "chart is extrapolated; give holding_kN of the maker"
+            f"{len(small)} of {len(known)} anchors {where} are far below their charts, the smallest {names[least]} "
+            f"with {mass[least]:.3g} kg, limit a tenth of the chart's {anchors[least].chart.reference:.4g} kg: the law "
+            "of the chart is extrapolated; give holding_kN of the maker"
         )
     charted = [anchors[i].chart for i in known if anchors[i].chart]
     unsure = dict.fromkeys(chart.source for chart in charted if chart.status == "unverified")
