@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 
 KIND = "response"
 MOTIONS, DRIFT, AIR, KEEL = "responses, amplitudes", "drift of the waves", "air gap", "water under the keel"
+ALL = "drift of the waves on all bodies together, about the origin of the scene"
 DAMPING, EACH = "wave drift damping", "drift of each body, about its own point in its own axes"
 MOORED, PLANE = "moored, mean and slow motion", ("surge", "sway", "yaw")
 FORCE, MOVED = ("N", "N", "N m"), ("m", "m", "rad")
@@ -63,7 +64,8 @@ def response(study: File | Tables | ResponseStudy, database: File | Database, mo
         except TypeError as error:
             raise StudyError(f"{study}: {error}") from None
     found, body, years = solved.found, solved.body, read.climate and read.climate.years
-    quantities, axes = of_sea(found, body.radius, body.bodies) if read.sea else of_climate(found, years, body.radius)
+    about = body.radius, body.bodies
+    quantities, axes = of_sea(found, *about) if read.sea else of_climate(found, years, *about)
     if solved.slow is not None:
         several = [f"{one.name} {motion}" for one in db.bodies if not one.fixed for motion in PLANE]
         axis = "horizontal" if several else "plane"
@@ -145,7 +147,7 @@ def of_sea(found, radius, bodies=()):
     )
     axes = labels("response", [found.names[i] for i in excited]) | labels("omega", found.omega, "rad/s")
     if found.slow is not None:
-        made |= _of_slow(found.slow, radius)
+        made |= _of_slow(found.slow, radius, ALL if bodies else DRIFT)
         axes |= labels("plane", PLANE) | labels("velocity", ("surge", "sway"))
         axes |= labels("difference", found.slow.difference, "rad/s")
         if found.slow.of_each is not None:
@@ -153,8 +155,8 @@ def of_sea(found, radius, bodies=()):
     return _with_gaps(made, axes, found, None)
 
 
-def of_climate(found, years, radius):
-    """Quantities of a Climate and the labels of their axes; years : the return period; radius : m, of the hull"""
+def of_climate(found, years, radius, bodies=()):
+    """Quantities of a Climate and the labels of their axes; years : the return period; radius, bodies : as `of_sea`"""
     excited = np.flatnonzero(found.excited)
     units, terms = tuple(found.units[i] for i in excited), [found.long_term(found.names[i]) for i in excited]
     columns = {
@@ -181,7 +183,11 @@ def of_climate(found, years, radius):
     axes = labels("response", [found.names[i] for i in excited]) | labels("state", np.arange(len(found.height)))
     if found.mean_drift is not None:
         made["drift.mean"] = Quantity(
-            without_rounding(found.mean_drift, radius, found.drift), ("plane",), FORCE, "mean over all time", DRIFT
+            without_rounding(found.mean_drift, radius, found.drift),
+            ("plane",),
+            FORCE,
+            "mean over all time",
+            ALL if bodies else DRIFT,
         )
         made["state.drift"] = Quantity(found.drift, ("state", "plane"), "N, N, N m", "mean drift", record=True)
         axes |= labels("plane", PLANE)
@@ -198,10 +204,10 @@ def without_rounding(force, radius, among=None):
     return np.where(np.abs(force) <= TINY * largest * np.array([1.0, 1.0, radius]), 0.0, force)
 
 
-def _of_slow(slow, radius):
+def _of_slow(slow, radius, title):
     made = {
-        "drift.mean": Quantity(without_rounding(slow.drift, radius), ("plane",), FORCE, "mean", DRIFT),
-        "drift.sigma": Quantity(slow.sigma, ("plane",), FORCE, "σ of its beats", DRIFT),
+        "drift.mean": Quantity(without_rounding(slow.drift, radius), ("plane",), FORCE, "mean", title),
+        "drift.sigma": Quantity(slow.sigma, ("plane",), FORCE, "σ of its beats", title),
         "drift.spectrum": Quantity(
             slow.spectrum,
             ("difference", "plane"),
@@ -214,10 +220,10 @@ def _of_slow(slow, radius):
         for k, (name, unit) in enumerate(zip(PLANE, FORCE, strict=True)):
             made[f"drift.of_each.{name}"] = Quantity(slow.of_each[:, k], ("body",), unit, f"mean, {name}", EACH)
     if slow.by_current is not None:
-        made["drift.by_current"] = Quantity(slow.by_current, ("plane",), FORCE, "of the mean by the current", DRIFT)
+        made["drift.by_current"] = Quantity(slow.by_current, ("plane",), FORCE, "of the mean by the current", title)
     if slow.of_pairs is not None:
         pairs = slow.sigma_of_pairs[[0, 1, 5]]
-        made["drift.sigma_of_pairs"] = Quantity(pairs, ("plane",), FORCE, f'σ, qtf = "{slow.level}"', DRIFT)
+        made["drift.sigma_of_pairs"] = Quantity(pairs, ("plane",), FORCE, f'σ, qtf = "{slow.level}"', title)
     if slow.damping is not None:
         made["drift.damping"] = Quantity(
             slow.damping, ("plane", "velocity"), ("N s/m", "N s/m", "N s"), "velocity of", DAMPING

@@ -77,6 +77,7 @@ def _ready(task, db, waves):
     from hakobune.mooring.motion.simulation import moored
     from hakobune.mooring.motion.wave_loads import no_wave_forces
     from hakobune.mooring.response.viscous import in_time
+    from hakobune.mooring.studies.wave_effects import along_few
 
     study, words = task.study, db.bodies_reader.words
     plan = plan_of(study, db.bodies_reader.omega, None, task.duration, task.folder, words, units_of_shapes(db))
@@ -97,11 +98,13 @@ def _ready(task, db, waves):
         viscous = in_time(db.reader, plan.weather.waves)
         extra, drag = extra + viscous.damping, drag + viscous.quadratic
     streams = study.hull or study.hulls or plan.weather.wind or plan.weather.current
+    turned = along_few(db, reader, plan.weather)
     with heard() as caught:
         body = moored(
             reader, system, hull if streams else None, memory=memory, damping=extra, quadratic=drag, berth=berth,
             spring=spring(study, words), motions=motions_of(study, words),
             waves=no_wave_forces(reader) if plan.weather.waves is None else waves, linearised_in=plan.weather.waves,
+            turned=turned,
         )  # fmt: skip
         if of_quay and task.memory is None and not constant:
             body = _remembering(body, db, plan.settings.memory)
@@ -118,7 +121,7 @@ def _ready(task, db, waves):
         stations=stations,
         settings=choice.settings,
         pace=choice.pace,
-        told=first_what_is_left_out(_told(db, reader, body.free, plan, left, choice)),
+        told=first_what_is_left_out(_told(db, reader, body.free, plan, turned, left, choice)),
     )
     _ = body.dynamic_stiffness  # computed for all seeds while its inputs exist
     if waves is None:
@@ -126,13 +129,15 @@ def _ready(task, db, waves):
     return Ready(body, plan, (*first, *of_quay, *caught))
 
 
-def _told(db, reader, free, plan, left, choice):
+def _told(db, reader, free, plan, turned, left, choice):
     """Methods chosen and effects left out, one line each"""
-    from hakobune.mooring.studies.wave_effects import NO_DRIFT, lacks_drift
+    from hakobune.mooring.studies.wave_effects import FEW, NO_DRIFT, lacks_drift, stored_degrees
 
     if plan.weather.waves is not None and plan.settings.slow_drift != "none":
         yield from (OF_SHAPES,) * bool(db.modes)
         yield from (NO_DRIFT,) * lacks_drift(db, reader)
+    if turned:
+        yield FEW.format(stored_degrees(reader.ring))
     yield from choice.left_out
     yield from left
     held = [word for i, word in enumerate(db.bodies_reader.words) if i not in free]
