@@ -147,7 +147,13 @@ def wave_of(study):
         raise StudyError(
             f"wave.height is {height:g} m; a wave of {period:g} s breaks at {highest:.3g} m in {depth:g} m of water"
         )
-    return RegularWave(0.5 * height, 2 * np.pi / period, direction("wave", wave), depth, current)
+    made = RegularWave(0.5 * height, 2 * np.pi / period, direction("wave", wave), depth, current)
+    if made.against >= made.energy_speed:
+        raise StudyError(
+            f"current runs at {made.against:.3g} m/s against a wave of {period:g} s, whose energy travels at "
+            f"{made.energy_speed:.3g} m/s: no such wave reaches the members; allowed: a slower current or a longer wave"
+        )
+    return made
 
 
 def placed(study):
