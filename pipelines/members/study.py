@@ -20,7 +20,7 @@ from hakobune.mooring.loads.over_wave import Member
 from hakobune.mooring.loads.regular_wave import RegularWave
 from hakobune.mooring.seas.breaking import breaking_height
 
-from ..common.quantities import StudyError, Table, direction, positive, water_depth
+from ..common.quantities import StudyError, Table, direction, positive, water_density, water_depth
 from ..common.typed import read_toml, typed
 from ..common.weather.water import DepthTable, WaveTable
 
@@ -126,6 +126,7 @@ def make_study(raw):
         raise StudyError("there are no members; give at least one [[members]] or [[wind_members]]")
     if len(study.members) > MOST:
         raise StudyError(f"there are {len(study.members)} members; allowed: at most {MOST}")
+    water_density("water.density", study.water.density)
     if study.members and study.wave is None and study.current is None:
         raise StudyError("there is neither wave nor current; give [wave], [current] or both")
     if study.wind_members and study.wind is None:
