@@ -8,8 +8,12 @@ LONG = 20  # depths in a wavelength, from which a wave is long
 
 def levels(spring_high, spring_low, surge, tsunami, depth):
     """{name: m above mean water}; surge, tsunami : m, or None.  Raises ValueError."""
-    if spring_low > spring_high:
-        raise ValueError(f"levels.spring_low is {spring_low:g}; allowed: at most spring_high")
+    for key, value, side, wrong in (
+        ("spring_low", spring_low, "most", spring_low > 0),
+        ("spring_high", spring_high, "least", spring_high < 0),
+    ):
+        if wrong:
+            raise ValueError(f"levels.{key} is {value:g}; allowed: at {side} 0, since levels are above mean water")
     for key, value in (("surge", surge), ("tsunami", tsunami)):
         if value is not None and not 0 <= value < depth:
             raise ValueError(f"levels.{key} is {value:g}; allowed: 0 to the depth, {depth:g} m")
