@@ -220,7 +220,7 @@ def _check_needs(needs, criteria):
     """Raises StudyError if no criterion limits a Need of the study, which would pass unchecked"""
     missing = [need for need in needs if not need.judged(criteria)]
     if missing:
-        limits = [repr(need.quantities[0]) + ' with subject = "hawser"' * need.hawser for need in missing]
+        limits = [repr(need.quantities[0]) + (' with subject = "hawser"' if need.hawser else "") for need in missing]
         raise StudyError(
             f"the study has {_all_of([need.what for need in missing])}, but no chosen criterion judges them; give a "
             f"rule set that does, or [[limits]] of {_all_of(limits)}"
