@@ -15,7 +15,15 @@ ROOT = Path(__file__).parents[1]
 OUTSIDE = ("CHANGELOG.md", "CONTRIBUTING.md", "tests/bench/results/bench.png", "tests/bench/results/growth.png",
            "tests/bench/results/bench.md")  # fmt: skip
 LINK = re.compile(r"\]\((?!https?:)(?:\.\./|docs/)([^)]+)\)")  # to a file of the repository
-SAME = ("bodies", "simulation", "side_by_side", "bridge", "terminal")  # kinds whose keys are those of scene and study
+SAME = (
+    "ship",
+    "bodies",
+    "simulation",
+    "side_by_side",
+    "bridge",
+    "terminal",
+    "jetty",
+)  # kinds whose keys are those of scene and study
 NOT_SEARCHED = ("CHANGELOG.md", "tests/bench/results/bench.md", *(f"keys-{kind}.md" for kind in SAME))
 BOOST = {"questions.md": 3.0, "theory": 0.3, "api.md": 0.3, "architecture.md": 0.3, "keys-": 0.7}  # by begin of a name
 PACKAGES = ("meshing", "bem", "mooring", "pipelines")

@@ -119,8 +119,10 @@ def of_rule(criteria, rule, subject=None):
         return tuple(found)
     chosen = tuple(criterion for criterion in found if criterion.subject == subject)
     if not chosen:
-        known = dict.fromkeys(criterion.subject for criterion in found)
-        raise RuleError(f"{rule} contains no criterion for {subject!r}; allowed: {'; '.join(known)}")
+        known = list(dict.fromkeys(criterion.subject for criterion in found))
+        near = [one for one in known if subject.lower() in one.lower()] or known
+        named = ", ".join(f'"{one}"' for one in near)
+        raise RuleError(f"{rule} contains no criterion for {subject!r}; allowed: {named}")
     return chosen
 
 

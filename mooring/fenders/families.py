@@ -39,6 +39,11 @@ def names():
     return (*families(), "pneumatic")
 
 
+def _with_reaction():
+    """Names of the families whose ordinary grade a public source gives"""
+    return (*(name for name, one in families().items() if one["intensity"] is not None), "pneumatic")
+
+
 def fender_of_family(family, height, *, length=None, rated_reaction=None, pressure=None, overload=None):
     """A generic `fender.Fender`.
 
@@ -81,7 +86,8 @@ def fender_of_family(family, height, *, length=None, rated_reaction=None, pressu
 def _ordinary(label, family, intensity, height, length):
     if intensity is None:
         raise FenderError(
-            f"{label}: no public source gives its reaction; give the rated reaction of the manufacturer, rated_reaction"
+            f"{label}: no public source gives its reaction; give the rated reaction of the manufacturer, "
+            f"rated_reaction; allowed without it: {', '.join(_with_reaction())}"
         )
     if family != "cell" and length is None:
         raise FenderError(f"{label}: its length is missing; give the length, or the rated reaction of the manufacturer")

@@ -108,6 +108,15 @@ def anchors_of(asked, found):
     return quantities("anchors", needed, "anchor") | quantities(known, given, "anchor"), axes
 
 
+def behind_in_words(sea):
+    """Note on the height behind the breakwater for each way to hold it; nothing without a sea"""
+    if sea is None or not sea.heights:
+        return
+    before = sea.cells.height
+    behind = [f"{name} {height:.3g} m ({100 * height / before:.0f} %)" for name, height in sea.heights.items()]
+    yield f"of a sea of {before:.3g} m passes: {'; '.join(behind)}"
+
+
 def behind_of(asked, found):
     """The sea behind the breakwater, and tensions in that sea"""
     sea = found.sea

@@ -19,7 +19,17 @@ from .build import anchors_of as asked_anchors
 from .build import breakwater_of, changing, ranges_of
 from .findings import failures, wanted
 from .measured import read_measured
-from .quantities import anchors_of, behind_of, checks_of, curves_of, front_of, lee_of, pretension_of, snapping_of
+from .quantities import (
+    anchors_of,
+    behind_in_words,
+    behind_of,
+    checks_of,
+    curves_of,
+    front_of,
+    lee_of,
+    pretension_of,
+    snapping_of,
+)
 from .study import BreakwaterStudy, make_breakwater, read_breakwater
 
 if TYPE_CHECKING:
@@ -81,5 +91,6 @@ def result_of(found, text, db=None):
     optimisation, front = found.study.optimisation, found.results.front
     return Result(
         "breakwater", quantities, axes, (*found.results.warned, *failures(optimisation, found.results)),
-        () if front is None else tuple(wanted(optimisation, front)), provenance=provenance(text, db), detail=found,
+        (*behind_in_words(found.results.sea), *(() if front is None else wanted(optimisation, front))),
+        provenance=provenance(text, db), detail=found,
     )  # fmt: skip

@@ -218,13 +218,18 @@ def _check_own_rules(project, found, folder):
 
 def _check_needs(needs, criteria):
     """Raises StudyError if no criterion limits a Need of the study, which would pass unchecked"""
-    for need in needs:
-        if not need.judged(criteria):
-            subject = ' with subject = "hawser"' if need.hawser else ""
-            raise StudyError(
-                f"the study has {need.what}, but no chosen criterion judges them; give a rule set that does, or "
-                f"[[limits]] of {need.quantities[0]!r}{subject}"
-            )
+    missing = [need for need in needs if not need.judged(criteria)]
+    if missing:
+        limits = [repr(need.quantities[0]) + (' with subject = "hawser"' if need.hawser else "") for need in missing]
+        raise StudyError(
+            f"the study has {_all_of([need.what for need in missing])}, but no chosen criterion judges them; give a "
+            f"rule set that does, or [[limits]] of {_all_of(limits)}"
+        )
+
+
+def _all_of(texts):
+    *before, last = dict.fromkeys(texts)
+    return f"{', '.join(before)} and {last}" if before else last
 
 
 def _check_hawsers(project, needs):

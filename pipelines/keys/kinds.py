@@ -57,6 +57,13 @@ KINDS = {
         (SOLVED, "hakobune simulate FILE --database box.h5 --output run.h5"),
         ("series_box_20m.toml",),
     ),
+    "ship": Kind(
+        "a ship by its block coefficient in water and waves",
+        "hakobune.pipelines.scene.scene:Scene",
+        "ship, solve, look",
+        "ship_tanker.toml",
+        ("hakobune solve FILE --output tanker.h5",),
+    ),
     "side_by_side": Kind(
         "bodies moored to each other, in time",
         "hakobune.pipelines.moor.study:Study",
@@ -191,6 +198,17 @@ KINDS = {
         "design",
         "design_chain_12.toml",
         ("hakobune design FILE --output design",),
+    ),
+    "jetty": Kind(
+        "a ship at a jetty: ropes, fenders, and limits of its motions for loading",
+        "hakobune.pipelines.design.tables:Project",
+        "design",
+        "design_tanker_berth.toml",
+        (
+            "hakobune solve ship_tanker.toml --output tanker.h5",
+            "hakobune simulate simulate_tanker_berth.toml --database tanker.h5 --output berth.h5",
+            "hakobune design FILE --output report",
+        ),
     ),
 }
 

@@ -10,7 +10,7 @@ from hakobune.meshing.surface.patches import counter_clockwise
 
 from .methods import check_method
 from .modes import check_modes
-from .tables import FREQUENCY_KEYS, MOST, SHAPES, SceneError, listed
+from .tables import FREQUENCY_KEYS, MOST, SHAPES, SceneError, Span, listed
 from .viscous_table import viscous_of
 
 CLOSEST = 2e-9  # relative in omega, rad in heading: twice the tolerance for equal values in a database
@@ -219,9 +219,20 @@ def _check_waves(scene):
         raise SceneError("waves.xi_B needs a beam, which a body from a mesh file does not have; give omegas or periods")
     _check_list(f"waves.{key}", getattr(scene.waves, key), partial(_within, limits=RANGES[key]))
     _check_list("waves.headings_deg", scene.waves.headings_deg, _check_heading)
-    _check_apart("waves.headings_deg", listed("", scene.waves.headings_deg), scene.headings(), turn=2 * np.pi)
+    given = scene.waves.headings_deg
+    _check_apart(
+        "waves.headings_deg", listed("", given), scene.headings(), turn=2 * np.pi, way_out=_without_the_last(given)
+    )
     values = sorted(listed("", getattr(scene.waves, key)), reverse=key == "periods")
     _check_apart(f"waves.{key}", values, scene.omegas())
+
+
+def _without_the_last(headings):
+    """Way out for a range over a full turn, whose ends are one heading; "" for all others"""
+    if not isinstance(headings, Span) or abs(headings.last - headings.first - 360) > 1e-6:
+        return ""
+    count = headings.count - 1
+    return f"; a full turn ends one step earlier: from {headings.first:g} to {headings.last - 360 / count:g}, {count}"
 
 
 def _check_heading(key, value):
@@ -237,10 +248,11 @@ def _check_list(key, value, check_one):
         check_one(key, one)
 
 
-def _check_apart(key, given, values, turn=None):
+def _check_apart(key, given, values, turn=None, way_out=""):
     """Raise SceneError for two values that a database would treat as equal.
 
     given : as in the scene; values : the same, rising, as in a database; turn : turn of angles
+    way_out : end of the message
     """
     given, values = np.sort(given) if turn else np.array(given), np.asarray(values)
     if turn:
@@ -251,7 +263,7 @@ def _check_apart(key, given, values, turn=None):
     if near.size:
         one, other = sorted(given[[near[0], near[0] + 1]])
         again = "" if f"{one:.9g}" == f"{other:.9g}" else f", once as {other:.9g}"
-        raise SceneError(f"{key} has {one:.9g} twice{again}; allowed: each value once, {CLOSEST:g} apart")
+        raise SceneError(f"{key} has {one:.9g} twice{again}; allowed: each value once, {CLOSEST:g} apart{way_out}")
 
 
 def _check_rest(scene):

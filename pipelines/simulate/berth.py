@@ -42,6 +42,15 @@ def fender_strains(file):
     return np.array(share), allowable
 
 
+def most_pressed(file):
+    """The fender nearest to its allowable strain in all runs, as a note; nothing without fenders"""
+    share, allowable = fender_strains(file) or ((), ())
+    if len(share):
+        worst = int(np.argmax(share / allowable))
+        name, own, most = fender_names(file)[worst], 100 * share[worst], 100 * allowable[worst]
+        yield f"largest compression of a fender: {own:.3g} % of the height of {name} (allowable {most:.4g} %)"
+
+
 def findings_on_fenders(file):
     """Failures: fenders beyond their allowable strain"""
     for name, share, allowable in zip(fender_names(file), *(fender_strains(file) or ((), ())), strict=False):

@@ -11,7 +11,9 @@ from hakobune.mooring.criteria.overuse import HELP
 from hakobune.mooring.motion.extremes import CONFIDENCE, FEWEST, RARE, beyond, rare, share_beyond
 from hakobune.mooring.response.findings import LINES_NAMED, some
 
+from ..common.units import KN
 from ..moor.study import make_study
+from ..printing.number import significant
 from .beside import differ as differ_by
 from .file import STATISTICS, told, whole_rows
 
@@ -57,6 +59,23 @@ def overloads(file, allowable=None):
             way = SOFTER if names[order[0]] in ropes_of(file) else _way_out(file, HELP)
             share = f"{len(named)}{more} of {len(names)}"
             yield fails(f"{share} lines in the runs {text}: {some(named, LINES_NAMED)}; {way}")
+
+
+def most_loaded(file):
+    """The line or rope with the largest share of its breaking load in all runs, as a note; nothing without lines"""
+    largest, _ = largest_in_runs(file, "tension")
+    if not largest.size:
+        return
+    used, most = used_in_runs(file).max(axis=0), largest.max(axis=0)
+    known = np.isfinite(used).any()
+    worst = int(np.nanargmax(used) if known else np.argmax(most))
+    share = (
+        f"{100 * used[worst]:.0f} % of its breaking load (allowable {100 * float(file.attrs['allowable']):g} %)"
+        if known
+        else "its utilisation is unknown, since no breaking load is given"
+    )
+    name = file["line"].asstr()[()][worst]
+    yield f"largest tension: {significant(most[worst] / KN)} kN in {name}, {share}"
 
 
 def _way_out(file, otherwise):

@@ -19,11 +19,11 @@ from ..results.given import File, Tables, database_of
 from ..results.provenance import provenance
 from ..results.quantity import Quantity
 from ..results.result import Result, labels
-from .berth import fender_strains, findings_on_fenders, findings_on_periods
+from .berth import fender_strains, findings_on_fenders, findings_on_periods, most_pressed
 from .file import LEFT_OUT, SUMMARY, bodies_of, fender_names, opened, stored_findings, units_of, whole_rows, words_of
 from .file import told as file_told
 from .findings import findings
-from .over_runs import anchors_in_runs, largest_in_runs, notes, on_anchors, overloads, used_in_runs
+from .over_runs import anchors_in_runs, largest_in_runs, most_loaded, notes, on_anchors, overloads, used_in_runs
 from .run import input_of
 from .run import simulate as fill
 
@@ -156,7 +156,8 @@ def result_of(file, window=None, more=()):
         quantities,
         {axis: one for axis, one in axes.items() if axis in used},
         tuple(line for line in dict.fromkeys(found) if line not in told),
-        (*notes(file), *filter(None, [str(file.attrs.get("design_spectrum", ""))]),
+        (*most_loaded(file), *most_pressed(file), *notes(file),
+         *filter(None, [str(file.attrs.get("design_spectrum", ""))]),
          *(line for line in told if line not in first)),
         first,
         provenance(str(file.attrs["study"]), database_path=str(file.attrs["database"])),

@@ -84,7 +84,9 @@ def plan_of(study, omega, seeds=None, duration=None, folder=None, words=ONE_BODY
     conditions, depth = study.conditions(), study.water.depth
     seas = _seas(study, table, conditions)
     waves = None if seas else conditions.waves
-    findings = [*dict.fromkeys(line for one in seas for line in _outside(one.spectrum, omega))]
+    names = _names(len(seas) - len(table.sea), len(table.sea)) if len(seas) > 1 else ("",) * len(seas)
+    found = (line for one, name in zip(seas, names, strict=True) for line in _outside(one.spectrum, omega, name))
+    findings = [*dict.fromkeys(found)]
     if seas and table.sea:
         findings.append("the simplified method, run for comparison, uses [waves] only, without simulation.sea")
     if waves is not None:
@@ -381,14 +383,20 @@ def _left_out(below, above):
     return first, 1 - (most - first)
 
 
-def _outside(spectrum, omega):
+def _names(systems, more):
+    """Beginnings of messages on the systems of waves: [waves] with its swell, and `more` seas of [simulation]"""
+    swell = [f"waves.swell[{i}]: " for i in range(systems - 1)]
+    return "waves: ", *swell, *(f"simulation.sea[{i}]: " for i in range(more))
+
+
+def _outside(spectrum, omega, name=""):
     """Finding on the energy outside the stored frequencies.  Raises StudyError if it is too much."""
     below, above = (float(share) for share in energy_outside(omega, spectrum))
     if below + above <= MISSED:
         return ()
     ends = spectrum.quantile((MISSED / 2, 1 - MISSED / 2))
     text = (
-        f"{100 * (below + above):.1f} % of the wave energy lies outside the stored frequencies "
+        f"{name}{100 * (below + above):.1f} % of the wave energy lies outside the stored frequencies "
         f"({100 * below:.1f} % below {omega[0]:.4g}, {100 * above:.1f} % above {omega[-1]:.4g} rad/s)"
     )
     way_out = f"solve {min(ends[0], omega[0]):.3g} to {max(ends[1], omega[-1]):.3g} rad/s as well"

@@ -81,7 +81,7 @@ TWICE = ((0.0, 0.0), (0.1, 1e5), (0.1, 2e5))
 RISING = ((0.0, 0.0), (0.1, 1e5), (0.2, 2e5))
 NAN3 = (0.0, math.nan, 0.0)
 LIMITS = {
-    "subject": (lambda word: of_rule(RULES, "x", word), "chain", "rope", "no criterion for 'rope'; allowed: chain"),
+    "subject": (lambda word: of_rule(RULES, "x", word), "chain", "rope", "no criterion for 'rope'; allowed: \"chain\""),
     "displacement": (lambda d: equipment_number("NV", d, front=1.0), 1e-9, 0.0, "displacement is 0 t; allowed: above"),
     "endings of times": (lambda ends: _offsets(ends, "f"), ["Z", "+09:00"], ["Z", "9"],
      "different time zones, one of them '9'"),

@@ -94,6 +94,13 @@ def test_a_file_of_the_users_own_has_the_form_of_the_tables(tmp_path):
         of_rule(RULES, "JSCE", "ice")
 
 
+def test_a_part_of_a_subject_leads_to_the_subjects_that_contain_it():
+    with pytest.raises(RuleError) as refused:
+        of_rule(RULES, "PIANC", "bulk carrier")
+    named = ("cranes", "elevator / bucket wheel", "conveyor belt")
+    assert str(refused.value).endswith("allowed: " + ", ".join(f'"bulk carrier; {one}"' for one in named))
+
+
 def test_a_limit_in_another_unit_than_its_quantity_has_is_refused(tmp_path):
     rows = "\n".join((",".join(RULES[0]._fields), "own,1,surge,at most,3,,ft,any,any,any,ship,largest,,harbour,read"))
     (tmp_path / "own.csv").write_text(rows)

@@ -161,7 +161,7 @@ X, UP = [0.0, 0.2, 0.5], np.array([0.0, 1e6, 1.5e6])
         ),
         (
             lambda: fender_of_family("cone", 1.0),
-            "no public source gives its reaction; give the rated reaction of the manufacturer",
+            "the rated reaction of the manufacturer, rated_reaction; allowed without it: cell, v, h, pneumatic$",
         ),
         (lambda: fender_of_family("v", 1.0), "its length is missing"),
         (lambda: chosen(["weather"]), "allowed: manufacture, ageing"),

@@ -264,6 +264,12 @@ VALUE = {"quantity": "gust factor", "value": 1.0, "source": "a tunnel"}
             "the study has lines, but no chosen criterion judges them; give a rule set that does, or [[limits]] of 'a'",
         ),
         ({}, [], [(True, False)], "or [[limits]] of 'a' with subject = \"hawser\""),
+        (
+            {},
+            [],
+            [(True, False), (False, False)],
+            "[[limits]] of 'a' with subject = \"hawser\" and 'a'",
+        ),
         ({"wear": {"mm_per_year": 0.1}}, [WORN], (), None),
         ({"wear": {"mm_per_year": 0.1}}, [HOLDING], (), f"[wear] is given, but no chosen criterion limits {WORN!r};"),
         ({"anchors": {"holding_kN": 1.0}}, [HOLDING], (), None),

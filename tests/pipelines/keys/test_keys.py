@@ -100,6 +100,18 @@ def test_a_file_to_begin_with_runs(kind, tmp_path, monkeypatch, capsys):
     assert step[0] == "hakobune" and cli.main(step[1:]) == 0
 
 
+def test_a_ship_and_a_jetty_come_with_the_files_that_their_commands_read(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    for kind in ("ship", "jetty"):
+        assert cli.main(["new", kind]) == 0
+    steps = [line.split() for line in capsys.readouterr().out.splitlines() if line.startswith("    ")]
+    assert len(steps) == 4 and all(Path(step[2]).is_file() for step in steps)
+    assert tomllib.loads(Path("ship.toml").read_text(encoding="utf-8"))["bodies"][0]["shape"] == "ship"
+    project = tomllib.loads(Path("jetty.toml").read_text(encoding="utf-8"))
+    assert {"rope", "fender"} <= set(tomllib.loads(Path(project["project"]["study"]).read_text(encoding="utf-8")))
+    assert "PIANC" in {one["rule"] for one in project["rules"]}
+
+
 def test_a_file_that_is_there_is_not_replaced(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     assert cli.main(["new", "study"]) == 0

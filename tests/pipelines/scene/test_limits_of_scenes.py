@@ -26,6 +26,10 @@ LIMITS = [  # old, good, bad, what is said
      "headings_deg has 0 twice, once as 360"),
     ("headings_deg = [0, 90]", "headings_deg = [5, 359.99999999999]", "headings_deg = [0, 359.99999999999]",
      "headings_deg has 0 twice"),
+    ("headings_deg = [0, 90]", "headings_deg = { from = -180, to = 165, count = 24 }",
+     "headings_deg = { from = -180, to = 180, count = 25 }",
+     "once as 180; allowed: each value once, 2e-09 apart; a full turn ends one step earlier: from -180 to 165, 24"
+     ),
     ("omegas = [0.5, 1.0]", "omegas = [0.5, 0.50000001]", "omegas = [0.5, 0.5]", "waves.omegas has 0.5 twice"),
     ("omegas = [0.5, 1.0]", "periods = [5.0, 8.0]", "periods = [5.0, 8.0, 8.0]", "waves.periods has 8 twice"),
     ("omegas = [0.5, 1.0]", "periods = [5.0, 6.0]", "omegas = [1.0]\nperiods = [5.0]",

@@ -48,6 +48,12 @@ def test_a_sea_beyond_the_band_is_refused_with_a_band_that_runs_and_one_that_hol
     study._outside(sea, np.array(bands[1]))
 
 
+def test_energy_outside_the_band_is_told_of_the_sea_and_of_each_swell():
+    (told,) = study._outside(issc(1.0, mean_period=6.0), np.array([0.05, 1.6]), study._names(2, 1)[1])
+    assert told.startswith("waves.swell[0]: ") and "of the wave energy lies outside" in told
+    assert study._names(2, 1) == ("waves: ", "waves.swell[0]: ", "simulation.sea[0]: ")
+
+
 class File(dict):
     """A file of runs with statistics (runs, q, largest alone) of named quantities"""
 
@@ -76,6 +82,19 @@ def test_snaps_of_lines_and_hits_of_fenders_in_few_runs_are_both_told(monkeypatc
     assert "(D1 in 1 of 5)" in hit and hit.endswith("; run more seeds to see how often")
     largest, parts = over_runs.largest_in_runs(File(names, runs), "tension")
     assert parts == ["bow", "stern"] and largest.tolist() == [row[1:3] for row in runs[:5]]
+
+
+def test_the_line_with_the_largest_share_of_its_load_is_told_not_that_with_the_largest_tension(monkeypatch):
+    monkeypatch.setattr(over_runs, "whole_rows", lambda file: np.array([True, True, False]))
+    runs, line = [[3e5, 2e5], [4e5, 1e5], [9e6, 9e6]], SimpleNamespace(asstr=lambda: np.array(["bow", "stern"]))
+    names = ["tension bow", "tension stern"]
+    for used, says in (
+        ([[0.1, 0.2], [0.15, 0.5], [9, 9]], "200 kN in stern, 50 % of its breaking load (allowable 60 %)"),
+        ([[np.nan] * 2] * 3, "400 kN in bow, its utilisation is unknown, since no breaking load is given"),
+    ):
+        (said,) = over_runs.most_loaded(File(names, runs, used=np.array(used), line=line))
+        assert said == f"largest tension: {says}"
+    assert not list(over_runs.most_loaded(File(["surge"], [[1.0]] * 3)))
 
 
 @pytest.mark.parametrize(

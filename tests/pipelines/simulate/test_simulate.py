@@ -42,7 +42,7 @@ from hakobune.pipelines.response.study import ONE_BODY
 from hakobune.pipelines.simulate import beside, over_runs, work
 from hakobune.pipelines.simulate import file as of_runs
 from hakobune.pipelines.simulate import run as runs
-from hakobune.pipelines.simulate.berth import fender_strains, findings_on_fenders
+from hakobune.pipelines.simulate.berth import fender_strains, findings_on_fenders, most_pressed
 from hakobune.pipelines.simulate.beside import Beside
 from hakobune.pipelines.simulate.file import STATISTICS, SUMMARY, opened, whole_rows
 from hakobune.pipelines.simulate.pictures import draw, spectrum
@@ -522,6 +522,8 @@ def test_a_fender_is_as_strained_as_in_the_worst_of_all_runs():
     assert np.allclose(fender_strains(File(file))[0], [0.45, 0.55, 0.275])
     (beyond,) = findings_on_fenders(File(file))
     assert "B is compressed by 55 % of its height; allowed: 50 %" in beyond
+    (said,) = most_pressed(File(file))
+    assert said == "largest compression of a fender: 55 % of the height of B (allowable 50 %)"
 
 
 def test_a_single_run_tells_what_was_simulated_and_asks_for_seeds(folder):
