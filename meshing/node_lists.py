@@ -7,7 +7,7 @@
     HydroStar   COORDINATES; PANEL TYPE 0 (corners) or 1 (number, corners); SYMMETRY_BODY
     HAMS        numbers of panels, points, mirror planes; points; panels `number 3-or-4 corners`
 
-Corners run counter-clockwise seen from the water in all of them.  Readers change no orientation.
+In all these formats corners run counter-clockwise seen from the water.  Readers change no orientation.
 """
 
 import re

@@ -69,7 +69,9 @@ class ContourBody:
         Raises ValueError for a frequency that is not positive and finite, and an angle that is not finite.
         """
         if not 0 < omega < np.inf:
-            raise ValueError(f"omega is {omega} rad/s; allowed: positive and finite (limits: added_mass_limit)")
+            raise ValueError(
+                f"omega is {omega} rad/s; allowed: positive and finite (for 0 or infinity use added_mass_limit)"
+            )
         if not (np.all(np.isfinite(headings)) and np.all(np.isfinite(theta))):
             raise ValueError("headings or theta contain a value that is not finite; allowed: finite angles, rad")
         with blas_threads(SMALL):

@@ -47,7 +47,8 @@ def extend(path, *, omega=(), wave_direction=(), names=(), header=None, anew=())
 
 
 def write_group(path, name, datasets, attributes):
-    """Write a group to a database, in place of one of that name; a new file is renamed when complete.
+    """Write a group to a database and replace a group of the same name; a new file is written and renamed when
+    complete.
 
     As `fill`.
     """
@@ -106,7 +107,7 @@ def _union(old, new, same):
 
 
 def fill(file, name, datasets, attributes):
-    """Write a group to an open file, in place of one of that name.
+    """Write a group to an open file and replace a group of the same name.
 
     datasets : {name: (axes, unit, values)}, the axes first; attributes : attributes of the group
     """

@@ -91,9 +91,10 @@ def _check(values, still):
         return
     ratio = C[2, 2] / expected
     raise FormatError(
-        f"heave stiffness is {C[2, 2]:.5g} N/m in the files, ρ g times the waterplane of the hull {expected:.5g} N/m, "
-        f"{ratio:.3g} times; allowed: within {100 * SAME_STIFFNESS:g} %; either the files are made dimensionless by a "
-        f"length {ratio**-0.5:.4g} times as large (--length-unit), or hull (--mesh), --density or --gravity are others"
+        f"heave stiffness is {C[2, 2]:.5g} N/m in the files, {ratio:.3g} times ρ g times the waterplane of the hull, "
+        f"{expected:.5g} N/m; allowed: within {100 * SAME_STIFFNESS:g} %; either the files are made dimensionless by "
+        f"a length {ratio**-0.5:.4g} times as large (--length-unit), or the hull (--mesh), --density or --gravity is "
+        f"not that of the files"
     )
 
 

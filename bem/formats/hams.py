@@ -136,7 +136,7 @@ def coupled(place, known, count):
 
 
 def hull_of(place, known=None):
-    """The hull in Input, of several bodies that of known["body"]"""
+    """The hull in Input; with several bodies the hull of known["body"]"""
     place = Path(place)
     several = place / "Input" / f"HullMesh_{(known or {}).get('body') or 1}.pnl"
     return several if several.is_file() else place / "Input" / "HullMesh.pnl"

@@ -48,7 +48,7 @@ def near_field_error(run, moving):
     method, radius, draft = _method(run, moving), run.prepared.radius, run.prepared.draft
     if run.errors is None:
         raise ValueError(
-            "near-field drift by panels has an error only if the panels have one; allowed: a run with a coarse mesh"
+            "near-field drift by panels has an estimated error only in a run with a coarse mesh; give such a run"
         )
     rho, g = run.problem.density, run.problem.gravity
     motions, lever = np.abs(_motions(run, moving)), np.hypot(radius, draft)
@@ -68,9 +68,7 @@ def _method(run, moving):
     """The module of the run's method"""
     if not (run.far_field and run.diffracts and (run.free or not moving)):
         name = "drift_force, of a body with its inertia" if moving else "drift_force_fixed"
-        raise ValueError(
-            f"near-field drift from a run with want = {', '.join(sorted(run.want))}; allowed: want with {name}"
-        )
+        raise ValueError(f"want of the run is {', '.join(sorted(run.want))}; near-field drift also needs {name}")
     if hasattr(run, "geometry"):
         from ..panels.pressure_drift import mean_drift as panel_drift
 
@@ -80,7 +78,7 @@ def _method(run, moving):
             "near-field drift of several bodies by the contour method; allowed: one body, or the panel method"
         )
     if run.problem.method != "contour":
-        raise ValueError(f"near-field drift by method {run.problem.method}; allowed: panel, contour")
+        raise ValueError(f"the method is {run.problem.method}; near-field drift needs panel or contour")
     from ..contour import pressure_drift as contour_drift
 
     return contour_drift

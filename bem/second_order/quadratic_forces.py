@@ -98,8 +98,8 @@ class QuadraticRun:
     """Forces of wave pairs for some force frequencies at a time, from the lowest up, after all first-order waves.
 
     Arguments, errors and results as of `quadratic_forces`; swayed : (n, m, 6) motions about the rotation centre
-    from another resolution, or None.  motions : (n, m, 6) its own; by_motions : (d, n, m, m, 6) what the squares of
-    first order are more in the motions `swayed`, N/m², N m/m², or None
+    from another resolution, or None.  motions : (n, m, 6) its own; by_motions : (d, n, m, m, 6) T of the products of
+    first-order quantities with `swayed` minus T with `motions`, N/m², N m/m², or None
     """
 
     def __init__(

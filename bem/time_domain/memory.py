@@ -240,8 +240,8 @@ def _by_causality(body, goal, motions):
         return goal
     warn(
         f"the stored added mass at infinite frequency contradicts the band by {goal.deviation.max():.2g} of the "
-        f"largest, allowed: {CLOSE[1]:g}; the memory uses the value that follows from damping, "
-        f"from which the band deviates by {found.deviation.max():.2g}",
+        f"largest, allowed: {CLOSE[1]:g}; the memory uses the value that follows from damping instead; the band "
+        f"deviates from this value by {found.deviation.max():.2g}",
         stacklevel=4,
     )
     return found

@@ -66,7 +66,7 @@ def waves_missed(transfer):
 
 
 def named_shares(names, share):
-    """Words on the responses whose share (c,) exceeds MISSED, the largest first; empty without any"""
+    """Words on the responses whose share (c,) exceeds MISSED, the largest first; empty if there are none"""
     return some([f"{names[i]} {100 * share[i]:.1f} %" for i in np.argsort(-share) if share[i] > MISSED])
 
 

@@ -115,7 +115,7 @@ class SpreadPairForces:
     def of_components(self, components, drift):
         """T minus Newman's value from their mean drift (n, 3), of all pairs of wave `components`; shape (n, n, 6)
 
-        T is linear between headings; beyond the headings of the pairs it is that of the nearest
+        T is linear between headings; outside the headings of the pairs the nearest heading is used
         """
         omega, total = np.asarray(components.omega, float), 0.0
         used = sorted({a for a, _ in self.pairs})
@@ -273,8 +273,8 @@ def stored_pairs(db, sea, level="body", spread=False, body=None):
         )
     if stored.asked is not None:
         raise ValueError(
-            f"the wave pairs in {db.path} come from an unfinished run, with differences to "
-            f"{forces.frequency[-1]:.3g} of {stored.asked:.3g} rad/s; 'hakobune qtf {db.path}' continues it"
+            f"the wave pairs in {db.path} come from an unfinished run; differences up to {forces.frequency[-1]:.3g} "
+            f"of {stored.asked:.3g} rad/s are stored; 'hakobune qtf {db.path}' continues it"
         )
     if level == "full" and forces.surface is None:
         raise ValueError(

@@ -227,8 +227,9 @@ def _side(where, face, hull):
     if not reached:
         x, y, z = face
         raise StudyError(
-            f"{where}: the body cannot reach {x:g}, {y:g}, {z:g} m; allowed: in front of a side of the hull of "
-            f"{hull.length:g} × {hull.beam:g} m, at most {FARTHEST:g} m off, z {-hull.draft:g} to {hull.freeboard:g}"
+            f"{where}: the body cannot reach the point {x:g}, {y:g}, {z:g} m; allowed: points in front of a side of "
+            f"the hull of {hull.length:g} × {hull.beam:g} m, at most {FARTHEST:g} m from it, with z from "
+            f"{-hull.draft:g} to {hull.freeboard:g} m"
         )
     normal = np.zeros(3)
     normal[across] = np.sign(face[across])

@@ -157,7 +157,9 @@ class SeveralBodies:
         dofs : ignored, all motions are solved
         """
         if not 0 < omega < np.inf:
-            raise ValueError(f"omega is {omega} rad/s; allowed: positive and finite (limits: added_mass_limit)")
+            raise ValueError(
+                f"omega is {omega} rad/s; allowed: positive and finite (for 0 or infinity use added_mass_limit)"
+            )
         with blas_threads(SMALL):
             return SeveralFrequency(self, omega, headings, theta, density, gravity).result()
 

@@ -63,8 +63,8 @@ def _finite(values):
 
 
 def size_of(values):
-    """Length of the body, m: that of the waterplane or, if larger, twice the arm of added mass in yaw; without either
-    from A₃₃"""
+    """Length of the body, m: the length of the waterplane or, if larger, twice the arm of added mass in yaw; without
+    either value it follows from A₃₃"""
     C, A = values.get("hydrostatic_stiffness"), values.get("added_mass")
     plane = 0.0
     if C is not None and C[2, 2] > 0:

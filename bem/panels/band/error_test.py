@@ -81,7 +81,7 @@ class ErrorTest(NamedTuple):
         return errors
 
     def flux_error(self, flux, at_flux_nodes):
-        """Largest error of ∂φ_I/∂n at the samples, relative to the largest of a wave
+        """Largest error of ∂φ_I/∂n at the samples, relative to the largest |∂φ_I/∂n| of the same wave
 
         flux : (m, e) at the samples on the hull; at_flux_nodes : (m, t) at the interpolation nodes
         """

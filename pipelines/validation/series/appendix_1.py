@@ -92,7 +92,8 @@ def name_of(row):
 
 
 def read_tests(only=None):
-    """Rows of the table as dictionaries of text, those of names or of their beginnings.  Raises StudyError."""
+    """Rows of the table, as dictionaries of text, selected by names or by the beginnings of names.  Raises
+    StudyError."""
     return chosen({name_of(row): row for row in read_rows(TABLE)}, only)
 
 

@@ -58,7 +58,7 @@ def make(folder, only=None, fresh=False):
 
 
 def read_tests(only=None):
-    """Tests as dictionaries of text, those of names.  Raises StudyError."""
+    """Tests, as dictionaries of text, selected by names.  Raises StudyError."""
     return chosen({row["case"]: row for row in read_rows(TABLE)}, only)
 
 

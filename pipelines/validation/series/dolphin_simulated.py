@@ -153,6 +153,7 @@ def statements(rows):
         same = sum(r["verdict"] == r["printed_verdict"] for r in own)
         rolls = np.array([r["roll_deg"] / r["printed_roll_deg"] for r in own])
         yield (
-            f"{variant}: σ within a fifth of the print in {near} of {len(own)} rows, mean in {means}, verdict of 35 % "
-            f"the same in {same}; roll {rolls.min():.2f} to {rolls.max():.2f} times the print"
+            f"{variant}: σ is within a fifth of the printed value in {near} of {len(own)} rows, the mean in {means}; "
+            f"the verdict at 35 % is the same in {same}; roll is {rolls.min():.2f} to {rolls.max():.2f} times the "
+            f"printed value"
         )

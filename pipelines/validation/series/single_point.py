@@ -149,7 +149,8 @@ def _over(rows, column):
 
 
 def statements(found):
-    """Lines on the report's statements of section 3.6.5, each with the computed values; none without its cases"""
+    """Lines on the report's statements of section 3.6.5, each with the computed values; a statement without its cases
+    has no line"""
     named = {one["case"]: one for one in found}
     for text, cases, value in STATEMENTS:
         if all(name in named for name in cases):
@@ -177,8 +178,9 @@ def trends(found):
     away = np.abs([one["apart_m"] for one in found if np.isfinite(one["apart_m"])])
     if len(away) > 1:
         yield (
-            f"significant tensions of {len(away)} cases head-on and those printed are apart by {np.median(away):.2f} m "
-            f"of surge at the median, {np.quantile(away, 0.9):.2f} m in nine of ten: lines nearly taut make much of it"
+            f"{len(away)} head-on cases: computed and printed significant tensions differ as by {np.median(away):.2f} "
+            f"m of surge (median; nine of ten cases: at most {np.quantile(away, 0.9):.2f} m), since nearly taut lines "
+            f"turn a small surge into a large tension"
         )
 
 

@@ -47,7 +47,7 @@ def rotated(scene, seed):
 
 
 def difference(one, other, angle, phase, towards):
-    """Largest difference of Z and X, relative to their size, of a body and of the same moved
+    """Largest difference of Z and X, relative to their size, between a body and the same body moved
 
     one, other : `Solved`; phase : k times the place; towards : (m,) rad, headings of the second
     """

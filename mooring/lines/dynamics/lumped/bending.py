@@ -5,7 +5,7 @@
 over the inner nodes j.  The ends are hinges, and so is a node beside an element without EI.  With unstretched ℓ the
 forces are linear in the places: their tangent is exact and constant, one number for the three coordinates of each
 pair of nodes up to two apart, and energy is kept.  A line stretched by ε bends as if EI were (1 + ε)² times as large.
-Second differences make it of second order in ℓ: (nπ/N)²/6 too small an ω² of mode n of a hinged beam.
+With second differences the error is of second order in ℓ: ω² of mode n of a hinged beam is too small by (nπ/N)²/6.
 """
 
 import numpy as np
