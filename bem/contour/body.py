@@ -84,7 +84,7 @@ class ContourBody:
         return degree, top, len(self.plan.contour(k, degree, self.tolerance).weights)
 
     def froude_krylov(self, omega, headings, dofs=range(6), density=1025.0, gravity=9.80665):
-        """Force of the undisturbed waves alone, N/m and N m/m; shape (m, 6); arguments as of `first_order`"""
+        """Force of the undisturbed waves alone, N/m and N m/m; shape (m, 6); arguments as in `first_order`"""
         k = float(wavenumber(omega, self.depth, gravity))
         force = self.plan.incident_force(self.draft, self.depth, k, np.atleast_1d(np.asarray(headings, float)))
         return density * gravity * np.where(np.isin(np.arange(6), dofs), force, 0)

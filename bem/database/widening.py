@@ -18,7 +18,7 @@ GROUPS = ("qtf", "qtf_sum")
 def extend(path, *, omega=(), wave_direction=(), names=(), header=None, anew=()):
     """Widen a file by frequencies, headings and quantities; its contents are kept, the rest is pending.
 
-    header : replaces the stored one where something is added, or at once if its `scene_hash` differs
+    header : replaces the stored header where something is added, or at once if its `scene_hash` differs
     anew : names of quantities whose stored values are dropped
     Returns whether anything was added: then a new file has the name, and a file given open is the old one.
     """

@@ -114,7 +114,7 @@ def _with_weight(body, values, still, weight):
 
 
 def _about_mass(values, still, body):
-    """A message on a mass that differs from the displaced one.  Raises FormatError for a mass in another unit."""
+    """A message on a mass that differs from the displaced mass.  Raises FormatError for a mass in another unit."""
     displaced = values.density * still.volume
     ratio = body.get("mass", displaced) / displaced
     if not 1 / FAR_MASS < ratio < FAR_MASS:

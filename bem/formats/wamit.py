@@ -168,7 +168,7 @@ def read(place, known):
 def coupled(place, known, count):
     """{quantity: array} of added mass, damping and limits of `count` bodies together, (…, 6 count, 6 count)
 
-    known : as of `read`.  Raises FormatError.
+    known : as in `read`.  Raises FormatError.
     """
     place, first = Path(place), known | {"body": 1}
     if place.suffix.lower() == ".out":

@@ -34,7 +34,7 @@ def near_field_drift(run, moving):
 
 def near_field_error(run, moving):
     """Estimated bound of the difference between drift from the near field and from the far field, N/m², N m/m²; shape
-    (m, 3), as of `near_field_drift`.
+    (m, 3), as in `near_field_drift`.
 
     Per metre of breadth and wave amplitude squared the terms are up to ρg(1 + v)² at the waterline, water standing up
     to twice the wave at a wall, and ρω²d a² on the sides, v the vertical motion there and a that of any point of the
@@ -42,7 +42,7 @@ def near_field_error(run, moving):
     pressures is taken from the estimated errors of coefficients and forces; by the contour method, whose forces are
     wrong at second order and whose pressures at first, no less than
     `bem.contour.pressure_drift.PRESSURES`.  Errors of the motions are not in it: near and far field are equal in any.
-    run, moving : as of `near_field_drift`
+    run, moving : as in `near_field_drift`
     raises : ValueError as `near_field_drift`, and for panels without an estimate of their errors
     """
     method, radius, draft = _method(run, moving), run.prepared.radius, run.prepared.draft

@@ -1,6 +1,6 @@
 """Force on a body by products of first-order waves on the free surface around it.
 
-On z = 0 the second-order potential of a pair (i, j) has Ω² φ₂ − g ∂φ₂/∂z = −Q, in products as of `quadratic_forces`
+On z = 0 the second-order potential of a pair (i, j) has Ω² φ₂ − g ∂φ₂/∂z = −Q, in products as in `quadratic_forces`
 
     Q = ½iΩ (∇φᵢ·∇φ̄ⱼ + KᵢKⱼ φᵢφ̄ⱼ) − ¼iωᵢ φᵢ (φ̄ⱼ,zz − Kⱼ² φ̄ⱼ) + ¼iωⱼ φ̄ⱼ (φᵢ,zz − Kᵢ² φᵢ),        T = (iΩρ/g) ∬ ψ Q
     dS
@@ -50,8 +50,8 @@ class Products(NamedTuple):
 
 
 def integrated(products, terms, psi, weights):
-    """Integrals of ψQ over the surface, divided by ¼i, without the line's; shape (q, 6): terms [(φᵢ, φ̄ⱼ)] of `Field`
-    (q, p), ψ a `Field` (q or 1, 6, p)"""
+    """Integrals of ψQ over the surface, divided by ¼i, without the line integral; shape (q, 6): terms [(φᵢ, φ̄ⱼ)] of
+    `Field` (q, p), ψ a `Field` (q or 1, 6, p)"""
     c = Products(*(part[:, None] for part in products))
     scalar, x, y = 0.0, 0.0, 0.0
     for f, g in terms:

@@ -57,13 +57,14 @@ class Path:
 
     @cached_property
     def down(self):
-        """Places x and weights, m, of products that decay with k + q − κ, 2q or more; shape (2, c); none at sums"""
+        """Places x and weights, m, for products that decay as exp(−(k + q − κ)x), with a rate of 2q or more; shape (2,
+        c); none at sums"""
         return self._away(self.least_down)
 
     @cached_property
     def up(self):
-        """Places x and weights, m, of products that decay with k − q + κ, 2κ or more, at sums 2q or more; shape (2,
-        c)"""
+        """Places x and weights, m, for products that decay as exp(−(k − q + κ)x), with a rate of 2κ or more (at sums 2q
+        or more); shape (2, c)"""
         return self._away(self.least_up)
 
     def _away(self, least):

@@ -67,7 +67,7 @@ class Strips:
         return FirstOrder(impedance, incident, scattered, None, None, None, np.nan)
 
     def froude_krylov(self, omega, headings, dofs=range(6), density=1025.0, gravity=9.80665):
-        """Force of the undisturbed waves on the whole box, N/m and N m/m; shape (m, 6); arguments as of
+        """Force of the undisturbed waves on the whole box, N/m and N m/m; shape (m, 6); arguments as in
         `first_order`"""
         k = float(wavenumber(omega, self.depth, gravity))
         force = box_incident_force(self.length, self.beam, self.draft, self.depth, k, np.asarray(headings, float))

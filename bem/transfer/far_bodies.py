@@ -38,7 +38,7 @@ GONE = 40.0  # κ times the water between two circles, beyond which nothing arri
 
 
 def prepare_far(shapes, places, depth, tolerance=1e-3):
-    """`FarBodies`; arguments as of `contour.several.bodies.prepare_several`
+    """`FarBodies`; arguments as in `contour.several.bodies.prepare_several`
 
     Raises ValueError as `solver.prepare_box`, and for bodies whose circles are too near (`circles`).
     """

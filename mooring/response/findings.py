@@ -173,7 +173,8 @@ def drift_of_each(body, slow):
         return
     if not body.own:
         yield (
-            "the drift of each body is the stored one, for free motions; damping, stiffness and hinges that are added "
+            "the drift of each body is the stored drift, for free motions; damping, stiffness and hinges that are "
+            "added "
             "here change the motions and so the true drift"
         )
         return

@@ -207,7 +207,7 @@ def beside_newman(db, sea, level, spread=False):
 def beside_newman_of_bodies(db, sea, level):
     """What `beside_newman` has for each of several bodies, or None, shape (moving bodies,); and remarks
 
-    level : newman, body, or auto, which is body where that is stored.  raises : as of `beside_newman`
+    level : newman, body, or auto, which is body where that is stored.  raises : as in `beside_newman`
     """
     if level == "newman":
         return None, ()

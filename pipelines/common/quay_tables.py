@@ -290,8 +290,8 @@ class HingeTable(Table):
         if wrong or self.bodies[0] == self.bodies[1] or not set(self.bodies) & set(moves):
             given = wrong[:1] or list(self.bodies)
             raise StudyError(
-                f"{where}.bodies has {' and '.join(map(repr, given))}; allowed: two different of {', '.join(known)}, "
-                "of which at least one moves"
+                f"{where}.bodies has {' and '.join(map(repr, given))}; allowed: two different names of "
+                f"{', '.join(known)}, at least one of a body that moves"
             )
         if self.kind not in KINDS:
             raise StudyError(f"{where}.kind is {self.kind!r}; allowed: {', '.join(KINDS)}")

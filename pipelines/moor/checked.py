@@ -49,7 +49,7 @@ class Body(NamedTuple):
 
     @property
     def words(self):
-        """Names of the motions, as of a database"""
+        """Names of the motions, as in a database"""
         return words_of(self.bodies)
 
 

@@ -77,7 +77,7 @@ class Header:
     anchor, fairlead : (lines, 3) m in space with the body at rest
     time : (n,) s of the samples that are kept; quantities : names, units : of each
     motions : names, of several bodies barge__Surge and so on
-    hinges : names of their quantities, as of `bem.hinges.told_of`; stations : stations of what beams carry at theirs
+    hinges : names of their quantities, as in `bem.hinges.told_of`; stations : stations of what beams carry at theirs
     """
 
     identity: str

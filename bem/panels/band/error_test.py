@@ -59,7 +59,7 @@ class ErrorTest(NamedTuple):
     def wave_error(self, exact, low_rank, potentials, velocity, classes=slice(None)):
         """Largest error of the wave potentials at the test points relative to 2πφ, a number; NaN of NaN
 
-        Arguments as of `errors`.
+        Arguments as in `errors`.
         """
         size = 2 * np.pi * np.abs(potentials).max(axis=1, keepdims=True)
         errors = self.errors(exact, low_rank, potentials, velocity, classes)

@@ -72,7 +72,7 @@ class Stencils(NamedTuple):
 
 
 def stencils(mesh, exponents, depth=np.inf, steady=lambda stencil: True):
-    """`Stencils` along s and along t; exponents : (n, 4) as of `sharp_sides`; depth : m
+    """`Stencils` along s and along t; exponents : (n, 4) as in `sharp_sides`; depth : m
 
     The two directions form a product stencil: if the panels of the one have a different layout in the other, the
     stencil is the panel alone, also if `steady` (n,) of a stencil is false.

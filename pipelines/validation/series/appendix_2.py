@@ -5,7 +5,7 @@ hawsers, or a contact buoy at the bow.  What the report does not tell is taken a
 0.72 and 0.82 kgf in them at rest; nylon hawsers of 5 mm, T = 4 kN (ε/0.25)², 0.4 m apart at the bow; chains made fast
 0.05 m under water, hawsers 0.05 m over it, on a gauge on the deck of the buoy, so that their pull tilts it: by that it
 yields three times as far as they stretch.  A buoy that stays upright snaps two to three times as hard as was measured
-in waves alone.  Significant loads are means of the highest third of the crests, as of records of a tank.
+in waves alone.  Significant loads are means of the highest third of the crests, as for records of a tank.
 
 Pitch is taken from the run on the intermediate buoy, in which buoy and body are one equation.  With a contact buoy it
 is that of the

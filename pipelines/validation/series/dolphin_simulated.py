@@ -55,7 +55,7 @@ VARIANTS = {"report": ("constant", "half-waves"), "significant": ("constant", "h
 
 
 def simulated_rows(databases, wanted=None, variants=tuple(VARIANTS), duration=HOUR, seeds=SEEDS):
-    """[{column: number or text}] of every row of the table in every variant, as of `row_of`
+    """[{column: number or text}] of every row of the table in every variant, as in `row_of`
 
     databases : {(floater, depth): Database}; wanted : numbers of rows, all by default; duration : s of each run
     """

@@ -50,7 +50,7 @@ def printed_rows(kind):
 
 
 def table_rows(kind, db, hours=1.0, calculations=(*CALCULATIONS, *MOVED)):
-    """[{column: number or text}] of a kind of line in every calculation, as of `_of`; moved as printed, of the force"""
+    """[{column: number or text}] of a kind of line in every calculation, as in `_of`; moved as printed, of the force"""
     out, memory = [], None
     for name in calculations:
         ratio, part, settings = CALCULATIONS.get(name, (OF_MEAN, MOVED.get(name), {}))

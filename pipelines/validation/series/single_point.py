@@ -158,7 +158,7 @@ def statements(found):
 
 
 def trends(found):
-    """Lines on significant over static tension of a contact buoy head-on, six lines, computed beside printed
+    """Lines of text: significant over static tension of a contact buoy with six lines, head-on, computed and printed
 
     Where lines are nearly taut, decimetres of surge decide; each line gives the difference of surge between the two.
     """
