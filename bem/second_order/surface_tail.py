@@ -114,8 +114,8 @@ class Path:
         return np.concatenate([values[:-1, : self.first], three, values[:-1, self.first + 1 :]], axis=1)
 
     def weights(self, up, down, C, sides):
-        """(c,) weights of columns; up, down : rad/m, rates at which products decay along r + ix, r − ix; sides :
-        weights of the three columns at the first radius, over this radius"""
+        """Weights of the columns, (c,); up, down : rad/m, rates at which products decay along r + ix and along r − ix;
+        sides : weights of the three columns at the first radius, divided by this radius"""
         (y, v), (r, u), (x, w) = self.down, self.real, self.up
         below, above = self.edges[-1] - 1j * y, self.edges[-1] + 1j * x
         parts = (
