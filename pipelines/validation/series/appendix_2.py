@@ -1,6 +1,6 @@
 """`hakobune series appendix-2`: the tests of model M3B at a single point, computed beside what was measured.
 
-SR179 report (1982), appendix 2, digitised in appendix_2.csv beside: three chains, an intermediate buoy of 5.8 kg on two
+SR179 report (1982), appendix 2, digitised in appendix_2.csv: three chains, an intermediate buoy of 5.8 kg on two
 hawsers, or a contact buoy at the bow.  What the report does not tell is taken as: lines at ±60° and 180° of the waves,
 0.72 and 0.82 kgf in them at rest; nylon hawsers of 5 mm, T = 4 kN (ε/0.25)², 0.4 m apart at the bow; chains made fast
 0.05 m under water, hawsers 0.05 m over it, on a gauge on the deck of the buoy, so that their pull tilts it: by that it
@@ -165,7 +165,7 @@ def pitch_amplitude(db, height, period=PERIOD, area=BUOY_AREA):
 
 
 def summary(found):
-    """Lines on all tests beside the measured means"""
+    """Lines on all tests, computed and measured means"""
     for wide in ("10", "20"):
         for buoy in ("intermediate", "contact"):
             own = [one for one in found if (one["B_over_d"], one["buoy"]) == (wide, buoy)]

@@ -33,7 +33,8 @@ def series(
     ] = None,
     fresh: Annotated[bool, Parameter(help="replace the databases that are there", negative="")] = False,
 ):
-    """Repeat a design series of the SR179 report (1982): its numbers beside ours, its charts, its statements.
+    """Repeat a design series of the SR179 report (1982): compare its numbers with ours, draw its charts, check its
+    statements.
 
     single-point: floaters A and B on six to eighteen chains, contact and intermediate buoy, Tables 3.6.5.3 to 3.6.5.5.
     multi-point: A and B on chain, with a buoy or a sinker, over sea, depth, period and number of lines (section 3.5.5):

@@ -29,7 +29,7 @@ ALIKE = ("lines", "system", "pretension_tonf", "current_kn", "mean_period_s", "d
 
 
 def make(folder, only=None, seeds=1, fresh=False):
-    """The Result: each case beside its print; fails where one has no static answer"""
+    """The Result: each case compared with its printed values; fails if a case has no static solution"""
     cases, solved, found = chosen(read_cases(), only), {}, []
     for case in one_by_one(cases, lambda case: case.name):
         if case.database not in solved:
@@ -116,7 +116,8 @@ def lying(found):
 
 
 def pictures(made):
-    """Tension of each floater over depth, weather and direction of the current: computed, and crosses printed"""
+    """Tension of each floater over depth, weather and direction of the current; curves are computed values, crosses
+    printed values"""
     out = {}
     for floater, f in FLOATERS.items():
         own = [row for row in made.detail["case"] if row["floater"] == floater]

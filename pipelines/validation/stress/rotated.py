@@ -1,4 +1,5 @@
-"""Panel method on a rotated and shifted mesh, without mirror planes, and compared with itself with two of them.
+"""The panel method on a rotated and shifted mesh without mirror planes, compared with the same mesh with two mirror
+planes.
 
 With R the rotation by α about the vertical, a body moved to p has, about p,
 
