@@ -75,7 +75,7 @@ def _method(run, moving):
         return panel_drift
     if run.problem.shapes:
         raise ValueError(
-            "near-field drift of several bodies by the contour method; allowed: one body, or the panel method"
+            "the contour method computes near-field drift for one body only; use the panel method for several bodies"
         )
     if run.problem.method != "contour":
         raise ValueError(f"the method is {run.problem.method}; near-field drift needs panel or contour")

@@ -1,6 +1,6 @@
 """The slow force of wave pairs by levels of its quadratic transfer function T, each more expensive and more complete.
 
-newman      √(DᵢDⱼ) of the mean drift: nothing beside what every study has (`slow_drift`)
+newman      √(DᵢDⱼ) of the mean drift: needs no data beyond those of every study (`slow_drift`)
 bound-wave  and the long wave bound to the pair, diffracted (`bound_wave_drift`): a second for a sea
 body        squares at their difference frequency, bound wave and the moving hull (`bem.second_order`), as
             `hakobune qtf` stores them, of the freely floating body

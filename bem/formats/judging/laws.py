@@ -323,7 +323,7 @@ def _factor_of_force(ratio):
 
 
 def _surge(values, n, heave, kL, floats):
-    """Lines on the sign of surge in long waves; of a body that floats, beside that of heave, which follows the crest"""
+    """Lines on the sign of surge in long waves; for a floating body also relative to heave, which follows the crest"""
     beta = values.wave_direction
     X = values.get("excitation_force")[kL <= max(LONG, kL[n])].sum(axis=0)  # sum over all long waves, to average noise
     ahead = int(np.argmax(np.abs(np.cos(beta))))

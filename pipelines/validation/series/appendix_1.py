@@ -1,4 +1,5 @@
-"""`hakobune series appendix-1`: model tests of multi-point mooring, computed beside what was measured and calculated.
+"""`hakobune series appendix-1`: model tests of multi-point mooring: our results, the measurements and the report's
+calculations.
 
 SR179 report (1982), appendix 1 and section 3.5.3, digitised in appendix_1.csv: models M3A and M3B, four lines at
 45° from the corners to anchors 7.10 m away, chain of 0.871 kg/m in water, 7.530 m of it, or 7.482 m with a sinker of
@@ -155,7 +156,7 @@ def _wave(row):
 
 
 def at_rest(model, line, db):
-    """{column: number} of a model on its lines in still water beside what was measured, at the size of the model"""
+    """{column: number} of a model on its lines in still water, computed and measured, at the size of the model"""
     from ...moor.result import studied
     from ...moor.study import make_study
 

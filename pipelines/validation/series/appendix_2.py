@@ -1,4 +1,4 @@
-"""`hakobune series appendix-2`: the tests of model M3B at a single point, computed beside what was measured.
+"""`hakobune series appendix-2`: the tests of model M3B at a single point, computed and measured.
 
 SR179 report (1982), appendix 2, digitised in appendix_2.csv: three chains, an intermediate buoy of 5.8 kg on two
 hawsers, or a contact buoy at the bow.  What the report does not tell is taken as: lines at ±60° and 180° of the waves,
@@ -48,7 +48,7 @@ REPORT_CHAINS = {"2": 42, "3": 36, "R3S": 32}  # mm; R3S for the report's grade 
 
 
 def make(folder, only=None, fresh=False):
-    """The Result: each test beside what was measured, significant amplitudes and tensions"""
+    """The Result: significant amplitudes and tensions of each test, computed and measured"""
     rows = read_tests(only)
     wide = sorted({row["B_over_d"] for row in rows})
     solved = {one: database(make_scene(scene_of(one)), folder / f"M3B_Bd{one}.h5", fresh) for one in wide}
@@ -111,7 +111,7 @@ def study_of(row, scheme=None, seed=1):
 
 
 def computed(row, db, seed=1):
-    """{column: number or text} of a test beside what was measured; seed : seed of its waves
+    """{column: number or text} of a test, computed and measured; seed : seed of its waves
 
     pitch_deg : significant amplitude; hawser, buoy : kgf significant, of one at the bow, of both, massless by a buoy
     without mass; settled_s : settled s of the heading to 1° of rest, nan where it is not; slews : whether it goes on
