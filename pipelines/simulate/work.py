@@ -50,7 +50,7 @@ class Task:
 
 
 def prepared(task, db=None, waves=None):
-    """`Moored` body, Plan and findings of a Task; kept for the next seed of the same run
+    """`Moored` body, Plan and findings of a Task; kept for the next seed of the same
 
     db : its open database, which other processes open themselves
     waves : `mooring.motion.wave_loads.WaveForces` of the same body in another sea, reused where equal
