@@ -131,7 +131,7 @@ def test_a_row_in_time_is_near_the_print_within_a_fifth(sigma, near):
         f"full: σ is within a fifth of the printed value in {near} of 1 rows, the mean in 1; "
         "the verdict at 35 % is the same in 1; " in said
     )
-    assert said.endswith("roll 2.84 to 2.84 times the printed value")
+    assert said.endswith("roll is 2.84 to 2.84 times the printed value")
 
 
 def test_a_row_in_time_is_made_of_displacements_at_the_fender_less_the_clearance():
