@@ -4,32 +4,37 @@
     Salome      numbers of points and of elements; points; elements `number type corners`, 203 and 204 are panels
     Diodore     points; *RETURN; panels `number corners`
     AQWA        a deck COOR of points, a deck ELM1 of panels QPPL and TPPL; SYMX, SYMY (AQWA reference manual, 7.2)
+    WAMIT       _pan.dat for Tecplot, with three decimals, the whole hull in the axes of the water: one FEPOINT zone of
+                corners and then panels, or a zone of 2 × 2 corners for each panel, of any orientation
     HydroStar   COORDINATES; PANEL TYPE 0 (corners) or 1 (number, corners); SYMMETRY_BODY
     HAMS        numbers of panels, points, mirror planes; points; panels `number 3-or-4 corners`
 
-In all these formats corners run counter-clockwise seen from the water.  Readers change no orientation.
+Corners run counter-clockwise seen from the water in all of them but zones of one panel.  Readers change no orientation.
 """
 
 import re
+from dataclasses import replace
 
 import numpy as np
 
 from .panels import PanelMesh
 from .text_files import is_number, read_text
-from .text_formats import _number, _panel, _symmetry
+from .text_formats import _number, _numbers, _panel, _symmetry
 
 NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 PANEL_OF = {"203": 3, "204": 4}  # corners of Salome's types
 
 
 def read_dat(path):
-    """The panels of a `.dat` of Nemoh, Salome, Diodore or AQWA, distinguished by its contents.  Raises ValueError."""
+    """The panels of a `.dat` of Nemoh, WAMIT, Salome, Diodore or AQWA, told by its contents.  Raises ValueError."""
     text = read_text(path, errors="replace")
     first = text.split("\n", 1)[0].split()
     if re.search(r"^\s*\d*\s*COOR\s*$", text, re.MULTILINE):
         return _aqwa(path, text)
     if "*RETURN" in text:
         return _diodore(path, text)
+    if re.match(r"\s*zone\b", text, re.IGNORECASE):
+        return _tecplot(path, text)
     if len(first) == 2 and all(word.isdecimal() for word in first) and int(first[1]) > 1:
         return _salome(path, text)
     return read_nemoh(path)
@@ -92,6 +97,30 @@ def read_pnl(path):
             raise ValueError(f"{path}, line {k}: a panel has a number, then 3 or 4, then as many nodes")
         panels.append(_panel(path, k, row[2 : 2 + int(row[1])], numbers))
     return PanelMesh(np.array(points), np.array(panels), symmetry)
+
+
+def _tecplot(path, text):
+    """Zones of one panel have mirror images with normals into the body: each quarter is turned so that its volume is
+    positive; panels of the lid, which are among them, are left out"""
+    points, panels = [], []
+    for k, line in enumerate(text.splitlines(), 1):
+        words = line.split()
+        if not words or words[0].lower() == "zone":
+            continue
+        if len(words) == 4:
+            panels.append((k, [int(_number(path, k, word)) for word in words]))
+        else:
+            points.append(_numbers(path, k, line, 3))
+    numbers = {number: place for place, number in enumerate(range(1, len(points) + 1))}
+    if not panels and len(points) % 4 == 0:
+        each = np.reshape(points, (-1, 4, 3))[:, [0, 2, 3, 1]]
+        each = each[np.any(each[..., 2] != 0, axis=1)].reshape(-1, 3)
+        hull = PanelMesh(each, np.arange(len(each)).reshape(-1, 4))
+        quarter = (hull.centroids[:, :2] > 0) @ [1, 2]
+        inward = np.bincount(quarter, np.einsum("ni,ni->n", hull.centroids, hull.area_vectors), 4) < 0
+        return replace(hull, corners=np.where(inward[quarter, None], hull.corners[:, ::-1], hull.corners))
+    corners = [_panel(path, k, row, numbers) for k, row in panels]
+    return PanelMesh(np.reshape(points, (-1, 3)), np.reshape(corners, (-1, 4)).astype(int))
 
 
 def _salome(path, text):

@@ -58,11 +58,11 @@ def _of_patches(path, lines, patches, kind, unit, symmetry):
     return PanelMesh(unit * points, corners, symmetry)
 
 
-def write_gdf(mesh, path, gravity=9.80665):
+def write_gdf(mesh, path):
     """Write a PanelMesh as low-order WAMIT geometry in metres, its mirror planes as ISX and ISY."""
     head = [
         mesh.name or "panel mesh",
-        f"1.0 {gravity} ULEN GRAV",
+        "1.0 9.80665 ULEN GRAV",
         f"{int('x' in mesh.symmetry)} {int('y' in mesh.symmetry)} ISX ISY",
         f"{len(mesh)} NPAN",
     ]

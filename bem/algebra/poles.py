@@ -15,7 +15,7 @@ ENOUGH = 1e-3
 MOST = 40
 
 
-def poles(x, values, enough=ENOUGH):
+def poles(x, values):
     """Poles (p,) and residues (p, m) of functions (n, m), complex, known at complex x (n,)"""
     x, values = np.asarray(x, float), np.asarray(values, complex)
     values = values / np.abs(values).max(axis=0)
@@ -23,11 +23,11 @@ def poles(x, values, enough=ENOUGH):
     while True:
         missed = np.abs(values - made).max(axis=1)
         missed[taken] = 0.0
-        if missed.max() <= enough or len(taken) >= min(len(x) // 2, MOST):
+        if missed.max() <= ENOUGH or len(taken) >= min(len(x) // 2, MOST):
             break
         taken.append(int(missed.argmax()))
         made, weights = _through(x, values, taken)
-    if len(taken) < 2 or missed.max() > enough:
+    if len(taken) < 2 or missed.max() > ENOUGH:
         return np.zeros(0, complex), np.zeros((0, values.shape[1]), complex)
     return _zeros(x[taken], weights, values[taken])
 

@@ -105,12 +105,24 @@ class Ring:
         offset = np.mod(self.headings[:, None] - beta, 2 * np.pi)
         return offset.min(axis=0) + (2 * np.pi - offset).min(axis=0)
 
+    def reached(self, wanted):
+        """Whether headings are stored or between neighbours at most 45° apart; shape (p,)"""
+        return (self.stored(wanted) >= 0) | (self.gap(wanted) <= WIDEST_GAP * (1 + SAME))
+
+    def turned(self, value, wanted, kind):
+        """Values (q, p, …) of `value`, a function of headings, at `wanted` (p,) rad; headings that are not `reached`
+        have those of the nearest stored one, turned as those of a round body; kind : "force" or "drift" """
+        apart = _wrapped(wanted[:, None] - self.headings)
+        turns = apart[np.arange(len(wanted)), np.abs(apart).argmin(axis=1)]
+        turns[self.reached(wanted)] = 0.0
+        return _turned(value(wanted - turns), turns, None, kind)
+
     def inside(self, wanted):
         """`wanted` (p,) rad as an array.  Raises BetweenError for a heading in a gap above 45°."""
         wanted = np.atleast_1d(np.asarray(wanted, float))
         if not np.all(np.isfinite(wanted)):
             raise BetweenError(f"wave direction is {wanted[~np.isfinite(wanted)][0]}; allowed: finite, rad")
-        wide = (self.stored(wanted) < 0) & (self.gap(wanted) > WIDEST_GAP * (1 + SAME))
+        wide = ~self.reached(wanted)
         if wide.any():
             stored = ", ".join(f"{np.rad2deg(b):.4g}" for b in self.headings)
             raise BetweenError(
@@ -372,12 +384,8 @@ def _wrapped(angle):
 
 def _is_mirrored(plane, matrices, center):
     _, signs, _ = MIRRORS[plane]
-    at_center = abs(center["xy".index(plane)]) <= 1e-9
-    return at_center and all(_is_even(np.asarray(m, float), signs) for m in matrices)
-
-
-def _is_even(matrix, signs):
-    return _is_same(matrix, signs[:, None] * matrix * signs)
+    at_center, flip = abs(center["xy".index(plane)]) <= 1e-9, np.outer(signs, signs)
+    return at_center and all(_is_same(np.asarray(m, float), flip * m) for m in matrices)
 
 
 def _is_same(matrix, other, share=1e-9):

@@ -203,33 +203,8 @@ def _reason(error):
 def lay_out(file, header, omega, wave_direction, names):
     """Write all values known beforehand to a new file, and NaN for every number that follows later."""
     file.attrs.update(_attributes(header))
-    values = {
-        "omega": omega,
-        "wave_direction": wave_direction,
-        "theta": header.theta,
-        **labels(header.bodies, header.modes),
-    }
-    values["panel"] = np.arange(header.mesh.total)
-    coordinates = {**COORDINATES, **OF_SEVERAL} if header.bodies else COORDINATES
-    for axis, (_, unit, kind) in coordinates.items():
-        data = np.array(values[axis], dtype=h5py.string_dtype() if kind is str else kind)
-        dataset = file.create_dataset(axis, data=data)
-        dataset.make_scale(axis)
-        if unit:
-            dataset.attrs["units"] = unit
-    k = wavenumber(omega, header.water_depth, header.gravity)
-    derived = (2 * np.pi / omega, k, np.degrees(wave_direction))
-    for (name, (axes, unit, _)), value in zip(DERIVED.items(), derived, strict=True):
-        _dataset(file, name, axes, unit, value)
-    lengths = {axis: len(file[axis]) for axis in coordinates}
-    for name in [name for name in QUANTITIES if name in names]:
-        axes, unit, kind = QUANTITIES[name]
-        nothing = np.full([lengths[axis] for axis in axes], np.nan, kind)
-        _dataset(file, name, axes, unit, nothing)
-        cells = CELL_AXES[name]
-        _dataset(file, f"stored/{name}", cells, "", np.zeros([lengths[axis] for axis in cells], MARK))
-        if name in ESTIMATES:
-            _dataset(file, f"estimated_error/{name}", axes, unit, np.full(nothing.shape, np.nan, ERROR))
+    _lay_out_coordinates(file, header, omega, wave_direction)
+    _lay_out_quantities(file, [name for name in QUANTITIES if name in names])
     for name in [name for name in BODY if header.body.get(name) is not None]:
         axes, unit, _ = BODY[name]
         each = ("body",) if header.bodies and "influenced_dof" not in axes else ()
@@ -246,6 +221,39 @@ def lay_out(file, header, omega, wave_direction, names):
         if isinstance(mode.shape, Table):
             for name in (name for name in TABLE if getattr(mode.shape, name) is not None):
                 file.create_dataset(f"shapes/{i}/{name}", data=getattr(mode.shape, name))
+
+
+def _lay_out_coordinates(file, header, omega, wave_direction):
+    """The axes, and what follows from them: periods, wavenumbers, degrees"""
+    values = {
+        "omega": omega,
+        "wave_direction": wave_direction,
+        "theta": header.theta,
+        "panel": np.arange(header.mesh.total),
+        **labels(header.bodies, header.modes),
+    }
+    for axis, (_, unit, kind) in {**COORDINATES, **(OF_SEVERAL if header.bodies else {})}.items():
+        data = np.array(values[axis], dtype=h5py.string_dtype() if kind is str else kind)
+        dataset = file.create_dataset(axis, data=data)
+        dataset.make_scale(axis)
+        if unit:
+            dataset.attrs["units"] = unit
+    k = wavenumber(omega, header.water_depth, header.gravity)
+    derived = (2 * np.pi / omega, k, np.degrees(wave_direction))
+    for (name, (axes, unit, _)), value in zip(DERIVED.items(), derived, strict=True):
+        _dataset(file, name, axes, unit, value)
+
+
+def _lay_out_quantities(file, names):
+    """NaN for each number, no mark of a stored cell, NaN for each estimated error"""
+    for name in names:
+        axes, unit, kind = QUANTITIES[name]
+        nothing = np.full([len(file[axis]) for axis in axes], np.nan, kind)
+        _dataset(file, name, axes, unit, nothing)
+        cells = CELL_AXES[name]
+        _dataset(file, f"stored/{name}", cells, "", np.zeros([len(file[axis]) for axis in cells], MARK))
+        if name in ESTIMATES:
+            _dataset(file, f"estimated_error/{name}", axes, unit, np.full(nothing.shape, np.nan, ERROR))
 
 
 def _attributes(header):

@@ -208,9 +208,9 @@ def _cut_off(count):
     return smooth_cutoff(np.arange(1, count + 1) / (CUTOFFS[:, None] * count))
 
 
-def smooth_cutoff(x, start=0.1):
-    """1 below `start`, 0 above 1, infinitely smooth between."""
-    t = np.clip((np.asarray(x, float) - start) / (1 - start), 1e-3, 1 - 1e-3)
+def smooth_cutoff(x):
+    """1 below 0.1, 0 above 1, infinitely smooth between."""
+    t = np.clip((np.asarray(x, float) - 0.1) / 0.9, 1e-3, 1 - 1e-3)
     return 1 / (1 + np.exp(np.minimum(1 / (1 - t) - 1 / t, 700.0)))
 
 

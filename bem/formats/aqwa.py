@@ -130,37 +130,13 @@ def _sections(place):
 def _listing(place, known):
     lines = lines_of(place)
     blocks = _blocks(lines)
-    which = body_of(place, max(blocks, default=1), known)
+    count = max(blocks, default=1)
+    which = body_of(place, count, known)
     own = blocks.get(which + 1, [])
-    text = "\n".join(lines)
-
-    def one(pattern):
-        found = re.search(pattern + r"[\s.]*=\s*(\S+)", text)
-        if found is None:
-            raise FormatError(f"{place} does not contain {pattern!r}; allowed: the listing of a run of AQWA-LINE")
-        return float(found[1])
-
-    water = Water(one(r"WATER\s+DEPTH"), one(r"DENSITY\s+OF\s+WATER"), one(r"ACCELERATION\s+DUE\s+TO\s+GRAVITY"))
-    at, C, center = None, None, None
-    tables = {"ADDED MASS": {}, "DAMPING": {}}
-    for i, line in enumerate(own):
-        words = " ".join(line.split())
-        if "WAVE FREQUENCY" in words and "=" in words:
-            frequency = float(NUMBER.findall(words.split("WAVE FREQUENCY")[1])[0])
-            at = frequency if "ENCOUNTER" not in words else "low" if frequency < 1 else "high"
-        elif "THE CENTRE OF GRAVITY AT" in words:
-            center = np.array([float(x) for x in NUMBER.findall(words.split("AT", 1)[1])])
-        elif "C.O.G GX" in words and center is None:
-            center = np.array([float(x) for x in NUMBER.findall(words.split("GX", 1)[1])[:3]])
-        elif words == "STIFFNESS MATRIX" and C is None:
-            C = _matrix(own[i + 1 : i + 20])
-        elif words in tables and at is not None:
-            table = _matrix(own[i + 1 : i + 20])
-            if len(table) == 6:
-                tables[words].setdefault(at, table)
+    water = _water_listed(place, "\n".join(lines))
+    center, C, A, B = _tables(own)
     if center is None:
         raise FormatError(f"{place} does not give the centre of gravity of structure {which + 1}")
-    A, B = tables["ADDED MASS"], tables["DAMPING"]
     omega = [at for at in A if at in B and not isinstance(at, str)]
     if not omega:
         raise FormatError(f"{place} has no added mass and damping of structure {which + 1}")
@@ -168,12 +144,48 @@ def _listing(place, known):
     found, headings, X = _forces(own)
     quantities = {"added_mass": np.array([A[w] for w in omega]), "radiation_damping": np.array([B[w] for w in omega])}
     if len(found):
-        places = [int(np.argmin(np.abs(found - w))) for w in omega]
-        quantities["excitation_force"] = X[places]
+        quantities["excitation_force"] = X[[int(np.argmin(np.abs(found - w))) for w in omega]]
     body = {} if C is None else {"hydrostatic_stiffness": C}
-    return _values(
-        place, water, center, np.array(omega), headings, quantities, body, limits, max(blocks, default=1) - 1
-    )
+    return _values(place, water, center, np.array(omega), headings, quantities, body, limits, count - 1)
+
+
+def _water_listed(place, text):
+    """`Water` of a listing.  Raises FormatError."""
+
+    def one(pattern):
+        found = re.search(pattern + r"[\s.]*=\s*(\S+)", text)
+        if found is None:
+            raise FormatError(f"{place} does not contain {pattern!r}; allowed: the listing of a run of AQWA-LINE")
+        return float(found[1])
+
+    return Water(one(r"WATER\s+DEPTH"), one(r"DENSITY\s+OF\s+WATER"), one(r"ACCELERATION\s+DUE\s+TO\s+GRAVITY"))
+
+
+def _tables(lines):
+    """Centre of gravity (3,) m, stiffness (6, 6), None if they are not there, and {rad/s, "low" or "high": (6, 6)} of
+    added mass and of damping"""
+    at, C, center = None, None, None
+    tables = {"ADDED MASS": {}, "DAMPING": {}}
+    for i, line in enumerate(lines):
+        words = " ".join(line.split())
+        if "WAVE FREQUENCY" in words and "=" in words:
+            frequency = _numbers_after("WAVE FREQUENCY", words)[0]
+            at = frequency if "ENCOUNTER" not in words else "low" if frequency < 1 else "high"
+        elif "THE CENTRE OF GRAVITY AT" in words:
+            center = np.array(_numbers_after("AT", words))
+        elif "C.O.G GX" in words and center is None:
+            center = np.array(_numbers_after("GX", words)[:3])
+        elif words == "STIFFNESS MATRIX" and C is None:
+            C = _matrix(lines[i + 1 : i + 20])
+        elif words in tables and at is not None:
+            table = _matrix(lines[i + 1 : i + 20])
+            if len(table) == 6:
+                tables[words].setdefault(at, table)
+    return center, C, *tables.values()
+
+
+def _numbers_after(word, text):
+    return [float(x) for x in NUMBER.findall(text.split(word, 1)[1])]
 
 
 def _blocks(lines):

@@ -137,46 +137,55 @@ def _opened(place):
 
 
 def _read(file, name, known):
-    axes = {axis: file[axis][()] for axis in ("omega", "wave_direction") if axis in file}
-    axes.setdefault("wave_direction", np.zeros(0))
-    which = None
-    for axis in ("radiating_dof", "influenced_dof"):
-        modes = [text.decode() if isinstance(text, bytes) else str(text) for text in np.ravel(file[axis][()])]
-        bodies = list(dict.fromkeys(mode.rpartition("__")[0] for mode in modes))
-        which = body_of(file.filename, len(bodies), known)
-        ends = {
-            mode.rpartition("__")[2].capitalize(): i
-            for i, mode in enumerate(modes)
-            if mode.rpartition("__")[0] == bodies[which]
-        }
-        if not set(ends) <= set(DOFS):
-            raise FormatError(f"{file.filename} has the modes {', '.join(modes)}; allowed: {', '.join(DOFS)}")
-        axes[axis] = [ends.get(dof) for dof in DOFS]
-    quantities = {}
-    for quantity in TAKEN:
-        if quantity in file:
-            quantities[quantity] = _ordered(file, quantity, QUANTITIES[quantity][0], axes)
-    if set(DRIFT) <= set(file) and len(bodies) == 1:
-        m = np.arange(len(np.ravel(axes["wave_direction"])))
-        parts = [_ordered(file, name, ("omega", *PAIR), axes)[:, m, m] for name in DRIFT]
-        quantities["drift_force"] = np.stack(parts, axis=-1)
-    if "excitation_force" not in quantities and {"diffraction_force", "Froude_Krylov_force"} <= set(quantities):
-        quantities["excitation_force"] = quantities["diffraction_force"] + quantities["Froude_Krylov_force"]
-    body = {
-        own: _ordered(file, own, BODY[own][0], axes) for own in MATRICES if own in file and not _is_upper(file, own)
-    }
-    if _is_upper(file, "hydrostatic_stiffness"):
-        body["hydrostatic_stiffness"] = _from_upper(file["hydrostatic_stiffness"][()].reshape(-1, 6)[which])
-    for name, own in (VECTORS | SCALARS).items():
-        rows = file[name][()].reshape(len(bodies), -1) if name in file and file[name].size % len(bodies) == 0 else ()
-        if len(rows) and len(rows[which]) == (3 if name in VECTORS else 1):  # several bodies need one for each
-            body[own] = rows[which] if name in VECTORS else float(rows[which][0])
+    axes, which, count = _axes_of_body(file, known)
+    quantities, body = _quantities(file, axes, count), _body(file, axes, which, count)
     g, rho, depth = (float(np.ravel(file[key][()])[0]) for key in WATER)
     centers = np.reshape(file["rotation_center"][()], (-1, 3)) if "rotation_center" in file else np.zeros((1, 3))
     about = centers[min(which, len(centers) - 1)]
-    omega = np.ravel(axes["omega"])
-    return Values(omega, np.ravel(axes["wave_direction"]), depth, rho, g, quantities, body, about, name=name,
-                  others=len(bodies) - 1)  # fmt: skip
+    omega, beta = np.ravel(axes["omega"]), np.ravel(axes["wave_direction"])
+    return Values(omega, beta, depth, rho, g, quantities, body, about, name=name, others=count - 1)
+
+
+def _axes_of_body(file, known):
+    """{axis: its values, or the places of our motions}, the index of the body, and the number of bodies"""
+    axes = {axis: file[axis][()] for axis in ("omega", "wave_direction") if axis in file}
+    axes.setdefault("wave_direction", np.zeros(0))
+    for axis in ("radiating_dof", "influenced_dof"):
+        modes = [text.decode() if isinstance(text, bytes) else str(text) for text in np.ravel(file[axis][()])]
+        parts = [mode.rpartition("__") for mode in modes]  # body__motion of several bodies
+        bodies = list(dict.fromkeys(body for body, _, _ in parts))
+        which = body_of(file.filename, len(bodies), known)
+        ends = {motion.capitalize(): i for i, (body, _, motion) in enumerate(parts) if body == bodies[which]}
+        if not set(ends) <= set(DOFS):
+            raise FormatError(f"{file.filename} has the modes {', '.join(modes)}; allowed: {', '.join(DOFS)}")
+        axes[axis] = [ends.get(dof) for dof in DOFS]
+    return axes, which, len(bodies)
+
+
+def _quantities(file, axes, count):
+    found = {name: _ordered(file, name, QUANTITIES[name][0], axes) for name in TAKEN if name in file}
+    if set(DRIFT) <= set(file) and count == 1:
+        m = np.arange(len(np.ravel(axes["wave_direction"])))
+        parts = [_ordered(file, name, ("omega", *PAIR), axes)[:, m, m] for name in DRIFT]
+        found["drift_force"] = np.stack(parts, axis=-1)
+    if "excitation_force" not in found and {"diffraction_force", "Froude_Krylov_force"} <= set(found):
+        found["excitation_force"] = found["diffraction_force"] + found["Froude_Krylov_force"]
+    return found
+
+
+def _body(file, axes, which, count):
+    """Constants of a body, those of several only where each has its own"""
+    found = {
+        own: _ordered(file, own, BODY[own][0], axes) for own in MATRICES if own in file and not _is_upper(file, own)
+    }
+    if _is_upper(file, "hydrostatic_stiffness"):
+        found["hydrostatic_stiffness"] = _from_upper(file["hydrostatic_stiffness"][()].reshape(-1, 6)[which])
+    for names, size in ((VECTORS, 3), (SCALARS, 1)):
+        for name, own in names.items():
+            if name in file and file[name].size == size * count:
+                row = file[name][()].reshape(count, size)[which]
+                found[own] = row if size == 3 else float(row[0])
+    return found
 
 
 def _is_upper(file, name):

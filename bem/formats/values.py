@@ -221,7 +221,7 @@ def lines_of(path):
     return read_text(path, FormatError, errors="replace", largest=LARGEST).splitlines()
 
 
-def table_of(path, columns, separator=None):
+def table_of(path, columns):
     """Numbers of a text file; shape (k, columns); lines that do not begin with a number are passed over, and notes
     after !.  Raises FormatError.
 
@@ -229,7 +229,7 @@ def table_of(path, columns, separator=None):
     """
     rows = []
     for number, line in enumerate(lines_of(path), 1):
-        words = NOTE.split(line, maxsplit=1)[0].replace("D+", "E+").replace("D-", "E-").split(separator)
+        words = NOTE.split(line, maxsplit=1)[0].replace("D+", "E+").replace("D-", "E-").split()
         try:
             row = [float(word) for word in words]
         except ValueError:

@@ -92,46 +92,60 @@ def inputs_of(place, known):
         each None or missing if not given
     Raises FormatError.
     """
-    place, said = Path(place), []
-    length, about, kind, depth = (
-        known.get(name) for name in ("length_unit", "rotation_center", "period_kind", "water_depth")
-    )
+    place, known = Path(place), {name: value for name, value in known.items() if value is not None}
     pot, cfg = (beside(place, suffix) for suffix in (".pot", ".cfg"))
-    potential = _potential(pot, about is not None) if pot else None
-    body = None
-    if potential and potential.bodies:
-        body = potential.bodies[min(known.get("body") or 1, len(potential.bodies)) - 1]
-    gdf = beside(place, ".gdf")
-    if gdf is None and body and place.with_name(body[0]).is_file():
-        gdf = place.with_name(body[0])
+    potential = _potential(pot, "rotation_center" in known) if pot else None
+    hull, point = potential.of_body(known.get("body") or 1) if potential else ("", None)
+    gdf = beside(place, ".gdf") or (place.with_name(hull) if hull and place.with_name(hull).is_file() else None)
     unit = _unit(gdf) if gdf else 1.0
-    if length is None and gdf:
-        length = _ulen(gdf)
-        said.append(f"ULEN {length:g} m of {gdf.name}")
-    if about is None and body:
-        about = tuple(x * unit for x in body[1])
-        if any(about):
-            said.append(f"XBODY {', '.join(f'{x:g}' for x in about)} m of {pot.name}")
-    if depth is None and potential:
-        depth = potential.depth * unit if potential.depth > 0 else inf
-        said.append(f"water depth {depth:g} m of {pot.name}")
+    found = {"length_unit": (1.0, ""), "rotation_center": ((0.0, 0.0, 0.0), ""), "water_depth": (None, "")}
+    of_hull = _of_hull(gdf) if gdf and "length_unit" not in known else {}
     listed = _listed(place, known)
     if listed:
-        length, about = (
-            own if value is None else value for value, own in ((length, listed.length), (about, listed.about))
-        )
-        if depth is None:
-            depth = listed.depth
-            said.append(f"water depth {depth:g} m of {place.stem}.out")
-    length, about = 1.0 if length is None else length, (0.0, 0.0, 0.0) if about is None else tuple(about)
-    bodies = len(potential.bodies) if potential else listed.bodies if listed else 1
-    gravity = known.get("gravity") or 9.80665
-    rest = {"said": tuple(said), "depth": depth, "gravity": gravity, "bodies": bodies, "hull": gdf.name if gdf else "",
-            "told": bool(potential or listed)}  # fmt: skip
-    if kind is None:
-        kind = _period_kind(cfg) if cfg else _kind_listed(place, Inputs(wave_length=length, **rest)) if listed else ""
-        return Inputs(length, about, kind or "period", length, **rest)
-    return Inputs(length, about, kind, **rest)
+        found |= _of_listing(place, listed)
+    if potential:
+        found |= _of_potential(pot, potential.depth, point, unit)
+    found |= of_hull
+    length, about, depth = (known.get(name, value) for name, (value, _) in found.items())
+    given = Inputs(
+        length,
+        tuple(about),
+        wave_length=length,
+        said=tuple(words for name, (_, words) in found.items() if words and name not in known),
+        depth=depth,
+        gravity=known.get("gravity") or 9.80665,
+        bodies=len(potential.bodies) if potential else listed.bodies if listed else 1,
+        hull=gdf.name if gdf else "",
+        told=bool(potential or listed),
+    )
+    if "period_kind" in known:
+        return given._replace(period_kind=known["period_kind"], wave_length=1.0)
+    if cfg:
+        return given._replace(period_kind=_period_kind(cfg))
+    return given._replace(period_kind=_kind_listed(place, given)) if listed else given
+
+
+def _of_listing(place, listed):
+    """{input: (value, words, "" to say nothing)} of NAME.out"""
+    depth = listed.depth, f"water depth {listed.depth:g} m of {place.stem}.out"
+    return {"length_unit": (listed.length, ""), "rotation_center": (listed.about, ""), "water_depth": depth}
+
+
+def _of_hull(gdf):
+    """The same of NAME.gdf"""
+    length = _ulen(gdf)
+    return {"length_unit": (length, f"ULEN {length:g} m of {gdf.name}")}
+
+
+def _of_potential(pot, depth, point, unit):
+    """The same of NAME.pot; depth, point : in its unit of length, `unit` m; point : None without bodies"""
+    depth = depth * unit if depth > 0 else inf
+    found = {"water_depth": (depth, f"water depth {depth:g} m of {pot.name}")}
+    if point:
+        about = tuple(x * unit for x in point)
+        words = f"XBODY {', '.join(f'{x:g}' for x in about)} m of {pot.name}" if any(about) else ""
+        found["rotation_center"] = about, words
+    return found
 
 
 def _listed(place, known):
@@ -176,17 +190,17 @@ def before_periods(path):
 
 
 def _kind_listed(place, given):
-    """The kind with which the first column of NAME.1 gives the periods of the listing, "" if none does"""
+    """The kind with which the first column of NAME.1 gives the periods of the listing, "period" if none does"""
     periods = [m[1] for line in lines_of(beside(place, ".out")) if (m := PERIOD.search(line)) and m[1][0].isdigit()]
     heads = {numbers[0] for line in lines_of(beside(place, ".1")) if len(numbers := numbers_of(line)) == 5}
     if not periods or not heads:
-        return ""
+        return "period"
     listed = np.unique(2 * np.pi / np.array(periods, float))
     for kind in PERIOD_KINDS.values():
         found = np.unique(omega_of(sorted(heads), kind, given.depth, given.gravity, given.wave_length))
         if len(found) == len(listed) and np.allclose(found, listed, rtol=SAME_PERIOD):
             return kind
-    return ""
+    return "period"
 
 
 def beside(place, suffix):
@@ -228,6 +242,10 @@ class Potential(NamedTuple):
 
     depth: float
     bodies: list
+
+    def of_body(self, number):
+        """Name of the .gdf and XBODY of a body from 1, of the last for a larger number; "" and None without bodies"""
+        return self.bodies[min(number, len(self.bodies)) - 1] if self.bodies else ("", None)
 
 
 def _potential(path, without=False):

@@ -188,6 +188,6 @@ def check_shape(beam, draft, depth, tolerance):
         raise ValueError(f"tolerance is {tolerance:g}; allowed: {FINEST:g} to below 1")
 
 
-def frequency_of(xi, beam, gravity=9.80665):
+def frequency_of(xi, beam):
     """ω of ξ_B = ω²B/2g, rad/s"""
-    return np.sqrt(2 * gravity * np.asarray(xi, float) / beam)
+    return np.sqrt(2 * 9.80665 * np.asarray(xi, float) / beam)

@@ -20,6 +20,7 @@ from .failing import fails
 from .overuse import shares
 
 KINDS = ("drag", "sinker", "pile")
+SMALL = 0.1  # of the reference mass of a chart, below which its law is extrapolated; charts span decades around it
 LIFTED = 1e-3  # uplift over horizontal pull below which it counts as rounding
 
 
@@ -51,6 +52,12 @@ class Anchor(NamedTuple):
     def capacity(self, up):
         """N, capacity along the bed, without the factor, with an upward pull of `up` N"""
         return self.friction * (self.weight - np.maximum(up, 0.0)) if self.kind == "sinker" else self.holding
+
+    def mass(self, along, up):
+        """kg, of a drag anchor of a chart: its own, or the required one; nan of other anchors"""
+        if self.chart is None or np.isnan(self.holding):
+            return self.needed(along, up) if self.kind == "drag" else np.nan
+        return self.chart.reference * (self.holding / self.chart.holding) ** (1 / self.chart.exponent)
 
     def used(self, along, up):
         """Utilisation of the capacity of the anchor, with the safety factor, at pulls `along` and `up`, N"""
@@ -113,6 +120,15 @@ def anchor_findings(names, anchors, along, up, where="at the largest tension"):
             f"{len(lifted)} of {len(known)} anchors are drag anchors under uplift {where}, the most "
             f"{names[worst]} with {up[worst] / 1e3:.3g} kN, {angle:.3g}° above the bed: their holding capacity is "
             "valid for a horizontal pull only; give more chain, or use a sinker or pile"
+        )
+    mass = {i: anchors[i].mass(along[i], up[i]) for i in known if anchors[i].chart}
+    small = [i for i, kg in mass.items() if kg < SMALL * anchors[i].chart.reference]
+    if small:
+        least = min(small, key=lambda i: mass[i] / anchors[i].chart.reference)
+        yield (
+            f"{len(small)} of {len(known)} anchors {where} are far below their charts, the smallest {names[least]} "
+            f"with {mass[least]:.3g} kg, limit a tenth of the chart's {anchors[least].chart.reference:.4g} kg: the law "
+            "of the chart is extrapolated; give holding_kN of the maker"
         )
     charted = [anchors[i].chart for i in known if anchors[i].chart]
     unsure = dict.fromkeys(chart.source for chart in charted if chart.status == "unverified")

@@ -136,7 +136,9 @@ def _use(criterion, case):
         names, values = _spoken_of(criterion, t, values)
         if np.isnan(values).any():
             raise LookupError(f"breaking load of {names[int(np.argmax(np.isnan(values)))]}")
-        used = values if criterion.quantity in (PARTIAL, FACTOR) else _utilisations(criterion, values)
+        used = values
+        if criterion.quantity not in (PARTIAL, FACTOR):
+            used = np.array([criterion.utilisation(value) for value in values])
         worst = int(np.argmax(used))
         return Use(case.name, names[worst], float(values[worst]), float(used[worst]))
     if case.parts and criterion.quantity in case.parts:
@@ -176,10 +178,6 @@ def _spoken_of(criterion, t, values):
     if not any(about):
         raise LookupError(HAWSER if criterion.subject == HAWSER else "line")
     return [name for name, one in zip(t.names, about, strict=True) if one], values[np.array(about)]
-
-
-def _utilisations(criterion, values):
-    return np.array([criterion.utilisation(value) for value in values])
 
 
 def _over(strength, load):

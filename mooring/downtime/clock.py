@@ -29,7 +29,8 @@ def times(texts, zone, where):
     if found:
         lengths = len(found[0])
         texts, ends = np.array([t[:-lengths] for t in texts]), [t[-lengths:] for t in texts]
-        return _parsed(texts, where) - _offsets(ends, where)
+        ahead = _offsets(ends, where)
+        return _parsed(texts, where) - ahead
     local = _parsed(texts, where)
     if zone == "UTC":
         return local

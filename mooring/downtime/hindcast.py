@@ -4,7 +4,7 @@ A missing value is nan.  Where the sea is frozen a hindcast has no waves: hours 
 calm.  Hours missing from the record are excluded from all shares, and end a weather window.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -19,6 +19,12 @@ RANGES = {  # plausible ranges in SI; values outside are codes for missing data 
 }  # fmt: skip
 CALM = 0.005  # m, of height
 FEWEST = 24  # rows
+DAYS = np.array([31, 28.25, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31])  # of each month
+MONTHS = (
+    "January", "February", "March", "April", "May", "June", "July", "August", "September", "October", "November",
+    "December",
+)  # fmt: skip
+UNEVEN = 1.5  # times as much of one month as of another, from which means over the year are lopsided
 
 
 class WaveHours(NamedTuple):
@@ -33,7 +39,7 @@ class WaveHours(NamedTuple):
 class Hindcast:
     """time : (n,) datetime64[s], UTC, rising; step : s; waves : WaveHours of each system; columns : {name: (n,)} in SI
 
-    said : lines on gaps, codes, calms, ice
+    said : lines on gaps, codes, calms, ice, seasons
     """
 
     time: np.ndarray
@@ -107,7 +113,27 @@ def made(time, waves, columns, where):
     lost = np.mean(np.any([~np.isfinite(one.height) for one in waves], axis=0)) if waves else 0.0
     if lost > 0:
         said.append(f"{100 * lost:.3g} % of the rows have no waves; they are excluded from all shares")
-    return Hindcast(time, step, tuple(waves), columns, tuple(said))
+    found = Hindcast(time, step, tuple(waves), columns)
+    return replace(found, said=(*said, *_seasons(found)))
+
+
+def _seasons(found):
+    """One line on months of the year that the rows leave out, or have far more often than others"""
+    known = np.all([np.isfinite(one.height) for one in found.waves], axis=0) if found.waves else slice(None)
+    days = np.bincount(found.month[known], minlength=13)[1:] * found.hours / 24 / DAYS  # in months of each name
+    none = [name for name, share in zip(MONTHS, days, strict=True) if share == 0]
+    if none:
+        named = ", ".join(none)
+        yield (
+            f"the record has nothing of {named}: hours a year, and all shares, are those of the other months, as if "
+            "the whole year were like them; give whole years"
+        )
+    elif days.max() > UNEVEN * days.min():
+        most, least = (MONTHS[int(pick(days))] for pick in (np.argmax, np.argmin))
+        yield (
+            f"the record has {days.max():.2g} months of {most} and {days.min():.2g} of {least}: hours a year, and all "
+            f"shares, lean to {most}; give whole years"
+        )
 
 
 def _of_waves(time, step, waves, columns, said):

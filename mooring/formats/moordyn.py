@@ -77,9 +77,24 @@ def read_moordyn(path) -> MoorDynFile:
 
 def parse_moordyn(text, path="MoorDyn file") -> MoorDynFile:
     """The MoorDynFile of a text; `path` is its name in error messages."""
+    title, found = _sections(text, path)
+    if "lines" not in found and not (found.get("rods") or found.get("bodies")):
+        what = "it has POINTS but no lines" if found.get("points") else "this is not a MoorDyn input file"
+        raise fault(path, None, None, f"there is no section LINES; {what}")
+    made = {key: _rows(key, rows, path) for key, rows in found.items() if SECTIONS[key].row is not None}
+    for key in ("syrope", "control", "external"):
+        made[key] = tuple(line.rstrip() for _, line in found.get(key, []))
+    options = _options(found.get("options", []), path)
+    outputs = tuple(name for _, line in found.get("outputs", []) for name in line.split("#")[0].split())
+    checked = MoorDynFile(tuple(title), options=options, outputs=outputs, **made)
+    _check_references(checked, found, path)
+    return checked
+
+
+def _sections(text, path):
+    """Lines of the title, and {section: [(number, line)]}.  Raises FormatError."""
     title, found, key, first = [], {}, None, 0
-    lines = text.splitlines()
-    for number, line in enumerate(lines, 1):
+    for number, line in enumerate(text.splitlines(), 1):
         if line.lstrip().startswith("---"):
             if key is None and _is_title(line):
                 title.append(line.rstrip())
@@ -97,18 +112,7 @@ def parse_moordyn(text, path="MoorDyn file") -> MoorDynFile:
             found[key] += [(number, line)] if line.strip() else []
         elif NOTE.split(line)[0].strip() or len(found[key]) < 2:  # the names may begin with #, and units may be "(#)"
             found[key] += [(number, line)] if line.strip() and not COUNT.match(line) else []
-    alone = "lines" not in found
-    if alone and not (found.get("rods") or found.get("bodies")):
-        what = "it has POINTS but no lines" if found.get("points") else "this is not a MoorDyn input file"
-        raise fault(path, None, None, f"there is no section LINES; {what}")
-    made = {key: _rows(key, rows, path) for key, rows in found.items() if SECTIONS[key].row is not None}
-    for key in ("syrope", "control", "external"):
-        made[key] = tuple(line.rstrip() for _, line in found.get(key, []))
-    options = _options(found.get("options", []), path)
-    outputs = tuple(name for _, line in found.get("outputs", []) for name in line.split("#")[0].split())
-    checked = MoorDynFile(tuple(title), options=options, outputs=outputs, **made)
-    _check_references(checked, found, path)
-    return checked
+    return title, found
 
 
 def _is_title(line):

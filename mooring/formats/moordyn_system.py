@@ -222,7 +222,7 @@ def _body_of(attachment, bodies):
     """The BodyRow named by an attachment "Body1"; None without one"""
     kind = attachment.lower()
     number = kind.removeprefix("body").removeprefix("b")
-    return next((row for row in bodies if kind[0] == "b" and row.id == number), None)
+    return next((row for row in bodies if kind.startswith("b") and row.id == number), None)
 
 
 def _rod(row, file, water):

@@ -54,6 +54,36 @@ def moordyn_of_system(system: System, source: MoorDynFile | None = None) -> Moor
     raises : FormatError for a type without mass or diameter, friction that differs between lines, or a line with
         segments
     """
+    types, friction = _types(system), _friction(system)
+    given = source or MoorDynFile()
+    kept = {name: given.option(*names, default=(BED | RELAXED).get(name)) for name, names in SETTINGS.items()}
+    kept = {name: value for name, value in kept.items() if value is not None}
+    longest = _positive("dtM", given.option("dtM", "dt", default=repr(LONGEST_STEP)))
+    bed = [_positive(name, kept[name]) for name in BED]
+    for told in _differences(system):
+        warnings.warn(told, stacklevel=2)
+    points = {point.name: str(i) for i, point in enumerate(system.points, 1)}
+    bodies = {body.name: str(i) for i, body in enumerate(system.bodies, 1)}
+    return MoorDynFile(
+        ("MoorDyn input file written by hakobune",),
+        tuple(_type_row(kind) for kind in types),
+        bodies=tuple(_body_row(body, bodies[body.name]) for body in system.bodies),
+        points=tuple(_point_row(point, points, bodies) for point in system.points),
+        lines=tuple(_line_row(str(i), line, points) for i, line in enumerate(system.lines, 1)),
+        options={
+            "dtM": repr(stable_step(system, longest, *bed)),
+            **kept,
+            "WtrDpth": repr(float(system.depth)),
+            "WtrDnsty": repr(float(system.density)),
+            "g": repr(float(system.gravity)),
+            **({"FrictionCoefficient": repr(float(friction))} if friction > 0 else {}),
+        },
+        outputs=tuple(f"{what}{i}" for i in range(1, len(system.lines) + 1) for what in ("FairTen", "AnchTen")),
+    )
+
+
+def _types(system):
+    """The line types of a System, each once.  Raises FormatError for lines that MoorDyn does not have."""
     cut = [line.name for line in system.lines if not isinstance(line, UniformLine)]
     if cut:
         raise FormatError(
@@ -64,59 +94,39 @@ def moordyn_of_system(system: System, source: MoorDynFile | None = None) -> Moor
     for line in system.lines:
         if types[line.type.name] != line.type:
             raise FormatError(f"line type {line.type.name!r} stands for two types; allowed: one name for each")
+    if len({_word(name) for name in types}) < len(types):
+        raise FormatError("two line types have the same name once blanks are replaced; rename one")
+    return list(types.values())
+
+
+def _word(name):
+    return name.replace(" ", "_")
+
+
+def _friction(system):
+    """The coefficient of all lines.  Raises FormatError."""
     friction = {line.bed_friction for line in system.lines}
     if len(friction) > 1:
         raise FormatError(f"bed friction is {min(friction):g} and {max(friction):g}; allowed for MoorDyn: one value")
-    points = {point.name: str(i) for i, point in enumerate(system.points, 1)}
-    bodies = {body.name: str(i) for i, body in enumerate(system.bodies, 1)}
-    given = source or MoorDynFile()
-    kept = {name: given.option(*names, default=(BED | RELAXED).get(name)) for name, names in SETTINGS.items()}
-    kept = {name: value for name, value in kept.items() if value is not None}
-    longest = _positive("dtM", given.option("dtM", "dt", default=repr(LONGEST_STEP)))
-    bed = [_positive(name, kept[name]) for name in BED]
+    return max(friction)
+
+
+def _differences(system):
+    """What a System has and its MoorDyn file does not, a text for each"""
     lighter = weighed_differently(system)
     if lighter:
-        warnings.warn(
+        yield (
             f"line {', '.join(lighter)} comes out of the water; its part in the air has its weight in water here, but "
-            "its weight in air in MoorDyn",
-            stacklevel=2,
+            "its weight in air in MoorDyn"
         )
     lost = [line.name for line in system.lines if np.isfinite(line.breaking_load)]
     told = f"; breaking loads are not in the file: those of {', '.join(lost)} are lost" if lost else ""
     if lost or any(not line.name.isdigit() for line in system.lines):
         numbers = ", ".join(f"{i} is {line.name}" for i, line in enumerate(system.lines, 1))
-        warnings.warn(
-            f"the MoorDyn file has numbers instead of names for lines: {numbers}{told}; keep the original file",
-            stacklevel=2,
-        )
+        yield f"the MoorDyn file has numbers instead of names for lines: {numbers}{told}; keep the original file"
     moved = [body.name for body in system.bodies if body.freedom]
     if moved:
-        warnings.warn(
-            f"{', '.join(moved)} may move in this system, but the MoorDyn file holds each body fixed at its given "
-            f"position (type Coupled)",
-            stacklevel=2,
-        )
-    options = {
-        "dtM": repr(stable_step(system, longest, *bed)),
-        **kept,
-        "WtrDpth": repr(float(system.depth)),
-        "WtrDnsty": repr(float(system.density)),
-        "g": repr(float(system.gravity)),
-    }
-    if max(friction) > 0:
-        options["FrictionCoefficient"] = repr(float(max(friction)))
-    names = [name.replace(" ", "_") for name in types]
-    if len(set(names)) < len(names):
-        raise FormatError("two line types have the same name once blanks are replaced; rename one")
-    return MoorDynFile(
-        ("MoorDyn input file written by hakobune",),
-        tuple(_type_row(kind) for kind in types.values()),
-        bodies=tuple(_body_row(body, bodies[body.name]) for body in system.bodies),
-        points=tuple(_point_row(point, points, bodies) for point in system.points),
-        lines=tuple(_line_row(str(i), line, points) for i, line in enumerate(system.lines, 1)),
-        options=options,
-        outputs=tuple(f"{what}{i}" for i in range(1, len(system.lines) + 1) for what in ("FairTen", "AnchTen")),
-    )
+        yield f"{', '.join(moved)} may move here, but the MoorDyn file fixes it at its given place (Coupled)"
 
 
 def _positive(name, text):
@@ -154,9 +164,8 @@ def _down(value):
 
 
 def _line_row(number, line, points):
-    name = line.type.name.replace(" ", "_")
     segments = line.elements or SEGMENTS
-    return LineRow(number, name, points[line.a], points[line.b], float(line.length), segments, "p")
+    return LineRow(number, _word(line.type.name), points[line.a], points[line.b], float(line.length), segments, "p")
 
 
 def _type_row(kind):
@@ -167,9 +176,7 @@ def _type_row(kind):
     felt = kind.dynamics or LineDynamics()
     texts = (repr(float(value)) for value in (kind.axial_stiffness, felt.damping, felt.bending_stiffness))
     coefficients = felt.drag_normal, felt.added_mass_normal, felt.drag_tangential, felt.added_mass_tangential
-    return LineTypeRow(
-        kind.name.replace(" ", "_"), float(kind.diameter), float(kind.mass), *texts, *map(float, coefficients)
-    )
+    return LineTypeRow(_word(kind.name), float(kind.diameter), float(kind.mass), *texts, *map(float, coefficients))
 
 
 def _body_row(body, number):

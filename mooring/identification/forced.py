@@ -87,9 +87,9 @@ def _basis(sine, t, power=2):
     return np.stack([-a, -v, -v * np.abs(v) ** (power - 1), np.ones_like(t)], axis=1)
 
 
-def _by_harmonics(theta, force, sine, most=5):
+def _by_harmonics(theta, force, sine):
     columns = [np.ones_like(theta)]
-    for n in range(1, most + 1):
+    for n in range(1, 6):
         columns += [np.sin(n * theta), np.cos(n * theta)]
     share = np.linalg.lstsq(np.stack(columns, axis=1), force, rcond=None)[0]
     first, third = share[2], share[6]  # Fₙ sin εₙ, of cos nωt

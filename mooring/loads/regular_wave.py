@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from hakobune.bem.waves import depth_factor, depth_factor_slope, wavenumber
+from hakobune.bem.waves import depth_factor, depth_factor_slope, group_factor, wavenumber
 
 from ..environment.current_profile import CurrentProfile
 
@@ -34,15 +34,25 @@ class RegularWave:
         return float(wavenumber(self.omega, self.depth, GRAVITY))
 
     @property
+    def energy_speed(self):
+        """Group velocity in the moving water, m/s"""
+        return float(group_factor(self.k, self.depth)) * self.omega / self.k
+
+    @property
+    def against(self):
+        """Speed of the current at the surface against the wave, m/s; below 0 with the wave"""
+        if self.current is None:
+            return 0.0
+        x, y = self.current.velocity(0.0)[:2]
+        return float(-x * np.cos(self.direction) - y * np.sin(self.direction))
+
+    @property
     def met_period(self):
         """s from crest to crest at a fixed place, past which the current at the surface carries the wave
 
         The value is inf if the current holds the wave in place, and below 0 if the current carries the wave back.
         """
-        met = self.omega
-        if self.current is not None:
-            x, y = self.current.velocity(0.0)[:2]
-            met += self.k * (x * np.cos(self.direction) + y * np.sin(self.direction))
+        met = self.omega - self.k * self.against
         return 2 * np.pi / met if met else np.inf
 
     def elevation(self, places, phase):

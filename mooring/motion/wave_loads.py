@@ -17,7 +17,7 @@ other bodies scatter are those of the positions at rest, which is valid while th
 """
 
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 
 import numpy as np
 
@@ -65,16 +65,18 @@ class WaveForces:
         return CubicSpline(self.omega, self.force), drift
 
 
-def wave_forces(body):
+def wave_forces(body, turned=False):
     """`WaveForces` of a `bem.database.reader.Reader` at frequencies close enough for every resonance.
 
     The same digits for any number of threads: a second one would change the order of sums.
+    turned : whether one body that turns out of the stored headings takes the forces of its nearest one along, as a
+        round body does; otherwise the stored headings have to go all round
     """
     with blas_threads(1):
-        return _wave_forces(body)
+        return _wave_forces(body, turned)
 
 
-def _wave_forces(body):
+def _wave_forces(body, turned):
     omega, ring = frequencies(body), np.arange(HEADINGS) * (2 * np.pi / HEADINGS)
     if body.bodies:
         first, *others = (_of_one(body, one, omega, ring) for one in body.bodies if not one.fixed)
@@ -82,10 +84,11 @@ def _wave_forces(body):
     force = np.empty((len(omega), HEADINGS, 12))
     drift = np.empty((len(omega), HEADINGS, 3)) if body.knows_drift else None
     for rows in _in_parts(omega):
-        found = body.forces(omega[rows], ring)[..., :6]
+        forces, drifts = partial(body.forces, omega[rows]), partial(body.drift, omega[rows])
+        found = body.ring.turned(forces, ring, "force") if turned else forces(ring)[..., :6]
         force[rows, :, :6], force[rows, :, 6:] = found.real, found.imag
         if drift is not None:
-            drift[rows] = body.drift(omega[rows], ring)
+            drift[rows] = body.ring_of("drift_force").turned(drifts, ring, "drift") if turned else drifts(ring)
     return WaveForces(omega, force, drift, _of_shapes(body, omega, ring))
 
 

@@ -28,17 +28,6 @@ def bandwidth(m0, m2, m4):
     return np.sqrt(np.maximum(1 - m2**2 / (m0 * m4), 0.0))
 
 
-def bandwidth_of_periods(peak_to_peak, zero_crossing):
-    """ε from the mean periods between maxima and between upward zero crossings, s."""
-    ratio = np.asarray(peak_to_peak, float) / zero_crossing
-    if np.any(~(ratio > 0)) or np.any(ratio > 1):
-        raise ValueError(
-            f"the period between maxima is {np.max(ratio):.4g} times the period of zero crossings; "
-            f"allowed: 0 to 1 times"
-        )
-    return np.sqrt(1 - ratio**2)
-
-
 def exceedance(eta, epsilon):
     """Probability that a maximum is above η standard deviations; both broadcast."""
     from scipy.special import ndtr

@@ -99,56 +99,61 @@ def transfer_functions(body, omega, heading, points=(), water=True) -> Transfer:
     motion = body.motions(omega, heading)
     met = None if carrier_of_body(body) is None else body.encounter(omega, heading)
     omega, given = omega if met is None else met, np.asarray(omega, float)
-    names, units, values = list(body.words), [("m", "rad")[int(turns)] for turns in body.turning], [motion]
     dry = [point.position[:2] for point in points if water and isinstance(point, Point) and not body.bodies]
     raised, missed = elevations(body, given, heading, motion, dry)
     levels = iter(np.moveaxis(raised, -1, 0))
+    columns = [(word, ("m", "rad")[int(turns)], motion[..., i])
+               for i, (word, turns) in enumerate(zip(body.words, body.turning, strict=True))]  # fmt: skip
     for point in points:
-        if isinstance(point, Pair):
-            d = apart(body, motion, *point.points)
-            names += [
-                f"{point.name} {word} {axis}"
-                for word in ("relative displacement", "relative velocity")
-                for axis in "xyz"
-            ]
-            units += ["m"] * 3 + ["m/s"] * 3
-            values += [d, velocity(omega, d)]
-            continue
-        if isinstance(point, Station):
-            for word, unit, part in of_station(body, motion, point):
-                names.append(f"{point.name} {word}")
-                units.append(unit)
-                values.append(part[..., None])
-            continue
-        d, own = of_point(body, motion, point)
-        if isinstance(point, KeelPoint):
-            names.append(keel_name(point))
-            units.append("m")
-            values.append(d[..., 2:])
-            continue
-        for word, unit, part in (
-            ("displacement", "m", d),
-            ("velocity", "m/s", velocity(omega, d)),
-            ("acceleration", "m/s²", acceleration(omega, d)),
-        ):
-            names += [f"{point.name} {word} {axis}" for axis in "xyz"]
-            units += [unit] * 3
-            values.append(part)
-        names += [f"{point.name} felt acceleration {axis}" for axis in "xy"]
-        units += ["m/s²"] * 2
-        values.append(felt_acceleration(omega, d, own, body.gravity))
-        if water and not body.bodies:
-            names.append(relative_name(point))
-            units.append("m")
-            values.append((next(levels) - d[..., 2])[..., None])
-    if body.links:
-        travels = np.stack([motion @ travel_of(body, link) for link in body.links], axis=-1)[..., None]
-        held = np.concatenate([body.link_forces(given, heading, motion), travels], axis=-1)
-        told = told_of(body.links)
-        names += [name for name, _, _ in told]
-        units += [unit for _, unit, _ in told]
-        values.append(held.reshape(*motion.shape[:2], -1)[..., [column for _, _, column in told]])
-    return Transfer(tuple(names), tuple(units), given, heading, np.concatenate(values, axis=-1), missed, met)
+        columns += _OF[type(point)](body, omega, motion, point)
+        if dry and isinstance(point, Point):
+            columns.append((relative_name(point), "m", next(levels) - of_point(body, motion, point)[0][..., 2]))
+    columns += _of_links(body, given, heading, motion)
+    names, units, values = zip(*columns, strict=True)
+    return Transfer(names, units, given, heading, np.stack(values, axis=-1), missed, met)
+
+
+def _along(words, unit, value, axes="xyz"):
+    """[(name, unit, (q, p))] of a vector (q, p, 3)"""
+    return [(f"{words} {axis}", unit, value[..., i]) for i, axis in enumerate(axes)]
+
+
+def _of_pair(body, omega, motion, pair):
+    d = apart(body, motion, *pair.points)
+    named = f"{pair.name} relative"
+    return _along(f"{named} displacement", "m", d) + _along(f"{named} velocity", "m/s", velocity(omega, d))
+
+
+def _of_station(body, omega, motion, station):
+    return [(f"{station.name} {word}", unit, part) for word, unit, part in of_station(body, motion, station)]
+
+
+def _of_keel(body, omega, motion, point):
+    return [(keel_name(point), "m", of_point(body, motion, point)[0][..., 2])]
+
+
+def _of_deck(body, omega, motion, point):
+    d, own = of_point(body, motion, point)
+    felt = felt_acceleration(omega, d, own, body.gravity)
+    return [
+        *_along(f"{point.name} displacement", "m", d),
+        *_along(f"{point.name} velocity", "m/s", velocity(omega, d)),
+        *_along(f"{point.name} acceleration", "m/s²", acceleration(omega, d)),
+        *_along(f"{point.name} felt acceleration", "m/s²", felt, "xy"),
+    ]
+
+
+_OF = {Point: _of_deck, KeelPoint: _of_keel, Station: _of_station, Pair: _of_pair}
+
+
+def _of_links(body, omega, heading, motion):
+    """Forces and moments that links hold, and their travels"""
+    if not body.links:
+        return []
+    travels = np.stack([motion @ travel_of(body, link) for link in body.links], axis=-1)[..., None]
+    held = np.concatenate([body.link_forces(omega, heading, motion), travels], axis=-1)
+    held = held.reshape(*motion.shape[:2], -1)
+    return [(name, unit, held[..., column]) for name, unit, column in told_of(body.links)]
 
 
 def relative_name(point):

@@ -140,18 +140,9 @@ def force_spectrum(spectrum, omega, drift, difference):
     return result.reshape(len(result), 2, -1).sum(axis=1)
 
 
-def signed_products(drift, weights=(1.0,)):
-    """Means over the headings of √(D_a D_b), separately for the positive and negative parts of D_a and D_b; shape (q,
-    4, 3, 3)
-
-    In the order ++, +−, −+, −−; drift : (q, p, 3); weights : (p,) or (q, p) shares of the energy per heading
-    """
-    return over_headings(signed_pairs(drift), weights)
-
-
 def signed_pairs(drift):
-    """Products √(D_a D_b) of the positive and negative parts of drift (q, p, 3), as in `signed_products`; shape (q, p,
-    4, 3, 3)"""
+    """Products √(D_a D_b) of the parts of drift (q, p, 3) of either sign, in the order ++, +−, −+, −−; shape (q, p, 4,
+    3, 3)"""
     roots = np.moveaxis(np.sqrt(signed(drift)), 2, 0)
     return np.stack([np.einsum("qpa,qpb->qpab", a, b) for a in roots for b in roots], axis=2)
 
@@ -191,7 +182,7 @@ def slow_parts(body, spectrum, omega, heading, parts, weights):
 
 
 def cross_spectrum(spectrum, omega, products, difference):
-    """Cross spectral densities of slow forces; shape (d, 3, 3); products : `signed_products` at omega
+    """Cross spectral densities of slow forces; shape (d, 3, 3); products : `signed_pairs` at omega, mean over headings
 
     In phase: T_ij of two forces in one pair of waves have no lag by Newman's rule.  Its diagonal is `force_spectrum`.
     The products of n forces at several places are complex, with the phases at these places; shape (d, n, n).

@@ -231,19 +231,13 @@ def _row(path, text, time, of_density=True):
         more = f" but heights and periods ({named}): give height, a period and a direction" if named else ""
         raise TableError(f"{path} has no densities by frequency{more}; allowed: NDBC's spectra, w… or .data_spec")
     first = 5 if paired else len([word for word in lines[0].split() if word != "#"]) - len(head)
-    times = [" ".join(row.split()[:first]) for row in rows]
-    if time is not None:
-        rows = [row for row, one in zip(rows, times, strict=True) if one == " ".join(str(time).split())]
-    if len(rows) != 1:
-        state = f"{len(rows)} rows" if time is None else f"{len(rows)} rows of time {time}"
-        known = f", of {times[0]} to {times[-1]}" if times else ""
-        raise TableError(f"{path} has {state}; choose one with time = 'YYYY MM DD hh mm'{known}")
+    row = _row_of_time(path, rows, first, time)
     try:
         if paired:
-            pairs = re.findall(r"([-+.\deE]+)\s*\(\s*([-+.\deE]+)\s*\)", rows[0])
+            pairs = re.findall(r"([-+.\deE]+)\s*\(\s*([-+.\deE]+)\s*\)", row)
             values, frequency = np.array(pairs, float).reshape(-1, 2).T
         else:
-            values, frequency = np.array(rows[0].split()[first:], float), np.array(head, float)
+            values, frequency = np.array(row.split()[first:], float), np.array(head, float)
     except ValueError as error:
         raise TableError(f"{path}: {error}") from None
     if len(values) != len(frequency) or len(frequency) < 3:
@@ -251,6 +245,18 @@ def _row(path, text, time, of_density=True):
             f"{path}: {len(frequency)} frequencies and {len(values)} densities; allowed: the same number, at least 3"
         )
     return frequency, values
+
+
+def _row_of_time(path, rows, words, time):
+    """The row whose first words are a time, the only one if time is None.  Raises TableError."""
+    times = [" ".join(row.split()[:words]) for row in rows]
+    if time is not None:
+        rows = [row for row, one in zip(rows, times, strict=True) if one == " ".join(str(time).split())]
+    if len(rows) != 1:
+        state = f"{len(rows)} rows" if time is None else f"{len(rows)} rows of time {time}"
+        known = f", of {times[0]} to {times[-1]}" if times else ""
+        raise TableError(f"{path} has {state}; choose one with time = 'YYYY MM DD hh mm'{known}")
+    return rows[0]
 
 
 def _measured(path, frequency, density, time):

@@ -2,13 +2,18 @@
 
 import numpy as np
 
+GRAVITY = 9.80665  # m/s²
 LONG = 20  # depths in a wavelength, from which a wave is long
 
 
 def levels(spring_high, spring_low, surge, tsunami, depth):
     """{name: m above mean water}; surge, tsunami : m, or None.  Raises ValueError."""
-    if spring_low > spring_high:
-        raise ValueError(f"levels.spring_low is {spring_low:g}; allowed: at most spring_high")
+    for key, value, side, wrong in (
+        ("spring_low", spring_low, "most", spring_low > 0),
+        ("spring_high", spring_high, "least", spring_high < 0),
+    ):
+        if wrong:
+            raise ValueError(f"levels.{key} is {value:g}; allowed: at {side} 0, since levels are above mean water")
     for key, value in (("surge", surge), ("tsunami", tsunami)):
         if value is not None and not 0 <= value < depth:
             raise ValueError(f"levels.{key} is {value:g}; allowed: 0 to the depth, {depth:g} m")
@@ -21,12 +26,12 @@ def levels(spring_high, spring_low, surge, tsunami, depth):
     return made
 
 
-def tsunami_current(rise, period, depth, gravity=9.80665):
+def tsunami_current(rise, period, depth):
     """m/s under a long wave that rises by `rise`, m.  Raises ValueError for a period, s, of a wave that is not long."""
-    length = period * np.sqrt(gravity * depth)
+    length = period * np.sqrt(GRAVITY * depth)
     if length < LONG * depth:
         raise ValueError(
             f"levels.tsunami_period is {period:g} s; allowed: above {LONG * depth / length * period:.3g} s, so that "
             f"the tsunami is a long wave"
         )
-    return float(rise * np.sqrt(gravity / depth))
+    return float(rise * np.sqrt(GRAVITY / depth))

@@ -31,6 +31,11 @@ NO_DRIFT = (
     "left out: the drift of the waves, which the imported files do not contain; offsets and slow motion are too small; "
     "import files with drift (.8 or .9 of WAMIT), or solve the hull by hakobune"
 )
+FEW = (
+    "left out: the change of wave forces as the body turns: the imported files have waves to {} alone, and the forces "
+    "keep their direction in space, as those of a round body; for a body that is not round and turns by more than a "
+    "few degrees, give headings at most 45° apart in the program of the files"
+)
 BESIDE = 1e-3  # relative frequency step for the slope of the drift of a regular wave
 
 
@@ -72,6 +77,33 @@ def wave_effects(db, conditions, body=None):
 def lacks_drift(db, body):
     """Whether a database of one body was imported from files without drift, so that the drift cannot be computed"""
     return "imported" in getattr(db, "attributes", ()) and not (body.bodies or body.knows_drift)
+
+
+def along_few(db, body, weather):
+    """Whether the waves of a `motion.weather.Weather` travel to headings of imported files that do not go all round;
+    a body that turns then takes the forces along.  Raises ValueError for other waves."""
+    wave, ring = weather.waves, body.ring
+    if wave is None or body.bodies or "imported" not in getattr(db, "attributes", ()) or _goes_round(ring):
+        return False
+    seas = weather.seas or (wave,)
+    towards = [sea.direction for sea in seas] if weather.components is None else np.unique(weather.components.direction)
+    off = np.flatnonzero(ring.stored(np.array(towards, float)) < 0)
+    if not off.size and all(getattr(sea, "spreading", None) is None for sea in seas):
+        return True
+    wrong = f"waves travel to {np.rad2deg(towards[off[0]]) % 360:.4g}°" if off.size else "waves have a spreading"
+    raise BetweenError(
+        f"{wrong}, but the imported files have them to {stored_degrees(ring)} alone; give long-crested waves to one of "
+        "these (direction_deg), or headings all round, at most 45° apart, in the program of the files, and import again"
+    )
+
+
+def _goes_round(ring):
+    return bool(ring.reached(np.deg2rad(np.arange(0.0, 360.0, 3.0))).all())
+
+
+def stored_degrees(ring):
+    """Headings of a `bem.database.between_headings.Ring`, as words"""
+    return ", ".join(f"{np.rad2deg(heading):.4g}°" for heading in ring.headings)
 
 
 def sea_of(conditions):

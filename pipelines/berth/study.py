@@ -19,7 +19,7 @@ from hakobune.mooring.berthing import energy
 from hakobune.mooring.berthing.speeds import speeds_of_moments
 
 from ..common.fender_tables import FenderTable, fender_of, pair_of
-from ..common.quantities import StudyError, Table, below, positive, water_depth
+from ..common.quantities import StudyError, Table, below, positive, water_density, water_depth
 from ..common.typed import typed
 from ..site.link import BERTHING, SiteLink, read_study_at_site
 
@@ -146,6 +146,7 @@ def read_berth(path):
 def approach_of(study):
     """The `Approach` of a study.  Raises ValueError, one line."""
     given, approach = study.ship, study.approach
+    water_density("ship.density", given.density)
     mass = None if given.displacement is None else 1e3 * given.displacement
     sizes = {"mass": mass, "block": given.block, "gyration": given.gyration, "density": given.density}
     ship = energy.ship(given.length, given.beam, given.draft, **sizes)

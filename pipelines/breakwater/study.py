@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 
 from ..common.bounds import check_count
-from ..common.quantities import StudyError, positive, water_depth
+from ..common.quantities import StudyError, positive, water_density, water_depth
 from ..common.typed import typed
 from ..common.weather.seas import spectrum_of, spreading_of
 from ..site.link import BREAKWATER, read_study_at_site
@@ -76,8 +76,8 @@ def periods(study):
 
 def _check_water(water):
     water_depth("water.depth", water.depth)
-    for key in ("density", "gravity"):
-        positive(f"water.{key}", getattr(water, key))
+    water_density("water.density", water.density)
+    positive("water.gravity", water.gravity)
     if not 0 <= water.tide < water.depth:
         raise StudyError(f"water.tide is {water.tide:g} m; allowed: 0 to below the depth of {water.depth:g} m")
 

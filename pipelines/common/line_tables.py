@@ -5,6 +5,7 @@ Segments, and the bodies between them, count from the first end of the line: its
 
 import math
 from dataclasses import replace
+from typing import NamedTuple
 
 import msgspec
 
@@ -214,11 +215,6 @@ def _strength_left(where, table):
         raise StudyError(f"{where}.corrosion_mm: {error}") from None
 
 
-def bed_friction(where, table):
-    """Coefficient of a TypeTable"""
-    return friction(f"{where}.bed_friction", table.bed_friction)
-
-
 def of_types(where, name, types):
     """The table of a type by its name"""
     if name not in types:
@@ -240,46 +236,49 @@ def line_of(where, name, table, types, ends=("", ""), density=1025.0, gravity=9.
                 f"{where} ({name}): a hawser has neither bodies nor a bed; give these only for a line of segments"
             )
         return hawser_of(where, name, table.type, types[table.type], _length(where, table), ends)
-    parts = table.segments or [SegmentTable(type=table.type, length=table.length)]
-    places = [f"{where}.segments[{i}]" if table.segments else where for i in range(len(parts))]
-    kinds = [of_types(place, part.type, types) for place, part in zip(places, parts, strict=True)]
-    for place, part, kind in zip(places, parts, kinds, strict=True):
-        if kind.straight:
-            raise StudyError(f"{place}.type {part.type} is a hawser; segments need a weight")
-    made = [
-        line_type(f"types.{part.type}", kind, density, gravity, part.type)
-        for part, kind in zip(parts, kinds, strict=True)
-    ]
-    lengths = [_length(place, part) for place, part in zip(places, parts, strict=True)]
-    rough = [bed_friction(f"types.{part.type}", kind) for part, kind in zip(parts, kinds, strict=True)]
-    alone = not (table.segments or table.bodies or table.bed)
-    for place, kind in zip(places, made, strict=True):
-        if kind.weight <= 0 and not alone:
+    parts = {f"{where}.segments[{i}]": part for i, part in enumerate(table.segments)}
+    parts = parts or {where: SegmentTable(type=table.type, length=table.length)}
+    pieces = [_piece(place, part, types, density, gravity) for place, part in parts.items()]
+    if not (table.segments or table.bodies or table.bed):
+        (whole,) = pieces
+        return UniformLine(name, whole.type, whole.length, *ends, whole.friction)
+    for place, piece in zip(parts, pieces, strict=True):
+        if piece.type.weight <= 0:
             raise StudyError(
-                f"{place} ({name}): the weight of {kind.name} in water is {kind.weight:.4g} N/m; allowed: above "
-                "0; a segment lighter than water has to be a separate line between two points in `hakobune lines`"
+                f"{place} ({name}): the weight of {piece.type.name} in water is {piece.type.weight:.4g} N/m; allowed: "
+                "above 0; a segment lighter than water has to be a separate line between two points in `hakobune lines`"
             )
-    if alone:
-        return UniformLine(name, made[0], lengths[0], *ends, rough[0])
     try:
-        segments = [
-            Segment(
-                length,
-                kind.weight,
-                kind.axial_stiffness,
-                kind.diameter or 0.0,
-                kind.breaking_load,
-                kind.name,
-                kind,
-                part.elements,
-            )
-            for kind, length, part in zip(made, lengths, parts, strict=True)
-        ]
+        segments = [piece.segment() for piece in pieces]
     except ValueError as error:
         raise StudyError(f"{where} ({name}): {error}") from None
-    loads = _point_loads(where, table.bodies, lengths, density, gravity)
-    on_bed = _friction(where, table.bed, rough)
+    loads = _point_loads(where, table.bodies, [piece.length for piece in pieces], density, gravity)
+    on_bed = _friction(where, table.bed, [piece.friction for piece in pieces])
     return CompositeLine(name, segments, *ends, loads, on_bed, _own_bed(where, table.bed, on_bed, level))
+
+
+class _Piece(NamedTuple):
+    """type : LineType; length : m; friction : on the bed; elements : number of a line in motion, None for any"""
+
+    type: LineType
+    length: float
+    friction: float
+    elements: int | None
+
+    def segment(self):
+        """Raises ValueError."""
+        kind = self.type
+        return Segment(self.length, kind.weight, kind.axial_stiffness, kind.diameter or 0.0, kind.breaking_load,
+                       kind.name, kind, self.elements)  # fmt: skip
+
+
+def _piece(place, part, types, density, gravity):
+    """The `_Piece` of a SegmentTable.  Raises StudyError."""
+    kind, of_type = of_types(place, part.type, types), f"types.{part.type}"
+    if kind.straight:
+        raise StudyError(f"{place}.type {part.type} is a hawser; segments need a weight")
+    made = line_type(of_type, kind, density, gravity, part.type)
+    return _Piece(made, _length(place, part), friction(f"{of_type}.bed_friction", kind.bed_friction), part.elements)
 
 
 def hawser_of(where, name, kind_name, kind, length, ends=("", "")):

@@ -15,6 +15,7 @@ DEEPEST = 12_000.0  # m, the deepest sea
 LONGEST = 1e5  # m, a line
 HEAVIEST = 1e6  # N/m, chain of 2 m diameter
 ROUGHEST = 5.0  # coefficient of friction
+DENSITIES = 900.0, 1300.0  # kg/m³ of water, from fresh and warm to the Dead Sea
 
 
 class StudyError(ValueError):
@@ -57,6 +58,14 @@ def friction(key, value):
 def water_depth(key, value):
     """m, above 0 and at most DEEPEST.  Raises StudyError."""
     return below(key, value, DEEPEST, ", the deepest sea")
+
+
+def water_density(key, value):
+    """kg/m³ of water.  Raises StudyError."""
+    low, high = DENSITIES
+    if not low <= value <= high:
+        raise StudyError(f"{key} is {value:g}; allowed: {low:g} to {high:g} kg/m³, that of water")
+    return value
 
 
 def one_of(where, table, units, required=False):

@@ -27,6 +27,7 @@ from .fender_tables import FenderTable, fender_of, pair_of
 from .quantities import StudyError, Table, force
 
 FARTHEST = 10.0  # m, of a fender from the hull at rest
+ROUGHEST_FACE = 1.5  # coefficient of friction of a fender
 SLIDES = 0.1  # of the height of a fender, travel along its face at which it slides where its shear is not given
 
 
@@ -212,6 +213,11 @@ def _fender(where, table, dolphin, hull):
         table = msgspec.structs.replace(table, **stands, dolphin_beyond=dolphin.stiffness_beyond)
     face = np.array(table.position)
     normal, side = _side(where, face, hull)
+    if table.friction > ROUGHEST_FACE:
+        raise StudyError(
+            f"{where}.friction is {table.friction:g}; allowed: at most {ROUGHEST_FACE:g}; rubber on steel "
+            "has up to 1, a face of polyethylene about 0.2"
+        )
     own = fender_of(table, where)
     slides = table.friction * own.rated_reaction / (SLIDES * own.height)
     shear = slides if table.shear is None else 1e3 * table.shear

@@ -18,6 +18,7 @@ def damping(
         float | None,
         Parameter(help="mass with added mass, t (for a rotation t m²); for a decay only", allow_leading_hyphen=True),
     ] = None,
+    output: Annotated[Path | None, Parameter(help="result, .h5 or .csv")] = None,
     plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
 ):
     """Find linear and quadratic damping of a body from a record: forced oscillation or free decay.
@@ -26,12 +27,13 @@ def damping(
     record is a free decay: a and b of its extinction, and with --mass B1 and B2.
     """
     from ..common.picture import PLOTS, check_picture
-    from ..results.output import finish
+    from ..results.output import check_result, finish, write_result
     from .result import damping
 
     check_picture(plot, PLOTS)
+    check_result(output, "damping", [record])
     result = damping(record, mass=None if mass is None else 1e3 * mass)
-    return finish(result, (plot, _draw))
+    return finish(result, (output, write_result), (plot, _draw))
 
 
 def _draw(result, path):

@@ -5,6 +5,8 @@ in doubling steps, then between the last that failed and the first that passed. 
 was therefore run, and failed.
 """
 
+import itertools
+from functools import cache, partial
 from typing import NamedTuple
 
 import msgspec
@@ -59,31 +61,30 @@ def advise(read, judged, cases, others, paths, folder, step):
     changed = [one for one in judged if one.criterion.quantity not in fixed]
     if _shaken(judged, cases.values()) or all(one.met is not False for one in changed):
         return Advice((), (), beyond)
-    if not ways(read.study):
+    changes = ways(read.study)
+    if not changes:
         return Advice((), (), NOTHING)
     governing = [one for one in changed if one.governing is not None and one.governing.case in cases]
-    keys = {key_of(cases[one.governing.case]) for one in governing}
-    if read.project.fatigue is not None:  # the damage is a sum over all cases with a share of the time
-        tired = {state.name for state in read.project.states if state.share}
-        keys |= {key_of(case) for case in cases.values() if case.state in tired and not case.lost}
+    keys = {key_of(cases[one.governing.case]) for one in governing} | _keys_of_fatigue(read, cases)
     criteria, now = [one.criterion for one in governing], max(one.governing.utilisation for one in governing)
-    found, most, tried = [], sum(map(len, ways(read.study).values())), 0
-    for way, changes in ways(read.study).items():
-        done = {}
+    number, most = itertools.count(1), sum(map(len, changes.values()))
 
-        def run(i, way=way, changes=changes, done=done):
-            nonlocal tried
-            if i not in done:
-                tried += 1
-                step(tried, most, changes[i].words)
-                place = folder / f"{way.replace(' ', '_')}_{i + 1}"
-                done[i] = _tried(read, way, changes[i], criteria, keys, others, paths, place)
-            return done[i]
+    @cache
+    def tried(way, i):
+        step(next(number), most, changes[way][i].words)
+        place = folder / f"{way.replace(' ', '_')}_{i + 1}"
+        return _tried(read, way, changes[way][i], criteria, keys, others, paths, place)
 
-        best = _smallest(run, len(changes), now)
-        if best is not None:
-            found.append(best)
-    return Advice(tuple(ways(read.study)), tuple(found), beyond)
+    best = [_smallest(partial(tried, way), len(changes[way]), now) for way in changes]
+    return Advice(tuple(changes), tuple(one for one in best if one is not None), beyond)
+
+
+def _keys_of_fatigue(read, cases):
+    """Keys of the cases over which damage is summed: all with a share of the time"""
+    if read.project.fatigue is None:
+        return set()
+    tired = {state.name for state in read.project.states if state.share}
+    return {key_of(case) for case in cases.values() if case.state in tired and not case.lost}
 
 
 def after_lines_move(advice, ran):

@@ -96,30 +96,40 @@ class _Counting:
 def result_of(verdict, change, names, origin):
     """Result of a Verdict; change : advice, or None; names : names of the files; origin : its provenance"""
     judged, ran = verdict.judged, verdict.ran
-    uses = [one.governing for one in judged]
     rules = [f"{k + 1} {one.criterion.rule}: {one.criterion.quantity}" for k, one in enumerate(judged)]
-    columns = {
-        "limit": ([one.criterion.limit for one in judged], "limit", CRITERIA),
-        "unit": ([one.criterion.unit.strip("-") for one in judged], "unit", CRITERIA),
-        "used": ([np.nan if use is None else use.utilisation for use in uses], "used", CRITERIA),
-        "value": ([np.nan if use is None else use.value for use in uses], "value", ""),
-        "verdict": ([WORDS[one.met] for one in judged], "verdict", CRITERIA),
-        "item": (["" if use is None else use.item for use in uses], "governing", CRITERIA),
-        "case": (["" if use is None else use.case for use in uses], "in load case", CRITERIA),
-    }
     made = {
-        f"criterion.{name}": Quantity(_array(values), ("criterion",), "", words, table, share=name == "used")
-        for name, (values, words, table) in columns.items()
+        name: Quantity(_array([value(one) for one in judged]), ("criterion",), "", words, table, share=words == "used")
+        for name, (value, words, table) in OF_CRITERIA.items()
     }
-    known = [one.numbers is not None and np.size(one.numbers.largest) > 0 for one in ran]
-    largest = [np.max(one.numbers.largest) if has else np.nan for one, has in zip(ran, known, strict=True)]
+    largest = [_largest_tension(one.numbers) for one in ran]
     made["load_case.largest_tension"] = Quantity(_array(largest), ("load_case",), "N", "largest tension", CASES)
     made["verdict"] = Quantity(verdict.word, (), "", "verdict")
-    failed = [_fails(one, use) for one, use in zip(judged, uses, strict=True) if not one.met]
+    failed = [_fails(one) for one in judged if not one.met]
     failed += [fails(f"{one.case.name} could not be run: {one.fault}") for one in ran if one.numbers is None]
     notes = (f"the mooring {verdict.word}{summary(verdict)}", *advice_words(change, verdict))
     axes = labels("criterion", rules) | labels("load_case", [one.case.name for one in ran])
     return Result("design", made, axes, (*failed, *verdict.broken), notes, (), origin, (verdict, names))
+
+
+def _governing(name, unknown):
+    """A function of a Judged: a value of its governing Use, or what stands for it where nothing was judged"""
+    return lambda one: unknown if one.governing is None else getattr(one.governing, name)
+
+
+OF_CRITERIA = {  # quantities of each criterion: value of a Judged, words, table
+    "criterion.limit": (lambda one: one.criterion.limit, "limit", CRITERIA),
+    "criterion.unit": (lambda one: one.criterion.unit.strip("-"), "unit", CRITERIA),
+    "criterion.used": (_governing("utilisation", np.nan), "used", CRITERIA),
+    "criterion.value": (_governing("value", np.nan), "value", ""),
+    "criterion.verdict": (lambda one: WORDS[one.met], "verdict", CRITERIA),
+    "criterion.item": (_governing("item", ""), "governing", CRITERIA),
+    "criterion.case": (_governing("case", ""), "in load case", CRITERIA),
+}
+
+
+def _largest_tension(numbers):
+    """N, nan for a case that was not run or has no lines"""
+    return np.max(numbers.largest) if numbers is not None and np.size(numbers.largest) > 0 else np.nan
 
 
 def _array(values):
@@ -127,8 +137,8 @@ def _array(values):
     return np.array(values, str if text else float)
 
 
-def _fails(one, use):
-    c = one.criterion
+def _fails(one):
+    c, use = one.criterion, one.governing
     found = f"{percent(use.utilisation)}, {use.item}, {use.case}" if use else one.missing
     limit = f"{c.limit:.4g} {c.unit.strip('-')}".rstrip()
     return fails(f"{WORDS[one.met]}, {c.rule}: {c.quantity} {c.sense} {limit}: {found}")

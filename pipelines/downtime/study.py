@@ -29,6 +29,7 @@ COLUMN_KINDS = {
 }  # fmt: skip
 MOST_STATES, MOST_SEEDS = 10_000, 1000
 MOST_WINDOWS, MOST_TURNS = 12, 36
+MANY = 240  # rows, whose directions seldom all lie within 2π degrees
 STREAMS = (("wind", "from"), ("current", "to"))
 NETCDF = (".nc", ".nc4", ".cdf", ".netcdf")
 # spectrum of limiting seas for hours given as two-dimensional spectra
@@ -124,6 +125,7 @@ def record_of(table, folder, depth=None):
         systems, waves = [(OF_PLANES, None, None, False)], [own]
     for one, (_, kind, angle, comes_from) in zip(table.waves, systems, strict=False):
         _check_direction(path.name, angle, found[angle])
+        said |= dict.fromkeys(_radians(path.name, angle, found[angle]))
         towards = x_axis - found[angle] - (np.pi if comes_from else 0.0)
         waves.append((found[one.height], found[getattr(one, kind)], np.mod(towards, 2 * np.pi)))
     columns = {name: (found[column], COLUMN_KINDS.get(name, "")) for name, column in table.columns.items()}
@@ -167,6 +169,16 @@ def _check_direction(where, name, angle):
     if beyond.any():
         worst = degrees[~code][beyond][0]
         raise StudyError(f"{where}: {name} is {worst:g}°; allowed: −360 to 360, or -99, 999, -999 for missing data")
+
+
+def _radians(where, name, angle):
+    """A line on directions that seem to be in radians, read as degrees: they fill no more than 2π degrees"""
+    degrees = np.degrees(angle[np.isfinite(angle)])
+    if len(degrees) >= MANY and np.abs(degrees).max() <= 2 * np.pi and np.ptp(degrees) > 1:
+        yield (
+            f"{where}: {name} lies between {degrees.min():.3g} and {degrees.max():.3g}° in all {len(degrees)} rows; if "
+            f'these are radians, name them in the header, such as "{name} [rad]"'
+        )
 
 
 class _Peak:

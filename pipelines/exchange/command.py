@@ -52,6 +52,17 @@ FORMATS = {
     "diodore": Format("diodore", "", silent=WATER, read_only=True),
     "hydrostar": Format("hydrostar", "", read_only=True),
 }
+BY_WAMIT = ("wamit", "hams")  # formats with WAMIT's files of results
+MEAN_DRIFT = ("drift_force", "drift_force_fixed", *OF_EACH)
+PARTS = ("Froude_Krylov_force", "diffraction_force")  # of the excitation
+# quantities of a database that each format cannot hold; those of WAMIT's hold more of one body
+NOT_HELD = {
+    "wamit": MEAN_DRIFT,
+    "hams": PARTS + MEAN_DRIFT,
+    "nemoh": ("rao", *MEAN_DRIFT),
+    **dict.fromkeys(("bemio", "hydrochrono", "capytaine"), ("rao", "drift_force_fixed", *OF_EACH)),
+    "orcaflex": ("drift_force", "drift_force_fixed", *PARTS, "added_mass_zero", *OF_EACH),
+}
 
 
 def export(database, to, output, fresh):
@@ -154,28 +165,16 @@ def _left_out(db, values, to):
         )
     gaps = gaps_of(db)
     yield from map(fails, gaps._replace(unknown={n: m for n, m in gaps.unknown.items() if n in CARRIED}).not_known())
-    lost = [name for name in db.names if name not in CARRIED]
     known = {name: db[name] for name in LIMITS if name in db.names} if db.complete else {}
     endless = {name: matrix for name, matrix in known.items() if not np.all(np.isfinite(matrix))}
-    if to in ("wamit", "hams"):
+    if to in BY_WAMIT:
         yield from _limits_stood_for(values, endless)
     elif endless:
         yield f"{', '.join(endless)} is not finite and is not written"
-    if to not in ("wamit", "hams"):
-        lost += [name for name in ("rao", "drift_force", "drift_force_fixed") if name in db.names]
-        if to == "orcaflex":
-            kept, gone = ("rao",), ("Froude_Krylov_force", "diffraction_force", "added_mass_zero")
-            lost = [name for name in lost if name not in kept] + [name for name in gone if name in db.names]
-        lost += [name for name in OF_EACH if name in db.names]
-        lost = [name for name in lost if name != "drift_force" or to not in ("bemio", "hydrochrono", "capytaine")]
-    elif db.bodies:
-        parts = ("Froude_Krylov_force", "diffraction_force") if to == "hams" else ()
-        lost += [name for name in (*parts, "drift_force", "drift_force_fixed", *OF_EACH) if name in db.names]
-    elif "drift_force" in db.names and "drift_force_fixed" in db.names:
-        lost.append("drift_force_fixed")
+    lost = _not_held(db, to)
     if lost:
         yield f"the format of {to} cannot hold {', '.join(lost)}"
-    if to in ("wamit", "hams", "nemoh") and values.bodies:
+    if to in (*BY_WAMIT, "nemoh") and values.bodies:
         points = "; ".join(f"{b.name} ({', '.join(f'{x:g}' for x in b.rotation_center)}) m" for b in values.bodies)
         yield f"all bodies are in the axes of the scene; moments and rotations are about these points: {points}"
     if to == "wamit" and np.any(values.rotation_center):
@@ -184,3 +183,11 @@ def _left_out(db, values, to):
             f"moments and rotations are about ({about}) m, which these files do not contain; give --about when they "
             f"are imported"
         )
+
+
+def _not_held(db, to):
+    """Names of quantities of a database that a format cannot hold"""
+    beyond = NOT_HELD[to]
+    if to in BY_WAMIT and not db.bodies:  # one drift, of the floating body if there is one
+        beyond = ("drift_force_fixed",) if "drift_force" in db.names else ()
+    return [name for name in db.names if name not in CARRIED] + [name for name in beyond if name in db.names]

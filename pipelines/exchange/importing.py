@@ -38,11 +38,7 @@ def import_(place, kind_name, mesh, known, weight, output, fresh=False, correct=
     output = place.with_name(place.stem + "_imported.h5") if output is None else output
     check_import(kind, known, output, fresh, place)
     module = import_module(f"hakobune.bem.formats.{kind.module}")
-    of_module = {name: known[name] for name in (*kind.silent, "body")}
-    said = ()
-    if hasattr(module, "inputs_of"):
-        inputs = module.inputs_of(place, of_module)
-        said, of_module = inputs.said, of_module | {"length_unit": inputs.length, "rotation_center": inputs.about}
+    of_module, said = asked_of(module, kind, place, known)
     values = with_headings_once(read_set(module, place, of_module))
     if known["rotation_center"] is not None:
         values = replace(values, rotation_center=np.array(known["rotation_center"], float))
@@ -103,6 +99,16 @@ def check_import(kind, known, output, fresh, place):
     check_ending(output, DATABASE)
     if output.exists() and (not fresh or output.resolve() == place.resolve()):
         raise ValueError(f"{output} exists already; give --fresh to replace it, or another name by --output")
+
+
+def asked_of(module, kind, place, known):
+    """What a format is asked for: what its files may not contain, or its inputs beside them; and which of these were
+    found there"""
+    asked = {name: known[name] for name in (*kind.silent, "body")}
+    if not hasattr(module, "inputs_of"):
+        return asked, ()
+    inputs = module.inputs_of(place, asked)
+    return asked | {"length_unit": inputs.length, "rotation_center": inputs.about}, inputs.said
 
 
 def hull_of(place, kind, module, mesh, known):

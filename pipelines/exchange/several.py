@@ -24,7 +24,7 @@ from hakobune.mooring.criteria.failing import fails
 from ..printing.console import new_console
 from ..printing.verdict import tell
 from .command import FORMATS, format_of
-from .importing import between, check_import, hull_of, pairs_of, read_set, store, store_pairs
+from .importing import asked_of, between, check_import, hull_of, pairs_of, read_set, store, store_pairs
 
 FORCES = ("excitation_force", "Froude_Krylov_force", "diffraction_force")
 AROUND = np.arange(12) * (np.pi / 6)
@@ -50,11 +50,8 @@ def import_several(place, kind_name, names, meshes, known, weights, output, fres
     output = place.with_name(place.stem + "_imported.h5") if output is None else output
     check_import(kind, known, output, fresh, place)
     parts, hulls, remarks, lost = [], [], [], []
-    for number, (weight, mesh) in enumerate(zip(weights, meshes, strict=True), 1):
-        of_module = {name: known[name] for name in kind.silent} | {"body": number}
-        if hasattr(module, "inputs_of"):
-            inputs = module.inputs_of(place, of_module)
-            of_module |= {"length_unit": inputs.length, "rotation_center": inputs.about}
+    for number, (name, weight, mesh) in enumerate(zip(names, weights, meshes, strict=True), 1):
+        of_module = asked_of(module, kind, place, known | {"body": number})[0]
         values = with_headings_once(read_set(module, place, of_module))
         if values.others + 1 != len(names):
             raise FormatError(
@@ -63,8 +60,8 @@ def import_several(place, kind_name, names, meshes, known, weights, output, fres
         hull = hull_of(place, kind, module, mesh, of_module)
         values, said = on_hull(values, hull, weight)
         _, agreed, doubts = believed(values, hull)
-        remarks += [f"{names[number - 1]}: {one}" for one in (*said, *agreed)]
-        lost += [fails(f"{names[number - 1]}: {one}") for one in doubts]
+        remarks += [f"{name}: {one}" for one in (*said, *agreed)]
+        lost += [fails(f"{name}: {one}") for one in doubts]
         parts.append(values)
         hulls.append(hull)
     radiation = module.coupled(place, of_module, len(names))

@@ -41,6 +41,7 @@ def fender(
     ] = None,
     deflection: Annotated[float | None, Parameter(help="m", allow_leading_hyphen=True)] = None,
     energy: Annotated[float | None, Parameter(help="kJ, energy to absorb", allow_leading_hyphen=True)] = None,
+    output: Annotated[Path | None, Parameter(help="result, .h5 or .csv")] = None,
     plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
 ):
     """Compute reaction and energy of a fender over its compression, its unloading, softest and stiffest; lengths in m.
@@ -51,16 +52,17 @@ def fender(
     """
     from ..common.fender_tables import FenderTable
     from ..common.picture import PLOTS, check_picture
-    from ..results.output import finish
+    from ..results.output import check_result, finish, write_result
     from .result import fender
 
     given = {"family": family, "table": table, "length": length, "rated_reaction": rated_reaction}
     given |= {"pressure": pressure, "overload": overload, "count": count, "dolphin": dolphin}
     given |= {"angle_deg": angle, "width": width, "causes": causes and causes.split(",")}
     check_picture(plot, PLOTS)
+    check_result(output, "fender", [table] if table else ())
     joules = None if energy is None else 1e3 * energy
     result = fender(FenderTable(height=height, **given), strain=strain, deflection=deflection, energy=joules)
-    return finish(result, (plot, _draw))
+    return finish(result, (output, write_result), (plot, _draw))
 
 
 def _draw(result, path):

@@ -9,7 +9,7 @@ import numpy as np
 from hakobune.mooring.lines.dynamics.strength import Strength
 
 from ..common.line_tables import attached, check_bed, line_type, of_types
-from ..common.quantities import StudyError, direction, positive, speed
+from ..common.quantities import StudyError, direction, positive, speed, water_density
 from ..common.units import TONF
 from ..common.weather.seas import mean_period
 from .study import BedTable
@@ -23,6 +23,7 @@ def line_of(study):
     """DynamicLine, and the Strength of its segments.  Raises ValueError."""
     from hakobune.mooring.lines.dynamics.simulation import DynamicLine
 
+    water_density("water.density", study.water.density)
     kinds = {name: _properties(f"types.{name}", kind, study.water) for name, kind in study.types.items()}
     total = sum(positive(f"segments[{i}].length", part.length) for i, part in enumerate(study.segments))
     parts = [_segment(f"segments[{i}]", part, kinds, total) for i, part in enumerate(study.segments)]

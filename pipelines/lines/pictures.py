@@ -110,8 +110,8 @@ def _draw_losses(axes, state, losses):
     axes.set(xlabel="largest tension, kN", title="after the loss of one line")
 
 
-def draw_frames(time, nodes, path, count=12):
-    """A strip of `count` frames of a line (.png, .svg, .pdf), or all frames as a film (.gif).
+def draw_frames(time, nodes, path):
+    """A strip of up to twelve frames of a line (.png, .svg, .pdf), or all frames as a film (.gif).
 
     time : (f,) s; nodes : (f, k, 3) m
     """
@@ -120,7 +120,7 @@ def draw_frames(time, nodes, path, count=12):
     plane = line_plane(nodes)
     if path.suffix.lower() == ".gif":
         return _film(time, plane, path)
-    chosen = np.unique(np.linspace(0, len(time) - 1, min(count, len(time))).round().astype(int))
+    chosen = np.unique(np.linspace(0, len(time) - 1, min(12, len(time))).round().astype(int))
     columns = min(4, len(chosen))
     rows = -(-len(chosen) // columns)
     figure = Figure(figsize=(3.4 * columns, 2.6 * rows), layout="constrained")

@@ -17,7 +17,7 @@ from hakobune.mooring.lines.system.parts import Anchor, Fairlead, FreePoint, Moo
 
 from ..common.anchors import warn_of_anchors
 from ..common.line_tables import LineTable, TypeTable, check_types, line_of
-from ..common.quantities import StudyError, Table, water_depth
+from ..common.quantities import StudyError, Table, water_density, water_depth
 from ..common.typed import read_toml, typed
 from ..common.weather.water import WaterTable
 from ..results.heard import heard
@@ -198,6 +198,7 @@ def make_system(raw) -> System:
     points += [Fairlead(point.name, point.body, point.position) for point in table.fairleads]
     points += [FreePoint(p.name, p.position, p.mass, p.volume, p.height) for p in table.points]
     water = table.water
+    water_density("water.density", water.density)
     check_types(table.types, water.density, water.gravity)
     z = {point.name: point.position[2] for point in table.anchors}
     lines = [

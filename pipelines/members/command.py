@@ -12,6 +12,7 @@ def members(
     study: Annotated[Path, Parameter(help="members, water, wave, current, wind (TOML)")],
     /,
     *,
+    output: Annotated[Path | None, Parameter(help="result, .h5 or .csv")] = None,
     plot: Annotated[Path | None, Parameter(help="forces over the wave: .png, .svg or .pdf")] = None,
 ):
     """Compute water and wind loads on slender members, piles and frames over a regular wave.
@@ -19,11 +20,12 @@ def members(
     It uses Morison's formula and includes marine growth.  hakobune members members_dolphin.toml --plot forces.png
     """
     from ..common.picture import PLOTS, check_picture
-    from ..results.output import finish
+    from ..results.output import check_result, finish, write_result
     from .result import members
 
     check_picture(plot, PLOTS)
-    return finish(members(study), (plot, _draw))
+    check_result(output, "members", [study])
+    return finish(members(study), (output, write_result), (plot, _draw))
 
 
 def _draw(result, path):

@@ -20,7 +20,7 @@ from hakobune.mooring.loads.over_wave import Member
 from hakobune.mooring.loads.regular_wave import RegularWave
 from hakobune.mooring.seas.breaking import breaking_height
 
-from ..common.quantities import StudyError, Table, direction, positive, water_depth
+from ..common.quantities import StudyError, Table, direction, positive, water_density, water_depth
 from ..common.typed import read_toml, typed
 from ..common.weather.water import DepthTable, WaveTable
 
@@ -126,6 +126,7 @@ def make_study(raw):
         raise StudyError("there are no members; give at least one [[members]] or [[wind_members]]")
     if len(study.members) > MOST:
         raise StudyError(f"there are {len(study.members)} members; allowed: at most {MOST}")
+    water_density("water.density", study.water.density)
     if study.members and study.wave is None and study.current is None:
         raise StudyError("there is neither wave nor current; give [wave], [current] or both")
     if study.wind_members and study.wind is None:
@@ -147,7 +148,13 @@ def wave_of(study):
         raise StudyError(
             f"wave.height is {height:g} m; a wave of {period:g} s breaks at {highest:.3g} m in {depth:g} m of water"
         )
-    return RegularWave(0.5 * height, 2 * np.pi / period, direction("wave", wave), depth, current)
+    made = RegularWave(0.5 * height, 2 * np.pi / period, direction("wave", wave), depth, current)
+    if made.against >= made.energy_speed:
+        raise StudyError(
+            f"current runs at {made.against:.3g} m/s against a wave of {period:g} s, whose energy travels at "
+            f"{made.energy_speed:.3g} m/s: no such wave reaches the members; allowed: a slower current or a longer wave"
+        )
+    return made
 
 
 def placed(study):

@@ -131,11 +131,18 @@ def _course(found):
 def _findings(study, track, found, moored, passer):
     froude = track.froude(study.water.depth)
     squeezed = 1 / math.sqrt(1 - froude**2)
-    if study.method != "kriebel" and squeezed > SQUEEZED:
-        line = (
-            f"depth Froude number {froude:.2f}: the pressure is about {squeezed:.2f} times as large as with the rigid "
-            f"surface of this method, limit {SQUEEZED:g}; the ship's own waves are not included either"
-        )
+    if squeezed > SQUEEZED:
+        line = f"depth Froude number {froude:.2f}: the pressure is about {squeezed:.2f} times as large as "
+        if study.method == "kriebel":
+            line += (
+                "by the square of the speed, with which the formula of the tests grows in every depth, limit "
+                f"{SQUEEZED:g}; give a lower speed"
+            )
+        else:
+            line += (
+                f"with the rigid surface of this method, limit {SQUEEZED:g}; the ship's own waves are not included "
+                "either"
+            )
         yield fails(line) if squeezed > BROKEN else line
     if found.left > FAR:
         yield (

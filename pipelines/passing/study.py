@@ -17,7 +17,7 @@ import numpy as np
 
 from hakobune.mooring.passing.passage import Track
 
-from ..common.quantities import StudyError, Table, positive
+from ..common.quantities import StudyError, Table, water_density
 from ..common.typed import read_toml, typed
 from ..common.weather.water import DepthTable
 from ..scene.checks import check_body
@@ -89,7 +89,7 @@ def make_study(raw):
     study = typed(raw, PassingStudy, StudyError)
     if not study.water.depth > 0:
         raise StudyError(f"water.depth is {study.water.depth:g} m; allowed: above 0, or inf")
-    positive("water.density", study.water.density)
+    water_density("water.density", study.water.density)
     for name in SHIPS:
         _check_ship(name, getattr(study, name), study.water.depth)
     if study.method not in METHODS:

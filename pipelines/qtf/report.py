@@ -51,10 +51,11 @@ def _smaller_panels(forces, db):
     if most >= forces.omega[-1]:
         return "the difference falls with more panels"
     length = 2 * np.pi / wavenumber(float(forces.omega[-1]), db.water_depth, db.gravity)
+    within = "in the mesh, and import it (--mesh)" if "imported" in getattr(db, "attributes", ()) else "in the scene"
     return (
         f"the shortest waves are {length:.3g} m long ({forces.omega[-1]:.3g} rad/s), and panels are up to {size:.3g} "
-        f"m; only waves up to {most:.3g} rad/s have {A_WAVE:g} panels to a wave length; use smaller panels in the "
-        f"scene, or --omega up to that frequency"
+        f"m; only waves up to {most:.3g} rad/s have {A_WAVE:g} panels to a wave length; use smaller panels {within}, "
+        f"or --omega up to that frequency"
     )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 
 KIND = "response"
 MOTIONS, DRIFT, AIR, KEEL = "responses, amplitudes", "drift of the waves", "air gap", "water under the keel"
+ALL = "drift of the waves on all bodies together, about the origin of the scene"
 DAMPING, EACH = "wave drift damping", "drift of each body, about its own point in its own axes"
 MOORED, PLANE = "moored, mean and slow motion", ("surge", "sway", "yaw")
 FORCE, MOVED = ("N", "N", "N m"), ("m", "m", "rad")
@@ -54,47 +55,61 @@ def response(study: File | Tables | ResponseStudy, database: File | Database, mo
     if read.sea:
         check_effort(read)
     db = database_of(database)
-    points, held = places_of(read, db), None
-    body = db.bodies_reader.floating()
+    points, body = places_of(read, db), db.bodies_reader.floating()
     if moored is None:
         body = driven(linked(read.restrained(body), read.hinges, db))
     with heard() as caught:
         try:
-            if moored is not None:
-                held = solved_moored(read, db, points, moored)
-                found, body = held.motion.fast, held.body or body
-            else:
-                found, body = (solved_in_sea if read.sea else solved_in_climate)(read, body, db, points, place)
+            solved = _solved(read, body, db, points, place, moored)
         except TypeError as error:
             raise StudyError(f"{study}: {error}") from None
-    warned = [*caught, *(held.motion.warnings if held else found.warnings)]
-    warned += _of_depth(read, db)
-    peaks = resonances(body)
-    warned += resonance_lines([one for one in peaks if underdamped(one)])
-    noted = resonance_lines([one for one in peaks if not underdamped(one)])
-    stiffness, years = (body if held is None else held).stiffness, read.climate and read.climate.years
-    quantities, axes = of_sea(found, body.radius, body.bodies) if read.sea else of_climate(found, years, body.radius)
-    if held is not None:
+    found, body, years = solved.found, solved.body, read.climate and read.climate.years
+    about = body.radius, body.bodies
+    quantities, axes = of_sea(found, *about) if read.sea else of_climate(found, years, *about)
+    if solved.slow is not None:
         several = [f"{one.name} {motion}" for one in db.bodies if not one.fixed for motion in PLANE]
         axis = "horizontal" if several else "plane"
-        quantities |= of_moored(held.motion, axis)
-        axes |= labels("moored_omega", held.motion.omega, "rad/s")
+        quantities |= of_moored(solved.slow, axis)
+        axes |= labels("moored_omega", solved.slow.omega, "rad/s")
         axes |= labels(axis, several or PLANE) | labels(f"with_{axis}", several or PLANE)
-    warned += [
-        *(held.failures if held else ()),
-        *failures(found, stiffness, years, body.words),
+    peaks = resonances(body)
+    warned = (
+        *caught,
+        *solved.warnings,
+        *_of_depth(read, db),
+        *resonance_lines([one for one in peaks if underdamped(one)]),
+        *solved.failures,
+        *failures(found, solved.stiffness, years, body.words),
         *turned(quantities, axes),
-    ]
-    return Result(
-        KIND,
-        quantities,
-        axes,
-        tuple(dict.fromkeys(warned)),
-        (*notes(found, years), *noted, *(held.notes if held else ())),
-        (),
-        provenance(text, db),
-        found,
     )
+    noted = (
+        *notes(found, years),
+        *resonance_lines([one for one in peaks if not underdamped(one)]),
+        *solved.notes,
+    )
+    return Result(KIND, quantities, axes, tuple(dict.fromkeys(warned)), noted, (), provenance(text, db), found)
+
+
+class Solved(NamedTuple):
+    """found : SeaState or Climate; body : Reader of what moves; stiffness : (n, n) SI of water and lines; warnings,
+    failures, notes : one line each; slow : `SlowMotion` on lines, None without them"""
+
+    found: object
+    body: object
+    stiffness: np.ndarray
+    warnings: tuple
+    failures: tuple = ()
+    notes: tuple = ()
+    slow: object = None
+
+
+def _solved(read, body, db, points, place, moored):
+    if moored is None:
+        found, body = (solved_in_sea if read.sea else solved_in_climate)(read, body, db, points, place)
+        return Solved(found, body, body.stiffness, found.warnings)
+    held = solved_moored(read, db, points, moored)
+    motion = held.motion
+    return Solved(motion.fast, held.body or body, held.stiffness, motion.warnings, held.failures, held.notes, motion)
 
 
 def _of_depth(read, db):
@@ -132,7 +147,7 @@ def of_sea(found, radius, bodies=()):
     )
     axes = labels("response", [found.names[i] for i in excited]) | labels("omega", found.omega, "rad/s")
     if found.slow is not None:
-        made |= _of_slow(found.slow, radius)
+        made |= _of_slow(found.slow, radius, ALL if bodies else DRIFT)
         axes |= labels("plane", PLANE) | labels("velocity", ("surge", "sway"))
         axes |= labels("difference", found.slow.difference, "rad/s")
         if found.slow.of_each is not None:
@@ -140,8 +155,8 @@ def of_sea(found, radius, bodies=()):
     return _with_gaps(made, axes, found, None)
 
 
-def of_climate(found, years, radius):
-    """Quantities of a Climate and the labels of their axes; years : the return period; radius : m, of the hull"""
+def of_climate(found, years, radius, bodies=()):
+    """Quantities of a Climate and the labels of their axes; years : the return period; radius, bodies : as `of_sea`"""
     excited = np.flatnonzero(found.excited)
     units, terms = tuple(found.units[i] for i in excited), [found.long_term(found.names[i]) for i in excited]
     columns = {
@@ -168,7 +183,11 @@ def of_climate(found, years, radius):
     axes = labels("response", [found.names[i] for i in excited]) | labels("state", np.arange(len(found.height)))
     if found.mean_drift is not None:
         made["drift.mean"] = Quantity(
-            without_rounding(found.mean_drift, radius, found.drift), ("plane",), FORCE, "mean over all time", DRIFT
+            without_rounding(found.mean_drift, radius, found.drift),
+            ("plane",),
+            FORCE,
+            "mean over all time",
+            ALL if bodies else DRIFT,
         )
         made["state.drift"] = Quantity(found.drift, ("state", "plane"), "N, N, N m", "mean drift", record=True)
         axes |= labels("plane", PLANE)
@@ -185,10 +204,10 @@ def without_rounding(force, radius, among=None):
     return np.where(np.abs(force) <= TINY * largest * np.array([1.0, 1.0, radius]), 0.0, force)
 
 
-def _of_slow(slow, radius):
+def _of_slow(slow, radius, title):
     made = {
-        "drift.mean": Quantity(without_rounding(slow.drift, radius), ("plane",), FORCE, "mean", DRIFT),
-        "drift.sigma": Quantity(slow.sigma, ("plane",), FORCE, "σ of its beats", DRIFT),
+        "drift.mean": Quantity(without_rounding(slow.drift, radius), ("plane",), FORCE, "mean", title),
+        "drift.sigma": Quantity(slow.sigma, ("plane",), FORCE, "σ of its beats", title),
         "drift.spectrum": Quantity(
             slow.spectrum,
             ("difference", "plane"),
@@ -201,10 +220,10 @@ def _of_slow(slow, radius):
         for k, (name, unit) in enumerate(zip(PLANE, FORCE, strict=True)):
             made[f"drift.of_each.{name}"] = Quantity(slow.of_each[:, k], ("body",), unit, f"mean, {name}", EACH)
     if slow.by_current is not None:
-        made["drift.by_current"] = Quantity(slow.by_current, ("plane",), FORCE, "of the mean by the current", DRIFT)
+        made["drift.by_current"] = Quantity(slow.by_current, ("plane",), FORCE, "of the mean by the current", title)
     if slow.of_pairs is not None:
         pairs = slow.sigma_of_pairs[[0, 1, 5]]
-        made["drift.sigma_of_pairs"] = Quantity(pairs, ("plane",), FORCE, f'σ, qtf = "{slow.level}"', DRIFT)
+        made["drift.sigma_of_pairs"] = Quantity(pairs, ("plane",), FORCE, f'σ, qtf = "{slow.level}"', title)
     if slow.damping is not None:
         made["drift.damping"] = Quantity(
             slow.damping, ("plane", "velocity"), ("N s/m", "N s/m", "N s"), "velocity of", DAMPING

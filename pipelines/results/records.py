@@ -30,15 +30,15 @@ def is_hdf5(path):
     return path.suffix.lower() in DATABASE
 
 
-def write_records(result, path, axis="time"):
-    """Write the records on an axis, in SI, or the whole result for an HDF5 name."""
+def write_records(result, path):
+    """Write the records in time, in SI, or the whole result for an HDF5 name."""
     if is_hdf5(path):
         result.write(path)
         return
-    head = result.labels[axis]
-    made = [(axis, head.unit, head.values)]
+    head = result.labels["time"]
+    made = [("time", head.unit, head.values)]
     for name, one in result.quantities.items():
-        if one.record and one.axes[:1] == (axis,):
+        if one.record and one.axes[:1] == ("time",):
             made += [(column.name, column.units[0], column.values) for column in columns_of(result, name, one)]
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")

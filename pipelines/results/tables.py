@@ -149,33 +149,39 @@ def _table(shown, labels, width, beside, turned=False):
         title = f"{title}, {len(rows)} of {len(shown.labels)} rows".removeprefix(", ")
     table = Table(title=title or None, title_justify="left", padding=(0, beside))
     if not shown.axis:
-        for name in ("quantity", "value", "unit"):
-            table.add_column(name, justify="right" if name == "value" else "left", no_wrap=True)
-        largest = _largest(shown)
-        for column in shown.columns:
-            (unit,), (cell,) = _filled(column, largest)
-            table.add_row(column.heading, cell, unit)
-        return table
-    by_row = next((column.units for column in shown.columns if len(column.units) > 1), None)
+        return _in_list(table, shown)
     few = len(shown.labels) <= FEW and len(shown.columns) > 2 * len(shown.labels)
-    if by_row is None and (few or (turned and len(shown.labels) < len(shown.columns))):
+    one_unit = all(len(column.units) == 1 for column in shown.columns)
+    if one_unit and (few or (turned and len(shown.labels) < len(shown.columns))):
         return _turned(table, shown, labels[shown.axis])
-    head = labels[shown.axis]
+    return _in_columns(table, shown, labels[shown.axis], rows, width)
+
+
+def _in_list(table, shown):
+    """A row for each quantity"""
+    for name in ("quantity", "value", "unit"):
+        table.add_column(name, justify="right" if name == "value" else "left", no_wrap=True)
+    largest = _largest(shown)
+    for column in shown.columns:
+        (unit,), (cell,) = _filled(column, largest)
+        table.add_row(column.heading, cell, unit)
+    return table
+
+
+def _in_columns(table, shown, head, rows, width):
+    """A column for each quantity; units that differ from row to row stand beside its label"""
     unit, size = read_in(head.unit, _sizes(head.values)) if head.numeric else ("", 1.0)
     table.add_column(_heading(shown.axis.replace("_", " "), unit, width), justify="left", no_wrap=True)
-    cells, units, largest = [], None, _largest(shown)
-    for column in shown.columns:
-        words, filled = _filled(column, largest)
-        if len(column.units) > 1:
-            units = units or words
-        heading = _heading(column.heading, "" if len(column.units) > 1 else words[0], width)
-        text = width < WIDTHS[0][0] and column.values.dtype.kind in "US"
+    largest, narrow = _largest(shown), width < WIDTHS[0][0]
+    filled = [_filled(column, largest) for column in shown.columns]
+    for column, (units, _) in zip(shown.columns, filled, strict=True):
+        heading = _heading(column.heading, "" if len(units) > 1 else units[0], width)
+        text = narrow and column.values.dtype.kind in "US"
         table.add_column(heading, justify="right", no_wrap=not text, max_width=TEXT if text else None)
-        cells.append(filled)
+    of_rows = next((units for units, _ in filled if len(units) > 1), None)
     for row in rows:
-        label = shown.labels[row]
-        said = _cell(label, size) if head.numeric else str(label)
-        table.add_row(f"{said}, {units[row]}" if by_row and units else said, *(column[row] for column in cells))
+        label = _cell(shown.labels[row], size) if head.numeric else str(shown.labels[row])
+        table.add_row(f"{label}, {of_rows[row]}" if of_rows else label, *(cells[row] for _, cells in filled))
     return table
 
 

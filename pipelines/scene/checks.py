@@ -83,22 +83,9 @@ def check_body(key, body, depth):
     """Raise SceneError for a `tables.BodyTable` that is impossible in water of a depth, m"""
     if body.shape not in SHAPES:
         raise SceneError(f"{key}.shape is {body.shape!r}; allowed: {', '.join(SHAPES)}")
-    own = SHAPES[body.shape]
-    for name in dict.fromkeys(name for names in SHAPES.values() for name in names):
-        value = getattr(body, name)
-        if name in own and value is None:
-            raise SceneError(f"{key}.{name} is missing; a {body.shape} has {', '.join(own)}")
-        if name not in own and value is not None:
-            raise SceneError(f"{key}.{name} is {value!r}; a {body.shape} has {', '.join(own)}")
-        if name in own and name not in ("file", "block"):
-            _within(f"{key}.{name}", value, EXTENT)
+    _check_sizes(key, body, SHAPES[body.shape])
     if body.shape == "ship":
         _check_ship(key, body)
-    elif (body.bow, body.stern, body.waterplane) != (None, None, None):
-        raise SceneError(
-            f"{key} has a fullness of bow or stern, or a waterplane coefficient; a {body.shape} has only "
-            f"{', '.join(own)}"
-        )
     if body.shape != "mesh" and body.draft >= depth:
         _check_standing(key, body, depth)
     if body.shape == "mesh" and not Path(body.file).is_file():
@@ -114,6 +101,22 @@ def check_body(key, body, depth):
             raise SceneError(
                 f"{key}.GM is given together with z of center_of_gravity; give one of them, and z = 0 with GM"
             )
+
+
+def _check_sizes(key, body, own):
+    """own : names of the sizes of its shape"""
+    for name in dict.fromkeys(name for names in SHAPES.values() for name in names):
+        value = getattr(body, name)
+        if (name in own) == (value is None):
+            said = "missing" if value is None else repr(value)
+            raise SceneError(f"{key}.{name} is {said}; a {body.shape} has {', '.join(own)}")
+        if name in own and name not in ("file", "block"):
+            _within(f"{key}.{name}", value, EXTENT)
+    if body.shape != "ship" and (body.bow, body.stern, body.waterplane) != (None, None, None):
+        raise SceneError(
+            f"{key} has a fullness of bow or stern, or a waterplane coefficient; a {body.shape} has only "
+            f"{', '.join(own)}"
+        )
 
 
 def _check_standing(key, body, depth):

@@ -23,7 +23,23 @@ def side_by_side(study):
     study, text = given(study, SectionsStudy, read_study, make_study)
     order = sorted(study.sections, key=lambda one: one.y)
     names = [one.name for one in order]
-    sections = [_floating(one) for one in order]
+    found = _solved(study, order)
+    axes = labels("omega", study.omegas, "rad/s") | labels("section", names) | labels("motion", list(MOTIONS))
+    made = _of_waves(found)
+    if len(names) > 1:
+        axes |= labels("gap", [f"{a} and {b}" for a, b in pairwise(names)])
+        made |= _of_gaps(found)
+    made |= _of_motions(found, order)
+    if study.hinges:
+        axes |= labels("hinge", [f"{a} and {b}" for a, b in (one.sections for one in study.hinges)])
+        made |= _of_hinges(found, any(one.kind == "rigid" for one in study.hinges))
+    note = "two dimensions, ideal fluid, waves towards +y; motions are those of a wave of 1 m"
+    return Result("sections", made, axes, notes=(note,), provenance=provenance(text), detail=found)
+
+
+def _solved(study, order):
+    """A `bem.sections.linked` solution for each frequency, of the sections from the lee side on"""
+    names, sections = [one.name for one in order], [_floating(one) for one in order]
     hinges = [Hinge(tuple(map(names.index, one.sections)), *one.position, one.kind) for one in study.hinges]
     water = {"density": study.water.density, "gravity": study.water.gravity}
     pace = Pace(f"{len(study.omegas)} frequencies take", len(study.omegas), "give fewer omegas")
@@ -34,36 +50,41 @@ def side_by_side(study):
         except ValueError as error:
             raise StudyError(str(error)) from None
         pace.step()
-    axes = labels("omega", study.omegas, "rad/s") | labels("section", names) | labels("motion", list(MOTIONS))
+    return found
+
+
+def _of_waves(found):
     waves = {
         "waves.transmission": (np.abs([one.transmission for one in found]), "", "transmission"),
         "waves.reflection": (np.abs([one.reflection for one in found]), "", "reflection"),
         "waves.taken": ([one.taken for one in found], "%", "share of the energy that gaps absorb"),
     }
-    made = quantities("waves over that of 1 m", waves, "omega")
-    if len(names) > 1:
-        axes |= labels("gap", [f"{a} and {b}" for a, b in pairwise(names)])
-        gains = np.array([one.gains for one in found]).T
-        made |= quantities(
-            "rise of the water in gaps, per wave amplitude", {"gap.gain": (gains, "", "gain")}, "gap", "omega"
-        )
-    motions = np.abs([one.motions for one in found])
-    for i, name in enumerate(names):
-        if not order[i].fixed:
-            made |= quantities(f"motions of {name} about its centre of gravity", {
-                f"{name}.motion": (motions[:, i].T, UNITS, "motion")}, "motion", "omega")  # fmt: skip
-    if hinges:
-        axes |= labels("hinge", [f"{a} and {b}" for a, b in (one.sections for one in study.hinges)])
-        held = np.abs([one.held for one in found])
-        rigid = any(one.kind == "rigid" for one in study.hinges)
-        for i, part in enumerate(MOTIONS if rigid else MOTIONS[:2]):
-            unit = "N m/m" if part == "roll" else "N/m"
-            values = {f"hinge.{part}": (held[:, :, i].T, unit, f"loads on fixed {part}, per metre")}
-            made |= quantities(
-                f"loads of hinges on {part}, per metre of length and of wave amplitude", values, "hinge", "omega"
-            )
-    note = "two dimensions, ideal fluid, waves towards +y; motions are those of a wave of 1 m"
-    return Result("sections", made, axes, notes=(note,), provenance=provenance(text), detail=found)
+    return quantities("waves over that of 1 m", waves, "omega")
+
+
+def _of_gaps(found):
+    gains = {"gap.gain": (np.array([one.gains for one in found]).T, "", "gain")}
+    return quantities("rise of the water in gaps, per wave amplitude", gains, "gap", "omega")
+
+
+def _of_motions(found, order):
+    motions, made = np.abs([one.motions for one in found]), {}
+    for i, one in enumerate(order):
+        if not one.fixed:
+            values = {f"{one.name}.motion": (motions[:, i].T, UNITS, "motion")}
+            made |= quantities(f"motions of {one.name} about its centre of gravity", values, "motion", "omega")
+    return made
+
+
+def _of_hinges(found, rigid):
+    """rigid : whether a joint carries moments too"""
+    held, made = np.abs([one.held for one in found]), {}
+    for i, part in enumerate(MOTIONS if rigid else MOTIONS[:2]):
+        unit = "N m/m" if part == "roll" else "N/m"
+        values = {f"hinge.{part}": (held[:, :, i].T, unit, f"loads on fixed {part}, per metre")}
+        words = f"loads of hinges on {part}, per metre of length and of wave amplitude"
+        made |= quantities(words, values, "hinge", "omega")
+    return made
 
 
 def _floating(one):

@@ -14,7 +14,7 @@ import msgspec
 from hakobune.bem.problem import check_gap
 from hakobune.bem.sections.linked import KINDS
 
-from ..common.quantities import StudyError, Table, positive
+from ..common.quantities import StudyError, Table, positive, water_density
 from ..common.typed import read_toml, typed
 from ..common.weather.water import WaterTable
 
@@ -84,8 +84,9 @@ def read_study(path):
 def make_study(raw):
     """The SectionsStudy of nested dictionaries.  Raises StudyError."""
     study = typed(raw, SectionsStudy, StudyError)
-    for key in ("depth", "density", "gravity"):
+    for key in ("depth", "gravity"):
         positive(f"water.{key}", getattr(study.water, key))
+    water_density("water.density", study.water.density)
     if not 1 <= len(study.omegas) <= MOST_FREQUENCIES or sorted(set(study.omegas)) != list(study.omegas):
         raise StudyError(f"omegas has {len(study.omegas)} values; allowed: 1 to {MOST_FREQUENCIES}, rising")
     for value in study.omegas:

@@ -113,14 +113,15 @@ def simulate(asked, database, output, console, executor, seeds=None, duration=No
     if todo or not summary_is_of_today(output):
         remarks = tuple(study.remarks(study.hulls_of(db), db))  # refuses before anything is made
         moving, before = (None, ()) if fresh else _of_lines(output)
-        task, ready, more = _made_once(task, moving, db)
+        body, ready, warned = prepared(replace(task, moving=moving), db)
+        task = replace(task, memory=body.memory, moving=ready.settings.dynamic_lines)  # for all processes
         ready = replace(ready, told=first_what_is_left_out((*before, *ready.told)))
         beside = simplified(study, db)
-        kept = (*remarks, *plan.findings, *more, *beside.findings)
+        kept = (*remarks, *plan.findings, *warned, *body.findings, *beside.findings)
         _say_before(console, ready, len(todo), executor)
         for line in remarks if console else ():
             console.print(f"warning: {line}", style="yellow", highlight=False, soft_wrap=True, markup=False)
-        header = _header(task, text, db, plan, identity, ready, beside, kept)
+        header = _header(task, text, db, body, identity, ready, beside, kept)
         _make_room(output, header, plan, fresh)
     with opened(output, "r+") as file:
         outcome = _fill(file, task, plan, console, executor)
@@ -216,13 +217,6 @@ def _of_lines(output):
         return None if names is None else tuple(filter(None, names.split("\n"))), told(file)
 
 
-def _made_once(task, moving, db):
-    """The Task with its memory and dynamic lines, for all processes, the prepared Plan, and findings on them"""
-    body, plan, warned = prepared(replace(task, moving=moving), db)
-    task = replace(task, memory=body.memory, moving=plan.settings.dynamic_lines)
-    return task, plan, (*warned, *body.findings)
-
-
 def _say_before(console, plan, seeds, executor):
     """Print the chosen methods, the neglected effects, and the expected time of the seeds by a trial"""
     if console is None:
@@ -238,57 +232,56 @@ def _say_before(console, plan, seeds, executor):
         console.print(line, highlight=False, markup=False, soft_wrap=True)
 
 
-def _header(task, text, db, plan, identity, ready, beside, findings):
+def _header(task, text, db, body, identity, plan, beside, findings):
+    """`Header` of the file of a study; task : with its memory; plan : prepared; beside : of the simplified method"""
     from hakobune.mooring.motion.line_loads import body_lines, ends_at_rest
 
-    body = prepared(task)[0]
-    ropes, hulls = body.berth.ropes, task.study.hulls_of(db)
-    hull = max(hulls.values(), key=lambda one: one.length) if db.bodies else hulls
-    at_rest = body.reader.axes_at_rest
-    center = at_rest[:, :3] if db.bodies else np.asarray(db.rotation_center, float)
-    names = (*(() if body.system is None else body.system.line_names), *(one.name for one in ropes))
-    fenders = tuple(one.name for one in body.berth.fenders)
-    links, loads = body.reader.links, told_of_stations(body.reader, ready.stations)
-    attributes = {
-        "database": task.database, "duration": plan.settings.duration, "split_frequency": plan.split,
-        "mean_period": np.nan if plan.mean_period is None else plan.mean_period, "allowable": task.study.allowable,
-        "rotation_center": center, "density": db.density, "gravity": db.gravity,
-        "water_depth": db.water_depth, "hull": [hull.length, hull.beam, hull.draft, hull.freeboard],
-        "memory_states": body.memory.states, "place_at_rest": body.start, "told": "\n".join(ready.told),
-        "findings_of_all": "\n".join(dict.fromkeys(findings)), "seeds_differ": differ(task.study),
-        **beside.attributes(),
-    }  # fmt: skip
-    if isinstance(ready.settings.dynamic_lines, tuple):
-        attributes["moving_lines"] = "\n".join(ready.settings.dynamic_lines)
-    if task.study.anchors:
-        held = task.study.anchors_on(() if body.system is None else body.system.line_names)
-        attributes["anchors"] = json.dumps([*held, *(None for _ in ropes)])
-    if db.bodies:
-        attributes["heading"] = at_rest[:, 5]
-    if body.berth.names:
-        attributes |= of_berth(task.study, db, body)
-    lines = body_lines(body.system)
-    load = [*(() if body.system is None else body.system.breaking_load), *(one.breaking_load for one in ropes)]
+    system, berth, reader = body.system, body.berth, body.reader
+    lines, load = ((), ()) if system is None else (system.line_names, system.breaking_load)
+    names = (*lines, *(one.name for one in berth.ropes))
+    fenders, loads = tuple(one.name for one in berth.fenders), told_of_stations(reader, plan.stations)
+    held = ends_at_rest(body_lines(system), reader.axes_at_rest)
+    others = [one.bollard for one in berth.ropes], [one.fairlead for one in berth.ropes]
     ends = [
-        np.array([*held, *others], float).reshape(-1, 3)
-        for held, others in zip(
-            ends_at_rest(lines, at_rest), ([one.bollard for one in ropes], [one.fairlead for one in ropes]), strict=True
-        )
+        np.array([*of_lines, *of_ropes], float).reshape(-1, 3) for of_lines, of_ropes in zip(held, others, strict=True)
     ]
+    attributes = _attributes(task, db, body, plan, lines) | beside.attributes()
+    attributes["findings_of_all"] = "\n".join(dict.fromkeys(findings))
     return Header(
         identity,
         text,
         names,
-        np.array(load, float),
+        np.array([*load, *(one.breaking_load for one in berth.ropes)], float),
         *ends,
         sample_times(plan.settings),
-        *quantities_of(names, fenders, body.reader.words, ready.sides, links, ready.shapes, loads),
+        *quantities_of(names, fenders, reader.words, plan.sides, reader.links, plan.shapes, loads),
         attributes,
         fenders,
-        body.reader.names,
-        tuple(name for name, _, _ in told_of(links)),
+        reader.names,
+        tuple(name for name, _, _ in told_of(reader.links)),
         tuple(name for name, _ in loads),
     )
+
+
+def _attributes(task, db, body, plan, lines):
+    """What readers of the file need to know of body, water and study, without the findings"""
+    study, hulls, at_rest = task.study, task.study.hulls_of(db), body.reader.axes_at_rest
+    hull = max(hulls.values(), key=lambda one: one.length) if db.bodies else hulls
+    found = {
+        "database": task.database, "duration": plan.settings.duration, "split_frequency": plan.split,
+        "mean_period": np.nan if plan.mean_period is None else plan.mean_period, "allowable": study.allowable,
+        "rotation_center": at_rest[:, :3] if db.bodies else np.asarray(db.rotation_center, float),
+        "density": db.density, "gravity": db.gravity, "water_depth": db.water_depth,
+        "hull": [hull.length, hull.beam, hull.draft, hull.freeboard], "memory_states": body.memory.states,
+        "place_at_rest": body.start, "told": "\n".join(plan.told), "seeds_differ": differ(study),
+    }  # fmt: skip
+    if isinstance(plan.settings.dynamic_lines, tuple):
+        found["moving_lines"] = "\n".join(plan.settings.dynamic_lines)
+    if study.anchors:
+        found["anchors"] = json.dumps([*study.anchors_on(lines), *(None for _ in body.berth.ropes)])
+    if db.bodies:
+        found["heading"] = at_rest[:, 5]
+    return found | (of_berth(study, db, body) if body.berth.names else {})
 
 
 def _make_room(output, header, plan, fresh):

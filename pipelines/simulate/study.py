@@ -81,43 +81,51 @@ def plan_of(study, omega, seeds=None, duration=None, folder=None, words=ONE_BODY
     _check_held(settings, motions_of(study, words), words)
     if study.harbour is not None:
         check_harbour(study.harbour.periods)
-    conditions = study.conditions()
-    waves, findings, more = (
-        conditions.waves,
-        (),
-        tuple(one.sea("simulation.sea", study.water.depth) for one in table.sea),
-    )
-    regular = conditions.method == "regular_wave"
-    if more and (regular or conditions.sea is None):
-        raise StudyError("simulation.sea is a sea in addition to [waves], so it needs irregular [waves]")
-    seas = () if regular or conditions.sea is None else (*getattr(conditions.sea, "systems", (conditions.sea,)), *more)
-    if seas:
-        waves = None
-        findings = tuple(dict.fromkeys(line for one in seas for line in _outside(one.spectrum, omega)))
-        if more:
-            findings += ("the simplified method, run for comparison, uses [waves] only, without simulation.sea",)
-    elif waves is not None:
+    conditions, depth = study.conditions(), study.water.depth
+    seas = _seas(study, table, conditions)
+    waves = None if seas else conditions.waves
+    findings = [*dict.fromkeys(line for one in seas for line in _outside(one.spectrum, omega))]
+    if seas and table.sea:
+        findings.append("the simplified method, run for comparison, uses [waves] only, without simulation.sea")
+    if waves is not None:
         check_period(waves, omega)
     level_of_pairs(study, bool(seas), settings.slow_drift)
-    streams = conditions.wind, gusts_of(study.wind), conditions.current
     carrier = carrier_of(conditions.current)
-    for one in (*seas, *([] if waves is None else [waves])):
-        findings += tuple(check_blocked(carrier, one, study.water.depth, 9.80665))
-    components, mean = None, None if conditions.waves is None else conditions.waves.period
+    for one in seas or ((waves,) if waves is not None else ()):
+        findings += check_blocked(carrier, one, depth, 9.80665)
+    components = None
     if table.record is not None:
-        components, found = _record(study, table, settings, omega, folder)
-        findings += found
-    forces, found = _forces(table, folder, words[: len(words) - len(shapes)])
-    findings += found
+        components, said = _record(study, table, settings, omega, folder)
+        findings += said
+    forces, said = _forces(table, folder, words[: len(words) - len(shapes)])
+    findings += said
+    streams = conditions.wind, gusts_of(study.wind), conditions.current
     weather = Weather(seas, waves, *streams, forces, components=components)
-    split = 0.5 * waves.omega if waves else float(omega[0])
-    if seas:
-        split = float(min(one.spectrum.quantile(LOWEST) for one in seas))
-    elif components is not None:
+    mean = None if conditions.waves is None else conditions.waves.period
+    if components is not None:
         energy = components.amplitude**2
-        split = float(components.omega[np.searchsorted(np.cumsum(energy), LOWEST * energy.sum())])
         mean = 2 * np.pi * float(energy.sum() / (energy @ components.omega))
+    split, findings = _split(weather, omega), tuple(findings)
     return Plan(weather, settings, _seeds(table, seeds), _kept(table), split, mean, findings, shapes=shapes)
+
+
+def _seas(study, table, conditions):
+    """All irregular seas, first those of [waves].  Raises StudyError."""
+    more = [one.sea("simulation.sea", study.water.depth) for one in table.sea]
+    irregular = conditions.sea is not None and conditions.method != "regular_wave"
+    if more and not irregular:
+        raise StudyError("simulation.sea is a sea in addition to [waves], so it needs irregular [waves]")
+    return (*getattr(conditions.sea, "systems", (conditions.sea,)), *more) if irregular else ()
+
+
+def _split(weather, omega):
+    """rad/s between slow and wave part of a motion in a Weather, for frequencies omega (n,) of the database"""
+    if weather.seas:
+        return float(min(one.spectrum.quantile(LOWEST) for one in weather.seas))
+    if weather.components is not None:
+        energy = weather.components.amplitude**2
+        return float(weather.components.omega[np.searchsorted(np.cumsum(energy), LOWEST * energy.sum())])
+    return 0.5 * weather.regular.omega if weather.regular else float(omega[0])
 
 
 def level_of_pairs(study, seas, drift):

@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import msgspec
 import numpy as np
@@ -21,22 +22,21 @@ from ..results.given import database_of
 from ..results.heard import heard
 from .file import LEFT_OUT, LONGEST, SERIES, first_what_is_left_out
 from .stations import OF_SHAPES, loads_along, stations_of, told_of_stations, units_of_shapes
-from .study import check_names, damping, level_of_pairs, motion_units, motions_of, plan_of, quadratic, spring
+from .study import Plan, check_names, damping, level_of_pairs, motion_units, motions_of, plan_of, quadratic, spring
 
 STATIC = (
     'left out: inertia and drag of the lines (dynamic_lines = "none"), so that {}; dynamic_lines = "auto" includes '
     "them where a trial requires it"
 )
 FARTHER = 0.5  # change of a gap over its size at rest, and over the smaller beam, above which it is reported
-_prepared = {}
+_prepared = {}  # of this process: the last task, and its `Ready`
 
 
 @dataclass(frozen=True, eq=False)
 class Task:
-    """study : `moor.study.Study`; database : path; duration : s, or None for that of the study; memory : memory of
-    the water,
-    fitted
+    """study : `moor.study.Study`; database : path; duration : s, or None for that of the study
 
+    memory : memory of the water, fitted, None before that
     folder : folder of the study, for the files that it names
     moving : names of the dynamic lines, if already chosen
     """
@@ -49,82 +49,101 @@ class Task:
     moving: tuple[str, ...] | None = None
 
 
+class Ready(NamedTuple):
+    """body : `Moored`; plan : `study.Plan` with the chosen methods; findings : one line each"""
+
+    body: object
+    plan: Plan
+    findings: tuple
+
+
 def prepared(task, db=None, waves=None):
-    """`Moored` body, Plan and findings of a Task; kept for the next seed of the same
+    """`Ready` of a Task; a process keeps it for the next seed of the same
 
     db : its open database, which other processes open themselves
     waves : `mooring.motion.wave_loads.WaveForces` of the same body in another sea, reused where equal
     """
     key = msgspec.json.encode(task.study), task.folder, task.database, task.duration
     if key not in _prepared:
-        from hakobune.bem.time_domain.memory import no_memory
-        from hakobune.mooring.motion.moving_lines.prepare import moving_of
-        from hakobune.mooring.motion.simulation import moored
-        from hakobune.mooring.motion.wave_loads import no_wave_forces
-        from hakobune.mooring.response.viscous import in_time
-        from hakobune.mooring.studies.wave_effects import NO_DRIFT, lacks_drift
-
-        study, db = task.study, database_of(task.database if db is None else db)
-        words = db.bodies_reader.words
-        plan = plan_of(study, db.bodies_reader.omega, None, task.duration, task.folder, words, units_of_shapes(db))
-        stations = stations_of(study, db)
-        hull = study.hulls_of(db)
-        first = study.remarks(hull, db)
-        system = study.system_of(db, hull, in_time=True)
-        weather = plan.weather
-        calm = not weather.seas and weather.waves is None and weather.components is None
-        exposed = None if not (study.hull or study.hulls or weather.wind or weather.current) else hull
-        check_names(plan.settings, () if system is None else system.line_names)
-        study.anchors_on(() if system is None else system.line_names)
-        berth = study.berth_of(db, hull)
-        reader, of_quay = body_of(study, db)
-        reader = linked(reader, study.hinges, db)
-        memory = task.memory
-        if memory is None and (of_quay or plan.settings.memory == "constant"):
-            memory = no_memory(reader)
-        extra, drag = damping(study, reader.floating()), quadratic(study, words)
-        if of_quay and reader.viscous is None:  # made from the database's by the far field
-            viscous = in_time(db.reader, plan.weather.waves)
-            extra, drag = extra + viscous.damping, drag + viscous.quadratic
-        with heard() as caught:
-            body = moored(
-                reader, system, exposed, memory=memory, damping=extra, quadratic=drag, berth=berth,
-                spring=spring(study, words), motions=motions_of(study, words),
-                waves=no_wave_forces(reader) if calm else waves, linearised_in=plan.weather.waves,
-            )  # fmt: skip
-            if of_quay and task.memory is None and plan.settings.memory != "constant":
-                body = _remembering(body, db, plan.settings.memory)
-            if db.modes:
-                left = _without_pairs(
-                    plan, level_of_pairs(study, bool(plan.weather.seas), plan.settings.slow_drift), "bodies that bend"
-                )
-            else:
-                plan, left = with_pairs(plan, study, db, reader)
-            choice = _lines_chosen(task, body, plan)
-            moving_of(body, choice.settings)  # refused here, before a file exists
-        if body.reader.links:
-            boxes = (hull if isinstance(hull, dict) else {ALONE: hull}).items()
-            check_floats(boxes, body.start[2 : body.reader.rigid : 6])
-        _check_start(sides_of(db), body, plan.settings)
-        held = [word for i, word in enumerate(words) if i not in body.free]
-        still = (f"{LEFT_OUT} {', '.join(held)}: fixed at rest, as set by simulation.motions",) if held else ()
-        bending = (OF_SHAPES,) if db.modes and not calm and plan.settings.slow_drift != "none" else ()
-        undrifted = not (calm or plan.settings.slow_drift == "none") and lacks_drift(db, reader)
-        told = *bending, *(NO_DRIFT,) * undrifted, *choice.left_out, *left, *still, *choice.words
-        plan = replace(
-            plan,
-            sides=sides_of(db),
-            stations=stations,
-            settings=choice.settings,
-            pace=choice.pace,
-            told=first_what_is_left_out(told),
-        )
+        ready = _ready(task, database_of(task.database if db is None else db), waves)
         _prepared.clear()
-        _ = body.dynamic_stiffness  # computed for all seeds while its inputs exist
-        if waves is None:
-            reader.between.forget()
-        _prepared[key] = body, plan, (*first, *of_quay, *caught)
+        _prepared[key] = ready
     return _prepared[key]
+
+
+def _ready(task, db, waves):
+    from hakobune.bem.time_domain.memory import no_memory
+    from hakobune.mooring.motion.moving_lines.prepare import moving_of
+    from hakobune.mooring.motion.simulation import moored
+    from hakobune.mooring.motion.wave_loads import no_wave_forces
+    from hakobune.mooring.response.viscous import in_time
+    from hakobune.mooring.studies.wave_effects import along_few
+
+    study, words = task.study, db.bodies_reader.words
+    plan = plan_of(study, db.bodies_reader.omega, None, task.duration, task.folder, words, units_of_shapes(db))
+    stations, hull = stations_of(study, db), study.hulls_of(db)
+    first = study.remarks(hull, db)
+    system = study.system_of(db, hull, in_time=True)
+    lines = () if system is None else system.line_names
+    check_names(plan.settings, lines)
+    study.anchors_on(lines)
+    berth = study.berth_of(db, hull)
+    reader, of_quay = body_of(study, db)
+    reader = linked(reader, study.hinges, db)
+    memory, constant = task.memory, plan.settings.memory == "constant"
+    if memory is None and (of_quay or constant):
+        memory = no_memory(reader)
+    extra, drag = damping(study, reader.floating()), quadratic(study, words)
+    if of_quay and reader.viscous is None:  # made from the database's by the far field
+        viscous = in_time(db.reader, plan.weather.waves)
+        extra, drag = extra + viscous.damping, drag + viscous.quadratic
+    streams = study.hull or study.hulls or plan.weather.wind or plan.weather.current
+    turned = along_few(db, reader, plan.weather)
+    with heard() as caught:
+        body = moored(
+            reader, system, hull if streams else None, memory=memory, damping=extra, quadratic=drag, berth=berth,
+            spring=spring(study, words), motions=motions_of(study, words),
+            waves=no_wave_forces(reader) if plan.weather.waves is None else waves, linearised_in=plan.weather.waves,
+            turned=turned,
+        )  # fmt: skip
+        if of_quay and task.memory is None and not constant:
+            body = _remembering(body, db, plan.settings.memory)
+        plan, left = with_pairs(plan, study, db, reader)
+        choice = _lines_chosen(task, body, plan)
+        moving_of(body, choice.settings)  # refused here, before a file exists
+    if body.reader.links:
+        boxes = (hull if isinstance(hull, dict) else {ALONE: hull}).items()
+        check_floats(boxes, body.start[2 : body.reader.rigid : 6])
+    _check_start(sides_of(db), body, plan.settings)
+    plan = replace(
+        plan,
+        sides=sides_of(db),
+        stations=stations,
+        settings=choice.settings,
+        pace=choice.pace,
+        told=first_what_is_left_out(_told(db, reader, body.free, plan, turned, left, choice)),
+    )
+    _ = body.dynamic_stiffness  # computed for all seeds while its inputs exist
+    if waves is None:
+        reader.between.forget()
+    return Ready(body, plan, (*first, *of_quay, *caught))
+
+
+def _told(db, reader, free, plan, turned, left, choice):
+    """Methods chosen and effects left out, one line each"""
+    from hakobune.mooring.studies.wave_effects import FEW, NO_DRIFT, lacks_drift, stored_degrees
+
+    if plan.weather.waves is not None and plan.settings.slow_drift != "none":
+        yield from (OF_SHAPES,) * bool(db.modes)
+        yield from (NO_DRIFT,) * lacks_drift(db, reader)
+    if turned:
+        yield FEW.format(stored_degrees(reader.ring))
+    yield from choice.left_out
+    yield from left
+    held = [word for i, word in enumerate(db.bodies_reader.words) if i not in free]
+    if held:
+        yield f"{LEFT_OUT} {', '.join(held)}: fixed at rest, as set by simulation.motions"
+    yield from choice.words
 
 
 def _lines_chosen(task, body, plan):
@@ -167,6 +186,8 @@ def with_pairs(plan, study, db, reader):
 
     weather, drift = plan.weather, plan.settings.slow_drift
     level = level_of_pairs(study, bool(weather.seas), drift)
+    if db.modes:
+        return plan, _without_pairs(plan, level, "bodies that bend")
     if db.bodies:
         return _with_pairs_of_each(plan, db, level)
     try:
@@ -184,7 +205,7 @@ def with_pairs(plan, study, db, reader):
 
 
 def _with_pairs_of_each(plan, db, level):
-    """Like `_with_pairs` of several bodies"""
+    """Like `with_pairs` of several bodies"""
     from hakobune.mooring.response.pair_levels import beside_newman_of_bodies
 
     if level not in ("newman", "body", "auto"):

@@ -18,6 +18,7 @@ from hakobune.mooring.environment.logger_files import read_table
 from hakobune.mooring.environment.tables import column_of
 from hakobune.mooring.environment.wind_profile import TEN_MINUTES, speed_10
 from hakobune.mooring.response.return_period import probability_not_exceeded, return_period
+from hakobune.mooring.seas.breaking import SATURATED
 from hakobune.mooring.site.extremes import Extreme, extreme
 from hakobune.mooring.site.seismic import seismic_coefficient
 
@@ -231,9 +232,21 @@ def site_values(study, folder):
     levels = levels_of(study.levels, own.depth)
     if study.levels is not None and study.levels.tsunami_period is not None:
         states["tsunami"] = tsunami_state(study.levels, own.depth)
+    findings.extend(_breaking(states, own.depth + max(levels.get("high", 0.0), 0.0)))
     return SiteValues(
         years, probability, wind, wind_10, waves, climate, profile, levels, states, seismic, tuple(findings)
     )
+
+
+def _breaking(states, deepest):
+    """One line each on states whose waves are higher than water of `deepest` m, at high water, carries"""
+    for name, state in states.items():
+        height = state["waves"]["height"] if "waves" in state else 0.0
+        if height > SATURATED * deepest:
+            yield (
+                f"{name}: significant height is {height:.4g} m in {deepest:.4g} m of water at high water; seas "
+                f"saturated by breaking reach {SATURATED:g} of the depth; give at most {SATURATED * deepest:.3g} m"
+            )
 
 
 def _extreme(where, table, given, years, confidence, folder, findings):

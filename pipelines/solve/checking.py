@@ -42,11 +42,13 @@ def check(path, console, repair=False):
         console.print(checks_table(checks))
     lines = [fails(f"{f.text}") if f.severity == "error" else f"{f.severity}: {f.text}" for f in (*found, *broken)]
     lines += [*map(fails, unknown), *(f"note: {line}" for line in resonances_of(db))]
+    way = "solve with more panels, or a coarser --tolerance"
+    if "imported" in db.attributes:
+        way = "solve a finer mesh in the program of the files, and import it"
     lines += [
         fails(
             f"{one.name}, {CHECKED[one.name]}, is {_beyond(one.largest, one.limit)} at ω = {one.omega:.4g} rad/s, "
-            f"{one.exceeding} of {len(db.omega)} frequencies above {one.limit:g}{_weak(one, db)}; solve "
-            "with more panels, or a coarser --tolerance"
+            f"{one.exceeding} of {len(db.omega)} frequencies above {one.limit:g}{_weak(one, db)}; {way}"
         )
         for one in checks
         if not one.passed

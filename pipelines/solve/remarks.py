@@ -2,6 +2,7 @@
 
 from hakobune.bem.database.schema import NEEDS_MOTION
 
+from ..common.quantities import DENSITIES
 from ..scene.methods import names_given
 from ..scene.products import expand
 from .arrangement import own_hulls_of_modes
@@ -12,7 +13,6 @@ from .weight import weight_remarks
 
 GRAVITIES = 9.7, 9.9  # m/s² on the earth
 FEET = 31.8, 32.5  # the same in ft/s²
-DENSITIES = 900.0, 1300.0  # kg/m³ of water, from fresh and warm to the Dead Sea
 
 
 def remarks(scene, hull, body):

@@ -15,11 +15,11 @@ INTERRUPTED = 130  # exit status of a command that Ctrl-C ended
 DRAWS = ("output", "plot")  # flags of commands that write files, which a sweep does not use
 
 
-def given_to(command, arguments, main_of="hakobune.pipelines.cli"):
+def given_to(command, arguments):
     """{name: value} of the arguments after the study, for its function.  Raises StudyError."""
     if command == SOLVE:
         return {}
-    app = import_module(main_of).app
+    app = import_module("hakobune.pipelines.cli").app
     words = [command, "study.toml", *arguments]
     if "output" in _needed(app, command) and "--output" not in arguments:
         words += ["--output", "none.h5"]  # file name for a command that always writes a file

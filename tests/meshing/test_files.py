@@ -211,7 +211,21 @@ def aqwa():
         f"          ELM1      Body1\n      ZLWL          (        0.)\n{panels} END\n          FINI\n"  # fmt: skip
 
 
+def corners_of_pyramid():
+    """(5, 4) places as text; triangles repeat their last corner"""
+    places = {int(number): " ".join(at) for number, *at in map(str.split, NODES.splitlines())}
+    return [[places[number] for number in (*row, row[-1])[:4]] for row in PYRAMID]
+
+
+def tecplot():
+    """One zone of WAMIT's panels for Tecplot: corners, then panels"""
+    points = "".join(f"  {place}\n" for row in corners_of_pyramid() for place in row)
+    panels = "".join(f" {k} {k + 1} {k + 2} {k + 3}\n" for k in range(1, 21, 4))
+    return f'ZONE T="BODY PANEL", I= 20, J= 5, F=FEPOINT\n{points}{panels}'
+
+
 LISTS = {
+    "a_pan.dat": tecplot(),
     "a.dat": NODES + "*RETURN\n" + rows_of("{} "),
     "salome.dat": "5 6\n" + NODES + "9 102 1 2\n" + "".join(
         f"{k} {200 + len(row)} {' '.join(map(str, row))}\n" for k, row in enumerate(PYRAMID, 1)),
@@ -230,6 +244,23 @@ def test_lists_of_points_and_panels_of_other_programs_are_read(tmp_path, name):
     assert len(mesh) == 5
     np.testing.assert_allclose(mesh.volume, 1 / 3, rtol=1e-12)
     assert findings(mesh) == []
+
+
+def test_zones_of_one_panel_have_images_turned_out_and_no_lid(tmp_path):
+    """The pyramid and its images in x = 0, y = 0 and both: corners in the order of the original, so that the normals of
+    two images point inward, and a lid of each"""
+    each = [*corners_of_pyramid(), ["0 0 0", "1 0 0", "1 1 0", "0 1 0"]]
+    zones = ""
+    for x, y in ((1, 1), (-1, 1), (-1, -1), (1, -1)):
+        for a, b, c, d in each:
+            places = (np.array(place.split(), float) * (x, y, 1) for place in (a, b, d, c))
+            zones += "zone I=  2 J=  2 F=POINT\n" + "".join(f"{' '.join(map(str, place))}\n" for place in places)
+    (tmp_path / "a_pan.dat").write_text(zones)
+    mesh = read_mesh(tmp_path / "a_pan.dat")
+    assert len(mesh) == 20 and mesh.volume == pytest.approx(4 / 3, rel=1e-12)
+    quarter = (mesh.centroids[:, :2] > 0) @ [1, 2]
+    parts = np.bincount(quarter, np.einsum("ni,ni->n", mesh.centroids, mesh.area_vectors) / 3)
+    assert parts == pytest.approx([1 / 3] * 4, rel=1e-12)
 
 
 def test_symmetries_of_hydrostar_and_aqwa_are_mirror_planes(tmp_path):

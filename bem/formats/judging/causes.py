@@ -140,19 +140,16 @@ def changed(values, names, function):
     return replace(values, quantities=values.quantities | new)
 
 
-def scaled(values, names, rows=None):
-    """A function of a factor that divides the quantities by it; `rows` (6,) is the power of the factor in each row"""
+def scaled(values, names, factor, rows=None):
+    """Values with some quantities over a factor; `rows` (6,) is the power of the factor in each row"""
 
-    def of(factor):
-        def over(data):
-            size = factor if rows is None else np.sign(factor) * np.abs(factor) ** np.asarray(rows, float)
-            if rows is not None and data.shape[-2:] == (6, 6) and not np.iscomplexobj(data):
-                size = np.outer(size, size)
-            return data / size
+    def over(data):
+        size = factor if rows is None else np.sign(factor) * np.abs(factor) ** np.asarray(rows, float)
+        if rows is not None and data.shape[-2:] == (6, 6) and not np.iscomplexobj(data):
+            size = np.outer(size, size)
+        return data / size
 
-        return changed(values, names, over)
-
-    return of
+    return changed(values, names, over)
 
 
 def _factor(pairs):
@@ -195,59 +192,84 @@ def _owns(values, own):
     return [np.array(part) for part in zip(*parts, strict=True)]
 
 
+UNITS = {  # groups of quantities whose units can differ together
+    "forces": ("excitation_force",),
+    "added mass": ("added_mass",),
+    "damping": ("radiation_damping",),
+    "added mass and damping": ("added_mass", "radiation_damping"),
+    "added mass, damping and forces": ("added_mass", "radiation_damping", "excitation_force"),
+}
+LIKE = {"excitation_force": FORCES, "added_mass": ("added_mass", "added_mass_zero", "added_mass_infinity")}
+
+
 def _about_units(values, own):
-    A, B, X = _owns(values, own)
-    moves = own.moves
-    parts = {}
-    for name, true in (("added_mass", A), ("radiation_damping", B), ("excitation_force", X)):
-        if name not in values.quantities or not true.size:
-            continue
-        if name == "excitation_force":
-            size = np.array([sizes_of_forces(x, own) for x in true])[:, None, :]
-        else:
-            d = np.where(moves, np.sqrt(np.abs(np.einsum("nii->ni", true)) + 1e-12), np.inf)
-            size = d[:, :, None] * d[:, None, :]
-        parts[name] = (values.quantities[name], true, np.broadcast_to(size, true.shape))
-    shift = slice(0, 3)
-    straight = {
-        name: tuple(part[..., shift] if name == "excitation_force" else part[..., shift, shift] for part in three)
-        for name, three in parts.items()
-    }
-    ratio = {name: _factor([three]) for name, three in straight.items()}
-    a, x = ratio.get("added_mass", 1.0), ratio.get("excitation_force")
-    lengths = ([np.sqrt(abs(x)), abs(a / x)] if x else []) + [abs(a) ** (1 / 3)]  # by forces, both, added mass
-    for length in _apart(lengths, LENGTHS):
-        yield Cause(
-            f"made dimensionless by a length of {1 / length:.4g} m, not by the assumed length",
-            lambda one, L=length: of_length(one, L), f"--length-unit {1 / length:.4g}",
-        )  # fmt: skip
-    forces = tuple(name for name in FORCES if name in values.quantities)
-    groups = {"forces": ("excitation_force",), "added mass": ("added_mass",), "damping": ("radiation_damping",),
-              "added mass and damping": ("added_mass", "radiation_damping"),
-              "added mass, damping and forces": ("added_mass", "radiation_damping", "excitation_force")}  # fmt: skip
-    for words, names in groups.items():
-        chosen = [straight[name] for name in names if name in straight]
-        if len(chosen) < len(names):
-            continue
-        taken = forces if names == ("excitation_force",) else names + (forces if "excitation_force" in names else ())
-        if "added_mass" in names:
-            taken += ("added_mass_zero", "added_mass_infinity")
-        for factor in _apart([factor for three in (chosen, *([one] for one in chosen)) for factor in _factors(three)]):
-            yield Cause(f"{words} are {_said(factor)}", lambda one, n=taken, f=factor: scaled(one, n)(f))
-    for words, names, power in (("moments", FORCES, ROTATION), ("rows of rotations", FORCES + MATRICES, ROTATION)):
-        if "excitation_force" in parts:
-            three = tuple(part[..., 3:] for part in parts["excitation_force"])
-            for factor in _apart(_factors([three])):
-                yield Cause(
-                    f"{words} are {_said(factor)}",
-                    lambda one, n=names, f=factor, p=power: scaled(one, n, p)(f),
-                )
+    parts = _compared(values, own)
+    straight = {name: [part[_straight(name)] for part in three] for name, three in parts.items()}
+    yield from _about_length(straight)
+    yield from _about_factors(straight)
+    if "excitation_force" in parts:
+        yield from _about_moments([part[..., 3:] for part in parts["excitation_force"]])
     if "radiation_damping" in values.quantities:
         for words, power in (("damping is that over ω", 1), ("damping is that times ω", -1)):
             yield Cause(
                 words,
                 lambda one, p=power: changed(one, ("radiation_damping",), lambda B: B * one.omega[:, None, None] ** p),
             )
+
+
+def _straight(name):
+    """Where translations stand in a quantity"""
+    return (..., slice(0, 3)) if name == "excitation_force" else (..., slice(0, 3), slice(0, 3))
+
+
+def _compared(values, own):
+    """{name: (the file's, ours, sizes)} of the coefficients that both have"""
+    A, B, X = _owns(values, own)
+    sizes = {"added_mass": _sizes_of_matrices, "radiation_damping": _sizes_of_matrices, "excitation_force": _sizes_of_X}
+    return {
+        name: (values.quantities[name], true, np.broadcast_to(sizes[name](true, own), true.shape))
+        for name, true in zip(sizes, (A, B, X), strict=True)
+        if name in values.quantities and true.size
+    }
+
+
+def _sizes_of_matrices(true, own):
+    d = np.where(own.moves, np.sqrt(np.abs(np.einsum("nii->ni", true)) + 1e-12), np.inf)
+    return d[:, :, None] * d[:, None, :]
+
+
+def _sizes_of_X(true, own):
+    return np.array([sizes_of_forces(x, own) for x in true])[:, None, :]
+
+
+def _about_factors(straight):
+    """Causes by a factor of one kind of quantities, or of several together"""
+    for words, names in UNITS.items():
+        chosen = [straight[name] for name in names if name in straight]
+        if len(chosen) < len(names):
+            continue
+        taken = tuple(one for name in names for one in LIKE.get(name, (name,)))
+        factors = [factor for three in (chosen, *([one] for one in chosen)) for factor in _factors(three)]
+        for factor in _apart(factors):
+            yield Cause(f"{words} are {_said(factor)}", lambda one, n=taken, f=factor: scaled(one, n, f))
+
+
+def _about_moments(moments):
+    for words, names in (("moments", FORCES), ("rows of rotations", FORCES + MATRICES)):
+        for factor in _apart(_factors([moments])):
+            yield Cause(f"{words} are {_said(factor)}", lambda one, n=names, f=factor: scaled(one, n, f, ROTATION))
+
+
+def _about_length(straight):
+    """Causes by the length that makes results dimensionless, from forces, from both, and from added mass"""
+    a = _factor([straight["added_mass"]]) if "added_mass" in straight else 1.0
+    x = _factor([straight["excitation_force"]]) if "excitation_force" in straight else None
+    lengths = ([np.sqrt(abs(x)), abs(a / x)] if x else []) + [abs(a) ** (1 / 3)]
+    for length in _apart(lengths, LENGTHS):
+        yield Cause(
+            f"made dimensionless by a length of {1 / length:.4g} m, not by the assumed length",
+            lambda one, L=length: of_length(one, L), f"--length-unit {1 / length:.4g}",
+        )  # fmt: skip
 
 
 def of_length(values, L):

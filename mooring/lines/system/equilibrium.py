@@ -175,7 +175,7 @@ class _Indefinite:
         self.values, self.along = np.abs(values), self.vectors.T @ residual[chosen]
 
     def within(self, radius):
-        """Places along the line, m, of at most `radius` from its end; shape (k,)"""
+        """Step s of the k freedoms that move, of the length `radius`, shorter where m = 0 gives less; shape (k,)"""
         high = np.linalg.norm(self.along) / radius
         if high == 0.0:
             return np.zeros(len(self.along))

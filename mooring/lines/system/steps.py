@@ -131,7 +131,7 @@ def left_over(force, rows, free, bed, may, unit, moving, residual):
     for i in range(force.size):
         moving[i] = may[i] and not held_by_bed(force, free, bed, first, i)
         residual[i] = force[i] / unit[i] if moving[i] else 0.0
-        if not abs(residual[i]) <= worst:
+        if abs(residual[i]) > worst or math.isnan(residual[i]):
             worst = abs(residual[i])
     for row in rows:
         total += abs(row[1]) + abs(row[2]) + abs(row[3]) + abs(row[4])

@@ -99,7 +99,7 @@ class Moored:
 
 def moored(
     db, system=None, hull=None, *, memory=None, spring=None, damping=None, quadratic=None, berth=None, waves=None,
-    linearised_in=None, motions=None,
+    linearised_in=None, motions=None, turned=False,
 ):  # fmt: skip
     """`Moored` of an opened database or `Reader`, a `System` of its bodies, axes at their rotation centres, and hulls
 
@@ -112,6 +112,7 @@ def moored(
     linearised_in : waves as in `response.viscous.in_time`, for the part of that damping that is not drag, and for the
         drift
     motions : numbers of the free motions, None for all
+    turned : as for `wave_loads.wave_forces`
     raises : ValueError with the name of the part that is missing or does not fit
     """
     reader, findings = db if isinstance(db, Reader) else db.bodies_reader, ()
@@ -159,7 +160,7 @@ def moored(
             findings = (*findings, *_of_loose(stiffness, body, free))
         _check_upright(stiffness, body, free)
     slow = body.held_added_mass(0.0)[0]
-    rest_of_it = waves or wave_forces(viscous.body), tables, findings, berth
+    rest_of_it = waves or wave_forces(viscous.body, turned), tables, findings, berth
     return Moored(
         body, system, hull, memory, start, spring, damping, viscous.quadratic, stiffness, slow, *rest_of_it, free=free
     )

@@ -49,10 +49,10 @@ def printed_rows(kind):
     return {row["quantity"]: {key: float(row[key]) for key in STATISTICS} for row in rows}
 
 
-def table_rows(kind, db, hours=1.0, calculations=(*CALCULATIONS, *MOVED)):
-    """[{column: number or text}] of a kind of line in every calculation, as in `_of`; moved as printed, of the force"""
+def table_rows(kind, db, hours):
+    """[{column: number or text}] of a kind of line in every calculation, as of `_of`; moved as printed, of the force"""
     out, memory = [], None
-    for name in calculations:
+    for name in (*CALCULATIONS, *MOVED):
         ratio, part, settings = CALCULATIONS.get(name, (OF_MEAN, MOVED.get(name), {}))
         made = _study(kind, part, ratio * PERIOD, hours)
         hull = made.hull_of(db.dimensions)

@@ -98,10 +98,10 @@ def drawn(seed, number):
     return StressScene(number, shape, sizes, draft, depth, _rounded(omega, 10), _headings(rng))
 
 
-def irregular(shape, sizes, draft, depth, count=FIRST):
-    """The lowest κ (count,) rad/m of the interior of a plan, and ω (2, count) rad/s of hull and plan"""
+def irregular(shape, sizes, draft, depth):
+    """The lowest κ (FIRST,) rad/m of the interior of a plan, and ω (2, FIRST) rad/s of hull and plan"""
     eigenvalues = _box_eigenvalues if shape == "box" else _round_eigenvalues
-    kappa = np.sort(eigenvalues(*sizes.values()))[:count]
+    kappa = np.sort(eigenvalues(*sizes.values()))[:FIRST]
     plan = GRAVITY * kappa * (1.0 if math.isinf(depth) else np.tanh(kappa * depth))
     return kappa, np.sqrt([GRAVITY * kappa / np.tanh(kappa * draft), plan])
 

@@ -129,6 +129,23 @@ def test_a_turned_wave_on_a_round_body_turns_its_forces_drift_and_kochin_functio
     assert found == pytest.approx(np.sqrt([12.5, 12.5, 1.0, 2.5, 2.5, 1.0]))  # c² = s² = ½ of both
 
 
+def test_a_wave_out_of_reach_has_the_force_of_the_nearest_stored_one_along_its_own_direction():
+    """60° is nearer to 90° than to 0°; 350° is 10° from 0°; 0° itself is the stored force"""
+    made = ring(np.array([0.0, 90.0]) * DEG, THETA, "")
+    stored = {0.0: np.array([2.0, 0.0, 3.0, 0.0, 4.0, 0.0]), 90.0: np.array([0.0, 2.5, 3.0, -4.0, 0.0, 1.0])}
+    c, s = np.cos(10 * DEG), np.sin(10 * DEG)
+
+    def value(headings):
+        return np.array([[stored[round(np.rad2deg(one) % 360, 6) % 360] for one in headings]])
+
+    found = made.turned(value, np.array([0.0, 60.0, 350.0]) * DEG, "force")[0]
+    assert found[0].tolist() == stored[0.0].tolist()
+    assert found[1] == pytest.approx([2.5 * np.sin(30 * DEG), 2.5 * np.cos(30 * DEG), 3,
+                                      -4 * np.cos(30 * DEG), 4 * np.sin(30 * DEG), 1.0])  # fmt: skip
+    assert found[2] == pytest.approx([2 * c, -2 * s, 3, 4 * s, 4 * c, 0])
+    assert made.reached(np.array([0.0, 60.0, 90.0]) * DEG).tolist() == [True, False, True]
+
+
 def test_beside_a_wall_waves_towards_minus_beta_are_those_towards_beta_later():
     """exp(−2ikw sin β) of F(β), seen from β < 0: exp(2ikw sin(−|β|))"""
     w, k = 40.0, np.array([0.1])

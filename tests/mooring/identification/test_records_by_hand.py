@@ -103,3 +103,32 @@ def test_a_motion_that_grows_has_no_decay(rate, fine):
         return
     with pytest.raises(RecordError, match=r"grows by .* % in half a cycle"):
         decay(T, motion)
+
+
+def test_errors_of_damping_are_those_of_what_is_left_of_the_force():
+    """s √[(BᵀB)⁻¹] with s = 0.4/√2; sums of cos², |cos|³ and cos⁴ are n/2, 4n/3π and 3n/8"""
+    t = np.arange(0.0, 40 * math.pi, math.pi / 100)
+    found = forced(t, np.sin(t), -3.0 * np.cos(t) + 0.4 * np.sin(2 * t))
+    determinant = 3 / 16 - (4 / (3 * math.pi)) ** 2
+    wanted = (0.4 / math.sqrt(2) * math.sqrt(share / (len(t) * determinant)) for share in (3 / 8, 1 / 2))
+    assert found.error == pytest.approx(tuple(wanted), rel=2e-3)
+
+
+def test_an_uneven_motion_leaves_a_doubt_of_its_phase_and_so_of_the_damping():
+    """σ/a √(2/n) rad of a sine with the rest σ = 0.1/√2 beside its amplitude a = 2, and A ω times as much of B₁"""
+    t = np.arange(0.0, 40 * math.pi, math.pi / 100)
+    found = forced(t, 2 * np.sin(t) + 0.1 * np.sin(3 * t), 7.0 * 2 * np.sin(t))
+    assert found.added_mass == pytest.approx(7.0, rel=1e-3)
+    assert found.motion.off == pytest.approx(0.1 / math.sqrt(2), rel=2e-3)
+    assert found.error[0] == pytest.approx(7.0 * 1.0 * math.sqrt(2 / len(t)) * 0.1 / math.sqrt(2) / 2, rel=0.02)
+
+
+def test_one_damping_of_the_same_energy_and_of_the_same_force_have_their_share_of_the_quadratic_one():
+    """8/3π ωa B₂ beside B₁, and ωa B₂"""
+    t = np.arange(0.0, 40 * math.pi, math.pi / 100)
+    v = 2 * 1.5 * np.cos(1.5 * t)
+    found = forced(t, 2 * np.sin(1.5 * t), -3 * v - 0.5 * v * np.abs(v))
+    assert (found.linear, found.quadratic) == pytest.approx((3.0, 0.5), rel=1e-3)
+    assert found.same_energy == pytest.approx(3.0 + 8 / (3 * math.pi) * 3.0 * 0.5, rel=1e-3)
+    assert found.same_force == pytest.approx(3.0 + 3.0 * 0.5, rel=1e-3)
+    assert found.fitted(t + 5.0) == pytest.approx(-3 * v - 0.5 * v * np.abs(v), abs=0.02)

@@ -236,6 +236,19 @@ def test_two_types_have_two_names(name, said):
     assert len(written(replace(made, lines=(*made.lines, alike))).line_types) == 2
 
 
+@pytest.mark.parametrize("change, said", [
+    ({"mass": None}, "line type 'chain' has no mass or no diameter, which MoorDyn needs; give both"),
+    ({"diameter": None}, "line type 'chain' has no mass or no diameter, which MoorDyn needs; give both"),
+    ({"axial_stiffness": math.inf}, "line type 'chain' is inextensible, and a MoorDyn file needs EA; give EA"),
+])  # fmt: skip
+def test_a_type_without_what_its_line_moves_by_is_named(change, said):
+    """Before the time step, which these numbers give"""
+    made = two_kinds()
+    lacking = replace(made.lines[0], type=replace(made.lines[0].type, **change))
+    with pytest.raises(FormatError, match=said):
+        written(replace(made, lines=(lacking, made.lines[1])))
+
+
 def step_of(**changes):
     """dtM of one line of 100 m in 10 elements between a fixed and a free point"""
     kind = {"weight": 500.0, "axial_stiffness": 1e8, "mass": 100.0, "diameter": 0.1} | changes.pop("kind", {})

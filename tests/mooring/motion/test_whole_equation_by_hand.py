@@ -101,9 +101,11 @@ def by_matrices(body, waves, y):
         spring[:3] = turn @ spring[:3]
         restoring[b] = spring - body.stiffness[b][:, 2:5] @ eta[b, 2:5]
     told |= {"drift": drift.ravel(), "current": inertial.ravel(), "restoring": restoring.ravel()}
-    level = np.zeros((BODIES, 6))
-    level[:, 2:5] = eta[:, 2:5]  # shapes feel heave, roll and pitch
-    told["shapes"] = -body.shapes.stiffness @ np.concatenate([level.ravel(), xi])
+    felt = eta.copy()  # what shapes feel: places along the axes of the heading, yaw from the heading at rest
+    for b in range(BODIES):
+        c, s = np.cos(eta[b, 5]), np.sin(eta[b, 5])
+        felt[b, :2], felt[b, 5] = np.array([[c, s], [-s, c]]) @ eta[b, :2], eta[b, 5] - body.heading[b]
+    told["shapes"] = -body.shapes.stiffness @ np.concatenate([felt.ravel(), xi])
     return sum(told.values()), told
 
 

@@ -10,6 +10,7 @@ from hakobune.bem.database.between_frequencies import BetweenError
 from hakobune.bem.database.reader import Reader
 from hakobune.mooring.environment.sea import Components, Sea
 from hakobune.mooring.environment.spectra import tabulated
+from hakobune.mooring.on_current import waves as of_waves
 from hakobune.mooring.on_current.body import OnCurrent
 from hakobune.mooring.on_current.waves import (
     Carrier,
@@ -206,3 +207,23 @@ def test_resonances_are_resolved_in_waves_that_are_met_at_their_frequencies(monk
     each = [2 * met / (1 + np.sqrt(1 + 4 * met * way / G)) for way in (V, -V)]
     wanted = met if absolute else np.sort([one for one in np.concatenate(each) if 0.5 < one < 1.25])
     assert found == pytest.approx(wanted, rel=1e-6) and len(found) == (2 if absolute else 3)
+
+
+@pytest.mark.parametrize("V, share", [(2.0, 0.0), (1e-3, 0.0), (-2.0, (2.0 - G / 8) / 1.5)])
+def test_frequencies_of_a_fixed_place_are_blocked_beyond_g_over_4v(V, share):
+    """Of absolute frequencies none are highest but G/4|V|, where σ = g/2|V|; a following current blocks nothing"""
+    spectrum = SimpleNamespace(quantile=lambda p: 0.5 + 1.5 * p, moment=lambda n: 1.0)
+    sea = SimpleNamespace(spectrum=spectrum, direction=0.0)
+    blocked, _, _ = of_waves._shares(Carrier((V, 0.0), True), sea, DEEP, G, abs(V))
+    assert blocked == pytest.approx(share, abs=2e-3 if share else 0.0)
+
+
+def test_shares_beyond_first_order_and_the_speed_over_that_of_energy_are_of_energy():
+    """C_g = g/2ω: V/C_g > ¼ beyond ω = g/8V; two systems of a quarter and three quarters of the energy"""
+    one = SimpleNamespace(quantile=lambda p: 0.5 + 1.0 * p, moment=lambda n: 1.0)
+    two = SimpleNamespace(quantile=lambda p: np.full(len(p), 0.6), moment=lambda n: 3.0)
+    sea = SimpleNamespace(systems=(SimpleNamespace(spectrum=one, direction=0.0),
+                                   SimpleNamespace(spectrum=two, direction=1.0)))  # fmt: skip
+    blocked, steep, mean = of_waves._shares(Carrier((1.5, 0.0)), sea, DEEP, G, 1.5)
+    assert blocked == 0.0 and steep == pytest.approx(0.25 * (1.5 - G / 12), abs=1e-3)
+    assert mean == pytest.approx(0.25 * 1.5 * 2 * 1.0 / G + 0.75 * 1.5 * 2 * 0.6 / G, rel=1e-3)

@@ -9,13 +9,14 @@ from hakobune.mooring.environment.gusts import davenport
 from hakobune.mooring.environment.sea import Sea
 from hakobune.mooring.environment.spectra import issc, jonswap
 from hakobune.mooring.response.extremes import EULER, expected_maximum
+from hakobune.mooring.response.linear import over_headings
 from hakobune.mooring.response.sea_state import sea_state
 from hakobune.mooring.response.slow_drift import (
     cross_spectrum,
     differences,
     force_spectrum,
     signed_means,
-    signed_products,
+    signed_pairs,
 )
 from hakobune.mooring.studies.slow_motion import (
     Loads,
@@ -45,7 +46,7 @@ def test_cross_spectra_have_the_spectra_on_their_diagonal_and_no_more_than_they_
     omega = np.linspace(box_body.omega[0], box_body.omega[-1], 161)
     heading, difference = np.radians(np.arange(-60.0, 90.0, 15.0)), np.linspace(0, 0.2, 6)
     D, share = box_body.drift(omega, heading), np.full(10, 0.1)
-    both = cross_spectrum(SEA.spectrum, omega, signed_products(D, share), difference)
+    both = cross_spectrum(SEA.spectrum, omega, over_headings(signed_pairs(D), share), difference)
     own = force_spectrum(SEA.spectrum, omega, signed_means(D, share), difference)
     assert np.allclose(np.einsum("dii->di", both), own, rtol=1e-9)
     assert np.allclose(both, both.swapaxes(1, 2), rtol=1e-9)

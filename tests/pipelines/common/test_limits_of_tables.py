@@ -230,6 +230,20 @@ def test_a_fender_with_friction_slides_after_a_tenth_of_its_height_and_takes_its
         made(rated_reaction_kN=1000.0, rated_reaction_tonf=100.0)
 
 
+@pytest.mark.parametrize("friction, refused", [(1.5, False), (1.51, True), (20.0, True)])
+def test_friction_of_a_fender_in_per_cent_is_refused(friction, refused):
+    table = {"name": "F", "position": [10.0, 25.5, 1.0], "family": "cell", "height": 1.5, "friction": friction}
+
+    def made():
+        return berth_of_tables([typed(QuayFenderTable, table)], [], [], HULL, np.zeros(3)).fenders[0]
+
+    if refused:
+        with pytest.raises(StudyError, match=rf"friction is {friction:g}; allowed: at most 1\.5"):
+            made()
+    else:
+        assert made().friction == friction
+
+
 TURNS = [("incidence_deg", 0.0, 1.0), ("incidence_deg", 90.0, 1.5), ("incidence_deg", 360.0, 1.0)]
 TURNS += [("direction_deg", 90.0, 0.5), ("direction_deg", -90.0, 1.5), ("direction_deg", -360.0, 0.0)]
 

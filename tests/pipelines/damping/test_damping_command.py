@@ -22,9 +22,11 @@ def test_a_forced_oscillation_is_told_and_drawn(tmp_path, capsys):
     v = 3.0 * OMEGA * np.cos(OMEGA * T)
     force = 1500 * 3.0 * OMEGA**2 * np.sin(OMEGA * T) - 40.0 * v - 25.0 * v * np.abs(v)
     path = written(tmp_path / "forced.csv", time_s=T, motion_m=3.0 * np.sin(OMEGA * T), force_kN=force)
-    assert cli.main(["damping", path, "--plot", str(tmp_path / "f.png")]) == 0
+    assert cli.main(["damping", path, "--plot", str(tmp_path / "f.png"), "--output", str(tmp_path / "f.h5")]) == 0
+    assert cli.main(["damping", path, "--output", path]) == 2  # the record itself
     told = capsys.readouterr().out
     rows = hakobune.damping(path)
+    assert hakobune.read(tmp_path / "f.h5")["B1"] == rows["B1"]
     assert [rows[name] for name in ("added_mass", "B1", "B2")] == pytest.approx([1500e3, 40e3, 25e3], rel=1e-4)
     assert rows["fitted.force"] == pytest.approx(1e3 * force, abs=0.1)
     assert (tmp_path / "f.png").stat().st_size > 5000 and "negative" not in told

@@ -40,6 +40,45 @@ def test_gaps_are_told_and_counted_nowhere(tmp_path):
     assert any("5 of 48 steps are missing, in 1 gaps, the longest of 5 h" in line for line in found.said)
 
 
+def over(tmp_path, first, last, without=()):
+    """Lines on the seasons of a record of daily rows from the first to the last month, without some months"""
+    days = np.arange(np.datetime64(first, "D"), np.datetime64(last, "M") + 1)
+    kept = [day for day in days if int(str(day)[5:7]) not in without]
+    lines = ["time,hs,tp,dir", *(f"{day}T00:00,1.0,8.0,270.0" for day in kept)]
+    return [line for line in record(tmp_path, lines).said if "give whole years" in line]
+
+
+def test_a_record_of_some_months_is_told_to_be_no_year(tmp_path):
+    assert not over(tmp_path, "2018-01-01", "2019-12")
+    assert not over(tmp_path, "2018-03-01", "2021-02")
+    (line,) = over(tmp_path, "2018-01-01", "2018-03")
+    assert "nothing of April, May, June, July, August, September, October, November, December: hours a year" in line
+    (line,) = over(tmp_path, "2018-01-01", "2020-12", without=(1, 2, 12))
+    assert "nothing of January, February, December: hours a year" in line
+    (line,) = over(tmp_path, "2018-01-01", "2019-03")  # one winter more than summers
+    assert "has 2 months of January and 1 of April" in line and "lean to January" in line
+
+
+def test_seasons_are_those_of_rows_with_waves(tmp_path):
+    days = np.arange(np.datetime64("2018-01-01", "D"), np.datetime64("2020-01-01"))
+    lines = [f"{day}T00:00,{'nan' if str(day)[5:7] == '01' else 1.0},8.0,270.0" for day in days]
+    said = record(tmp_path, ["time,hs,tp,dir", *lines]).said
+    assert any("the record has nothing of January" in line for line in said)
+
+
+@pytest.mark.parametrize(
+    ("head", "low", "high", "told"),
+    [("dir", 0.0, 6.2, True), ("dir", 0.0, 6.4, False), ("dir [rad]", 0.0, 6.2, False), ("dir", 5.0, 5.0, False)],
+)
+def test_directions_of_one_circle_in_radians_are_told(tmp_path, head, low, high, told):
+    angles = np.linspace(low, high, 300)
+    lines = rows(300, dir=angles)
+    found = record(tmp_path, [f"time,hs,tp,{head}", *lines[1:]])
+    said = [line for line in found.said if "radians" in line]
+    assert len(said) == told
+    assert not told or "dir lies between 0 and 6.2° in all 300 rows" in said[0]
+
+
 def test_a_missing_column_is_named_beside_those_that_are_there(tmp_path):
     with pytest.raises(TableError, match=r"no column 'hs'; it has time, Hm0 \[m\], tp, dir"):
         record(tmp_path, ["time,Hm0 [m],tp,dir", *rows()[1:]])

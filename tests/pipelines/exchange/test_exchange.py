@@ -7,6 +7,7 @@ from hakobune.bem.database import open_database
 from hakobune.bem.second_order.quadratic_forces import QuadraticForces
 from hakobune.bem.second_order.stored import Held, StoredForces, read_forces, write_forces
 from hakobune.meshing.files import write_mesh
+from hakobune.mooring.motion.wave_loads import forces_towards
 from hakobune.pipelines import cli
 from hakobune.pipelines.moor.study import make_study
 from hakobune.pipelines.simulate.work import Task, prepared
@@ -92,6 +93,31 @@ def test_frequencies_that_are_not_finite_are_left_out_and_named(folder, tmp_path
     assert cli.main(words) == 1
     assert "excitation_force is not finite at" in capsys.readouterr().err
     assert len(open_database(tmp_path / "b.h5").omega) == 2
+
+
+def test_files_with_one_heading_run_in_waves_to_it_or_its_image_and_are_refused_in_others(tmp_path):
+    """The forces of a box in head seas, turned by 0.1 rad: the surge force has a sway part of sin 0.1 along its axes"""
+    box = f"{BOX} --center-of-gravity 0,0,1".replace("0.3:0.9:3", "0.3:1.5:6").replace("0,45 ", "0 ").split()
+    own, back = tmp_path / "box.h5", tmp_path / "back.h5"
+    assert cli.main(["box", *box, "--only", "radiation,excitation_force,rao", "--output", str(own)]) == 0
+    assert cli.main(["export", str(own), "--to", "wamit", "--output", str(tmp_path / "box.1")]) == 0
+    words = ["--depth", "20", "--gyration", "6,12,13", "--center-of-gravity", "0,0,1", "--output", str(back)]
+    assert cli.main(["import", str(tmp_path / "box.1"), "--from", "wamit", *words]) == 0
+    springs = {"memory": "constant", "spring": {"surge": 100.0, "sway": 100.0, "yaw": 5000.0}, "duration": 60.0}
+
+    def made(direction, **more):
+        sea = {"height": 1.0, "period": 9.0, "direction_deg": direction} | more
+        study = {"water": {"depth": 20.0}, "waves": sea, "simulation": springs}
+        return prepared(Task(make_study(study), str(back), None, None))
+
+    body, plan, _ = made(180.0)
+    assert any("waves to 0°, 180° alone, and the forces keep their direction in space" in one for one in plan.told)
+    surge, sway = forces_towards(body.waves, -0.1)[:, :2].T
+    assert np.abs(sway + np.tan(0.1) * surge).max() < 1e-5 * np.abs(surge).max()
+    with pytest.raises(ValueError, match=r"waves travel to 30°, but the imported files have them to 0°, 180° alone"):
+        made(30.0)
+    with pytest.raises(ValueError, match="waves have a spreading, but the imported files"):
+        made(0.0, spreading="cosine:4")
 
 
 def test_a_simulation_of_files_without_drift_says_so_first(tmp_path):

@@ -12,13 +12,16 @@ def test_energy_asked_for_is_taken_up_and_drawn(tmp_path, capsys):
     """By the fender, its softest and its stiffest, each at the deflection where its own energy is that asked for; their
     factors are products of the bands of the SR179 report (1982), 3.4.7"""
     picture = tmp_path / "f.png"
-    asked = f"fender --family cell --height 2 --dolphin 14000 --energy 900 --plot {picture}"
+    asked = (
+        f"fender --family cell --height 2 --dolphin 14000 --energy 900 --plot {picture} --output {tmp_path / 'f.h5'}"
+    )
     assert cli.main(asked.split()) == 0
     table = {"family": "cell", "height": 2.0, "dolphin": 14000.0}
     result = hakobune.fender(table, energy=9e5)
     pair, bands = result.detail.pair, result.detail.bands
     energies = [one.energy(x) for one, x in zip((pair, *bands), result["taken.deflection"], strict=True)]
     assert energies == pytest.approx([9e5] * 3, rel=1e-12) and result["asked.energy"] == energies[0]
+    assert hakobune.read(tmp_path / "f.h5")["taken.deflection"].tolist() == result["taken.deflection"].tolist()
     assert result["factor"] == pytest.approx([1, 0.9 * 0.8 * 0.95, 1.1 * 1.05 * 1.1 * 0.9 * 1.25], rel=1e-12)
     shown = f"{result['taken[catalogue].deflection']:.4g}"
     assert shown in capsys.readouterr().out and picture.stat().st_size > 10_000

@@ -104,6 +104,18 @@ def test_a_wave_breaks_above_the_limit_of_miche(tmp_path, capsys, share, refused
     assert not refused or f"a wave of 8 s breaks at {limit:.3g} m in 12 m of water" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("share, refused", [(0.98, False), (1.02, True)])
+def test_a_wave_whose_energy_a_current_holds_back_is_refused(tmp_path, capsys, share, refused):
+    """C_g = ½ (1 + 2kh / sinh 2kh) ω/k"""
+    group = 0.5 * (1 + 2 * K * DEPTH / math.sinh(2 * K * DEPTH)) * W / K
+    current = f"[current]\nspeed = {share * group}\ndirection_deg = 180\n"
+    status = main(["members", str(written(tmp_path, pile("one", 0.0), current))])
+    assert (status == 2) is refused
+    assert not refused or f"whose energy travels at {group:.3g} m/s: no such wave" in capsys.readouterr().err
+    along = current.replace("180", "0")
+    assert main(["members", str(written(tmp_path, pile("one", 0.0), along))]) == 0
+
+
 @pytest.mark.parametrize("growth, says", [(0.0, None), (1.0, None), (1.01, "growth is 1.01 m; allowed: 0 to 1"),
                                           (-0.01, "growth is -0.01 m; allowed: 0 to 1")])  # fmt: skip
 def test_growth_is_a_metre_at_most(tmp_path, capsys, growth, says):

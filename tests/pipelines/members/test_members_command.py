@@ -39,7 +39,8 @@ def test_two_piles_and_a_wind_across_the_current_are_summed():
 
 
 def test_the_dolphin_of_the_scenes(tmp_path, capsys):
-    assert main(["members", str(SCENE), "--plot", str(tmp_path / "forces.png"), "--csv"]) == 0
+    files = ["--plot", str(tmp_path / "forces.png"), "--output", str(tmp_path / "forces.csv")]
+    assert main(["members", str(SCENE), *files, "--csv"]) == 0 and (tmp_path / "forces.csv").stat().st_size > 1000
     assert capsys.readouterr().out.startswith("member,force.size [N],force.phase [rad],force.Fx [N]")
     found, change = hakobune.members(SCENE), SCENE.read_text().replace("growth = 0.05", "growth = 0.0")
     assert (tmp_path / "forces.png").stat().st_size > 10_000

@@ -27,7 +27,7 @@ def made(monkeypatch):
         asked = []
         for name in ("_steady", "_periods", "_lines", "_held", "_waves"):
             piece = dict([next(pieces)])
-            monkeypatch.setattr(result, name, lambda made, piece=piece: piece)
+            monkeypatch.setattr(result, name, lambda made, shapes=(), piece=piece: piece)
         rest = dict(pieces)
         monkeypatch.setattr(result, "_place", lambda made: rest)
         monkeypatch.setattr(result, "quantities_of_anchors", lambda *of: asked.append(of) or {})
@@ -38,10 +38,10 @@ def made(monkeypatch):
         if "motion" in axes:
             reader = SimpleNamespace(names=("Surge", "Sway", *"abcd", *"efghij"[: 6 * (count - 1)]),
                                      words=("surge", "sway", *"ABCD", *"EFGHIJ"[: 6 * (count - 1)]))  # fmt: skip
-        db = SimpleNamespace(bodies=bodies, bodies_reader=reader)
+        db = SimpleNamespace(bodies=bodies, bodies_reader=reader, modes=())
         found = SimpleNamespace(
             at_rest=SimpleNamespace(names=("Sway", "Surge")), system=SimpleNamespace(line_names=("bow", "stern")),
-            loads=("wind", "waves"), berth=SimpleNamespace(names=("F", "R")), hinges=("pin",),
+            loads=("wind", "waves"), berth=SimpleNamespace(names=("F", "R")), hinges=("pin",), bent=None,
             warnings=("FAILS: it", "first"), extreme=SimpleNamespace(horizontal_a="along", vertical_a=np.array([-2.0])),
         )  # fmt: skip
         return result.result_of(found, "hull", "text", db, ("first",), anchors), asked

@@ -119,6 +119,15 @@ def test_speed_near_that_of_waves_is_told_and_fails(speed, told, status):
     assert (told in " ".join(found.findings)) if told else not any("Froude" in line for line in found.findings)
 
 
+@pytest.mark.parametrize(("speed", "told", "status"), [(5.8, "", 0), (7.0, "1.15 times", 0), (13.0, "2.69 times", 1)])
+def test_tests_in_tanks_are_no_estimate_near_the_speed_of_long_waves_either(speed, told, status):
+    """1/√(1 − Fₕ²) in 20 m, where long waves make 14.005 m/s: 1.099, 1.155 and 2.688; limits 1.1 and 1.5"""
+    found = hakobune.passing(SCENE | {"method": "kriebel", "track": {"distance": 110.0, "speed": speed}})
+    assert found.status == status
+    lines = [line for line in found.findings if "Froude" in line]
+    assert (told in lines[0] and "the formula of the tests" in lines[0]) if told else not lines
+
+
 def test_a_short_track_is_told():
     found = hakobune.passing(boxes(method="wang", track={"distance": 40.0, "speed": 2.0, "lengths": 0.5}))
     assert any("remains at the ends of the track" in line for line in found.findings)

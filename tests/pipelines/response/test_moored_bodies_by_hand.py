@@ -208,10 +208,11 @@ def test_several_bodies_move_on_the_damping_of_what_drives_them_and_the_stiffnes
     )
     monkeypatch.setattr(of_mooring, "multi_point", lambda *given: asked.update(given=given) or made)
     read = SimpleNamespace(current=None, hinges=(), restrained=lambda body: (*body, "read"))
-    db = SimpleNamespace(water_depth=20.0, bodies_reader=SimpleNamespace(floating=lambda: "floating"))
+    db = SimpleNamespace(water_depth=20.0, bodies_reader=SimpleNamespace(floating=lambda: "floating"),
+                         require_rigid=lambda: asked.update(rigid=True))  # fmt: skip
     given = "m.toml", read, db, SEA, 7200.0, "points"
     found = moored.moored_together(*given)
-    assert found.body.of == ("held", 3.0, "K", "read") and asked["linked"] == ("floating", "hinges")
+    assert found.body.of == ("held", 3.0, "K", "read") and asked["linked"] == ("floating", "hinges") and asked["rigid"]
     free, held, sea, duration, loads, points = asked["slow"]
     assert (free.of, held, sea, duration, points) == (driven, found.body, SEA, 7200.0, "points")
     assert loads.offset.tolist() == [0, 1, 2, -3, -4, 5] and loads.drag == 33.0

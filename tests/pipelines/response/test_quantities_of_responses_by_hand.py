@@ -82,6 +82,7 @@ def test_slow_forces_of_each_body_pairs_current_and_damping_are_there_where_they
         assert (one.description, one.table, one.axes) == (f"mean, {name}", result.EACH, ("body",))
     assert axes["body"].values.tolist() == ["a", "b"] and axes["velocity"].values.tolist() == ["surge", "sway"]
     assert made["drift.by_current"].values.tolist() == [7.0, 8.0, 9.0]
+    assert made["drift.mean"].table == "drift of the waves on all bodies together, about the origin of the scene"
     assert made["drift.sigma_of_pairs"].values == pytest.approx(np.sqrt(1.5) * np.array([1.0, 2.0, 3.0]))
     assert made["drift.sigma_of_pairs"].description == 'σ, qtf = "full"'
     damping = made["drift.damping"]

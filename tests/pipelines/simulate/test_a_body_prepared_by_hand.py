@@ -24,13 +24,13 @@ class Study(msgspec.Struct):
     quay: str | None = None
 
     def hulls_of(self, db):
-        return "hull"
+        return db.hulls
 
     def remarks(self, hull, db):
         return ("remark",)
 
     def system_of(self, db, hull, in_time=False):
-        assert (hull, in_time) == ("hull", True)
+        assert (hull, in_time) == (db.hulls, True)
         return SimpleNamespace(line_names=("a", "b"))
 
     def anchors_on(self, names):
@@ -58,6 +58,7 @@ class Plan:
 
 
 ASKED = []
+WITH_PAIRS = work.with_pairs
 
 
 class Moored(SimpleNamespace):
@@ -78,17 +79,19 @@ def prepare(monkeypatch):
         waves=None,
         memory=None,
         free=(0, 1),
+        links=(),
+        hulls="hull",
     ):
         ASKED.clear()
         given = SimpleNamespace(**{"seas": ["sea"], "waves": "waves", "components": None, "wind": None, "current": None}
                                 | (weather or {}))  # fmt: skip
         plan = Plan(given, Settings(**settings or {}))
-        reader = SimpleNamespace(viscous=viscous, floating=lambda: "floating",
+        reader = SimpleNamespace(viscous=viscous, floating=lambda: "floating", links=links, rigid=12,
                                  between=SimpleNamespace(forget=lambda: ASKED.append("forgotten")))  # fmt: skip
         water = SimpleNamespace(words=("surge", "sway"), omega="omega")
         db = SimpleNamespace(bodies_reader=water, modes=modes, reader="own",
-                             path="b.h5", wall=None)  # fmt: skip
-        body = Moored(free=free, reader=reader)
+                             path="b.h5", wall=None, hulls=hulls)  # fmt: skip
+        body = Moored(free=free, reader=reader, start=np.arange(14.0))  # 12 of bodies, 2 of shapes
         choice = SimpleNamespace(settings="chosen", left_out=("lines",), words=("trial",), pace=(1.0, 2.0))
 
         def moored(*parts, **more):
@@ -114,11 +117,13 @@ def prepare(monkeypatch):
         monkeypatch.setattr(work, "motions_of", lambda study, words: "motions")
         monkeypatch.setattr(work, "level_of_pairs", lambda study, seas, drift: ("level", seas, drift))
         monkeypatch.setattr(work, "_without_pairs", lambda *of: ASKED.append(("without", *of[1:])) or ("no pairs",))
-        monkeypatch.setattr(work, "with_pairs", lambda plan, study, db, reader: (plan, ("pairs",)))
+        monkeypatch.setattr(work, "with_pairs", lambda *of: WITH_PAIRS(*of) if modes else (plan, ("pairs",)))
         monkeypatch.setattr(work, "_lines_chosen", lambda task, body, plan: choice)
         monkeypatch.setattr(work, "_remembering", note("remembering", body))
         monkeypatch.setattr(work, "sides_of", lambda db: "sides")
-        monkeypatch.setattr(work, "_check_floats", note("floats", None))
+        monkeypatch.setattr(
+            work, "check_floats", lambda boxes, rises: ASKED.append(("floats", list(boxes), rises.tolist()))
+        )
         monkeypatch.setattr(work, "_check_start", note("start", None))
         monkeypatch.setattr(f"{MOORING}.simulation.moored", moored)
         monkeypatch.setattr(f"{MOORING}.moving_lines.prepare.moving_of", note("moving", None))
@@ -146,13 +151,21 @@ def test_a_body_is_made_of_its_lines_berth_damping_and_waves_once_for_all_seeds(
     assert more == {"memory": None, "damping": 5.0, "quadratic": 7.0, "berth": "berth", "spring": "spring",
                     "motions": "motions", "waves": None, "linearised_in": "waves"}  # fmt: skip
     assert ("names", given.settings, ("a", "b")) in ASKED and ("anchors", ("a", "b")) in ASKED
-    assert ("moving", body, "chosen") in ASKED and ("floats", body, "hull") in ASKED
+    assert ("moving", body, "chosen") in ASKED and not any(one[0] == "floats" for one in ASKED)
     assert ("start", "sides", body, given.settings) in ASKED and ASKED[-2:] == ["stiffness", "forgotten"]
     assert (plan.sides, plan.stations, plan.settings, plan.pace) == ("sides", "stations", "chosen", (1.0, 2.0))
     assert plan.told == work.first_what_is_left_out(("lines", "pairs", "trial"))
     before = len(ASKED)
     assert work.prepared(task)[0] is body and len(ASKED) == before
     assert work.prepared(work.Task(Study("other"), "b.h5", 600.0, None, "folder"))[0] is body and len(ASKED) > before
+
+
+@pytest.mark.parametrize("hulls, boxes", [
+    ("hull", [(work.ALONE, "hull")]), ({"ship": "s", "barge": "b"}, [("ship", "s"), ("barge", "b")]),
+])  # fmt: skip
+def test_bodies_on_hinges_rise_at_rest_by_their_heaves_and_one_body_is_named_as_one(prepare, hulls, boxes):
+    prepare(links=("hinge",), hulls=hulls)
+    assert ("floats", boxes, [2.0, 8.0]) in ASKED
 
 
 @pytest.mark.parametrize("weather, study, exposed", [
@@ -165,8 +178,8 @@ def test_a_hull_is_exposed_to_wind_and_current_or_where_it_is_given(prepare, wea
 
 
 @pytest.mark.parametrize("weather, waves, found", [
-    ({"seas": [], "waves": None}, None, "no waves"), ({"seas": []}, None, None), ({"waves": None}, "given", "given"),
-    ({"seas": [], "waves": None, "components": "c"}, "given", "given"),
+    ({"seas": [], "waves": None}, None, "no waves"), ({"seas": [], "waves": None}, "given", "no waves"),
+    ({"seas": []}, None, None), ({}, "given", "given"), ({"seas": [], "components": "c"}, "given", "given"),
 ])  # fmt: skip
 def test_calm_water_has_no_wave_forces_and_those_of_another_sea_are_taken(prepare, weather, waves, found):
     prepare(weather=weather, waves=waves)

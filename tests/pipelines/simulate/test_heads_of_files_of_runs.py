@@ -40,14 +40,12 @@ def head(monkeypatch):
         )  # fmt: skip
         task = SimpleNamespace(study=study, database="b.h5")
         settings = SimpleNamespace(duration=600.0, dynamic_lines=moving)
-        plan = SimpleNamespace(settings=settings, split=0.3, mean_period=mean_period)
-        told = ("left out", "told")
-        ready = SimpleNamespace(settings=settings, stations="stations", told=told, sides="sides", shapes="units")
+        plan = SimpleNamespace(settings=settings, split=0.3, mean_period=mean_period, stations="stations",
+                               told=("left out", "told"), sides="sides", shapes="units")  # fmt: skip
         water = {"density": 1025.0, "gravity": 9.8, "water_depth": 30.0}
         db = SimpleNamespace(bodies=bodies, rotation_center=(7.0, 8.0, 9.0), **water)
         lines = [("lines", held)]
         ends = (np.array([[0.0, 0, -30], [1, 1, -30]]), np.array([[5.0, 0, 0], [6, 1, 0]])) if system else ((), ())
-        monkeypatch.setattr(runs, "prepared", lambda of: (body, "plan") if of is task else None)
         monkeypatch.setattr(line_loads, "body_lines", lambda of: lines if of is held else None)
         monkeypatch.setattr(line_loads, "ends_at_rest", lambda of, at: ends if of is lines and at is axes else None)
         stations, hinges = [("station x", "m")], [("hinge x", "N", 0), ("hinge y", "N", 1)]
@@ -60,7 +58,7 @@ def head(monkeypatch):
         monkeypatch.setattr(runs, "sample_times", lambda of: ("times", of is settings))
         monkeypatch.setattr(runs, "quantities_of", lambda *of: (("quantities", *of), "units"))
         beside = SimpleNamespace(attributes=lambda: {"moored_period": "period"})
-        found = runs._header(task, "text", db, plan, "identity", ready, beside, ("one", "two", "one"))
+        found = runs._header(task, "text", db, body, "identity", plan, beside, ("one", "two", "one"))
         return found, asked
 
     return call

@@ -85,7 +85,7 @@ def pairs(monkeypatch):
 
     def call(level, drift="newman", bodies=(), quay=None, seas=("first", "second")):
         monkeypatch.setattr(work, "level_of_pairs", lambda study, there, slow: level)
-        db, reader = SimpleNamespace(bodies=bodies, path="a.h5"), SimpleNamespace(floating=lambda: None)
+        db, reader = SimpleNamespace(bodies=bodies, modes=(), path="a.h5"), SimpleNamespace(floating=lambda: None)
         plan = Plan(SimpleNamespace(slow_drift=drift), Weather(seas))
         made, said = work.with_pairs(plan, SimpleNamespace(quay=quay), db, reader)
         return made.weather.beside_newman, tuple(said)

@@ -138,8 +138,10 @@ def test_more_than_four_times_the_years_measured_is_an_extrapolation(tmp_path, y
 
 
 LIMITS = [
-    ("spring_low = -0.8", "spring_low = 1.2", "spring_low = 1.21",
-     "levels.spring_low is 1.21; allowed: at most spring_high"),
+    ("spring_low = -0.8", "spring_low = 0.0", "spring_low = 0.8",
+     "levels.spring_low is 0.8; allowed: at most 0, since levels are above mean water"),
+    ("spring_high = 1.2", "spring_high = 0.0", "spring_high = -0.1",
+     "levels.spring_high is -0.1; allowed: at least 0, since levels are above mean water"),
     ("surge = 0.9", "surge = 0.0", "surge = -0.1", "levels.surge is -0.1; allowed: 0 to the depth, 16 m"),
     ("surge = 0.9", "surge = 15.9", "surge = 16.0", "levels.surge is 16; allowed: 0 to the depth, 16 m"),
     ("tsunami = 1.5", "tsunami = 15.1", "tsunami = 15.3", "levels: the lowest is -16.1 m in 16 m of water"),
@@ -167,6 +169,16 @@ def test_a_site_is_taken_up_to_its_limits(tmp_path, capsys, old, good, bad, says
     assert main(["site", str(written(tmp_path, (old, bad))), "--output", str(tmp_path / "v.toml")]) == 2
     said = capsys.readouterr().err
     assert says in said and said.count("\n") == 1
+
+
+@pytest.mark.parametrize("height, told", [(10.86, None), (10.87, "10.87 m in 18.1 m of water"),
+                                          (30.0, "30 m in 18.1 m of water")])  # fmt: skip
+def test_waves_of_a_site_higher_than_its_water_carries_are_told(tmp_path, height, told):
+    """0.6 (16 + 1.2 + 0.9) = 10.86 m, the highest sea at high water of spring tides with the surge"""
+    _, values = made(tmp_path, ("height = 2.5\n", f"height = {height}\n"))
+    said = [line for line in values.findings if "saturated by breaking" in line]
+    assert len(said) == (told is not None)
+    assert not told or (told in said[0] and said[0].startswith("extreme: ") and "at most 10.9 m" in said[0])
 
 
 def test_a_wind_that_drives_the_current_has_to_be_there(tmp_path, capsys):

@@ -37,10 +37,10 @@ def made(monkeypatch, extreme, operating, tsunami=None, **own):
 
 def test_values_of_a_site_go_where_they_belong(monkeypatch):
     """A life of 50 years that is not exceeded with 0.4: T = 1/(1 − 0.4^(1/50))"""
-    found, asked = made(monkeypatch, {"wind": 1}, {"waves": 2}, 900.0)
+    found, asked = made(monkeypatch, {"wind": 1}, {"waves": {"height": 2}}, 900.0)
     years = 1 / (1 - 0.4 ** (1 / 50))
     assert found.years == pytest.approx(years, rel=1e-9) and found.probability == pytest.approx(0.4, rel=1e-9)
-    assert found.states == {"extreme": {"wind": 1}, "operating": {"waves": 2}, "tsunami": {"current": 1}}
+    assert found.states == {"extreme": {"wind": 1}, "operating": {"waves": {"height": 2}}, "tsunami": {"current": 1}}
     assert (found.wind_10, found.seismic, found.climate, found.profile, found.levels) == (
         28.0,
         0.2,

@@ -91,48 +91,55 @@ def test_two_degrees_of_tilt_at_rest_are_the_most_unless_the_body_is_held_trimme
 
 
 def scene_of(low, high, lids=()):
+    """Of one or two bodies before a wall, where the formulas of a moonpool are not followed by a solution"""
     return SimpleNamespace(
-        damping_lids=lids, omegas=lambda: np.array([low, high]), water=SimpleNamespace(gravity=9.8, depth=50.0)
-    )
+        damping_lids=lids, omegas=lambda: np.array([low, high]), water=SimpleNamespace(gravity=9.8, depth=50.0),
+        wall="wall", bodies=(SimpleNamespace(name="ship"), SimpleNamespace(name="barge")),
+    )  # fmt: skip
 
 
 @pytest.fixture
 def peaks(monkeypatch):
+    """Sizes of the rectangles that were asked for their peak, which have none"""
+    asked = []
     monkeypatch.setattr(water, "_moonpools", lambda mesh: mesh.pools)
-    monkeypatch.setattr(water, "_message", lambda words, own, sizes, scene: (words, own, sizes))
+    monkeypatch.setattr(water, "peak", lambda *of: asked.append(of[:3]))
+    monkeypatch.setattr(water, "_text", lambda words, own, rise: (words, own, rise))
+    return asked
 
 
-def hulls(pools=(), bodies=1):
-    return SimpleNamespace(bodies=bodies, draft=8.0, pools=pools)
+def hulls(*pools):
+    """A mesh of as many bodies, each with its moonpools"""
+    each = [SimpleNamespace(bodies=1, draft=8.0, pools=own) for own in pools]
+    return each[0] if len(each) == 1 else SimpleNamespace(bodies=len(each), draft=8.0, of_body=each.__getitem__)
 
 
 @pytest.mark.parametrize("gap, told", [(8.0, True), (8.1, False)])
 def test_a_gap_as_wide_as_its_hulls_are_deep_traps_no_water(peaks, gap, told):
     """Molin: ω² = g / (d + b/π (3/2 + ln(B/2b)))"""
-    found = water.resonant_water(scene_of(0.1, 9.0), hulls(bodies=2), [("a and b", gap, 8.0, 60.0, False)])
+    found = water.resonant_water(scene_of(0.1, 9.0), hulls((), ()), [("a and b", gap, 8.0, 60.0, False)])
     own = math.sqrt(9.8 / (8.0 + gap / math.pi * (1.5 + math.log(60.0 / (2 * gap)))))
     words = f"the water between a and b, {gap:.3g} m wide,"
-    assert found == (((words, pytest.approx(own), (gap, 8.0, pytest.approx((60.0 - gap) / 2))),) if told else ())
-    assert water.resonant_water(scene_of(0.1, 9.0, ("lid",)), hulls(), [("a and b", gap, 8.0, 60.0, False)]) == ()
+    assert found == (((words, pytest.approx(own), ""),) if told else ())
+    assert peaks == ([(gap, 8.0, pytest.approx((60.0 - gap) / 2))] if told else [])
+    assert water.resonant_water(scene_of(0.1, 9.0, ("lid",)), hulls(()), [("a and b", gap, 8.0, 60.0, False)]) == ()
 
 
 def test_a_gap_before_a_wall_counts_with_the_image_of_the_hull(peaks):
     """3 m are 6 m between 2 · 20 + 6 m"""
-    ((_, own, sizes),) = water.resonant_water(
-        scene_of(0.1, 9.0), hulls(bodies=2), [("a and pier", 3.0, 8.0, 20.0, True)]
-    )
+    ((_, own, _),) = water.resonant_water(scene_of(0.1, 9.0), hulls((), ()), [("a and pier", 3.0, 8.0, 20.0, True)])
     assert own == pytest.approx(math.sqrt(9.8 / (8.0 + 6 / math.pi * (1.5 + math.log(46.0 / 12.0)))))
-    assert sizes == (6.0, 8.0, 20.0)
+    assert peaks == [(6.0, 8.0, 20.0)]
 
 
-def test_moonpools_of_one_body_resonate_by_their_area(peaks):
+def test_moonpools_of_each_body_resonate_by_their_area(peaks):
     """Fukuda: ω² = g / (d + 0.41 √S) of a pool of 6 by 4 m, wherever it lies and whichever way it runs round"""
     pool = np.array([[10.0, 2, 0], [16, 2, 0], [16, 6, 0], [10, 6, 0]])
     for corners in (pool, pool[::-1]):
-        ((words, own, sizes),) = water.resonant_water(scene_of(0.1, 9.0), hulls([corners]))
-        assert words == "the water of the moonpool of 24 m²" and sizes is None
-        assert own == pytest.approx(math.sqrt(9.8 / (8.0 + 0.41 * math.sqrt(24.0))))
-    assert water.resonant_water(scene_of(0.1, 9.0), hulls([pool], bodies=2)) == ()
+        for bodies, where in (([corners],), ""), (([], [corners]), " in barge"), (([corners], []), " in ship"):
+            ((words, own, rise),) = water.resonant_water(scene_of(0.1, 9.0), hulls(*bodies))
+            assert words == f"the water of the moonpool of 24 m²{where}" and rise == ""
+            assert own == pytest.approx(math.sqrt(9.8 / (8.0 + 0.41 * math.sqrt(24.0))))
 
 
 @pytest.mark.parametrize(
