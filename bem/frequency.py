@@ -65,7 +65,9 @@ class FrequencyRun:
 
     def __init__(self, prepared, omega, headings, want, theta, dofs):
         if not (np.isfinite(omega) and omega > 0):
-            raise ValueError(f"omega is {omega} rad/s; allowed: positive and finite (limits are in `frequency_limits`)")
+            raise ValueError(
+                f"omega is {omega} rad/s; allowed: positive and finite (for 0 or infinity use `frequency_limits`)"
+            )
         self.prepared, self.problem = prepared, prepared.problem
         self.omega, self.want = float(omega), frozenset(want)
         self.headings = np.atleast_1d(np.asarray(headings, float))
@@ -114,8 +116,8 @@ class FrequencyRun:
         """The run with estimated errors within the tolerance, where errors of damping are relative to the size of
         damping.
 
-        Otherwise the `sharper` run of the same frequency, repeated up to `most_sharper` times while the error
-        falls: on panels a thousand times as long as wide the error remains, while work and memory grow fourfold.
+        Otherwise the run by `sharper` of the same frequency, repeated up to `most_sharper` times while the error
+        decreases: on panels a thousand times as long as wide the error remains, while work and memory grow fourfold.
         """
         run = self
         for _ in range(self.most_sharper if self.solves else 0):

@@ -44,7 +44,7 @@ class Folded(NamedTuple):
 def folded(theta, images):
     """`Folded` of directions theta (t,) rad for the mirror images (i, 2) of a body; a quarter circle with four
 
-    The result is kept, since every symmetry class of every frequency needs the same.
+    The result is kept, since every symmetry class at every frequency needs it.
     """
     return _folded(tuple(np.asarray(theta, float).tolist()), tuple(map(tuple, np.asarray(images).tolist())))
 

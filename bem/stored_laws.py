@@ -46,7 +46,7 @@ def broken_laws(db, tolerance):
 
 
 def _violated(db, laws, allowed):
-    """[Broken] of laws as of `_laws`; allowed : (n,) limits of laws without one"""
+    """[Broken] of laws as in `_laws`; allowed : (n,) limits of laws without one"""
     found = []
     for law, values, limit in laws:
         limit = allowed if limit is None else np.full(len(db.omega), limit)

@@ -80,7 +80,7 @@ def incident_wave(points, beta, omega, k, depth, gravity=9.80665):
 
 
 def exponential_part(sign, phase):
-    """The even (sign 1) or odd (−1) part of exp(i phase), or all of it (sign 0), and its derivative"""
+    """The even part (sign 1) or the odd part (sign −1) of exp(i phase), or the whole (sign 0), and its derivative"""
     factor, value, slope = real_part(sign, phase)
     return factor * value, factor * slope
 

@@ -139,7 +139,8 @@ def _number(table, key, where):
 
 
 def meshed(drawing, name=""):
-    """PanelMesh of a `Drawing`: the first of `TRIES` with its centre in plan, volume and waterplane, else the nearest
+    """PanelMesh of a `Drawing`: the first of `TRIES` with centre in plan, volume and waterplane of the drawing, or the
+    nearest
 
     Warns where none is within their limits.
 

@@ -178,7 +178,7 @@ class _Builder:
         return points, lines
 
     def patch(self, sides):
-        """Tag of a surface of one element between each two points of its sides, as of `graded_patches`"""
+        """Tag of a surface of one element between each two points of its sides, as in `graded_patches`"""
         points, lines = self.ring(_around(sides))
         for line in lines:
             self.geo.mesh.setTransfiniteCurve(abs(line), 2)

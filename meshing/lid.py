@@ -71,7 +71,7 @@ def polar_lid(mesh, size):
 
 
 def rings_of(mesh):
-    """[(ring (k, 3) m, its area m²)] of the waterlines of a hull; of moonpools the area is negative
+    """[(ring (k, 3) m, its area m²)] of the waterlines of a hull; the area of a moonpool is negative
 
     Raises ValueError as `lid` does.
     """

@@ -77,7 +77,8 @@ def is_sealed(path):
 
 
 def kind_filled_in(path):
-    """Kind of a sealed file with numbers filled in later, seal intact or broken; "" for any other"""
+    """Kind of a sealed file whose numbers are filled in later, with an intact or a broken seal; "" for any other
+    file"""
     try:
         with Path(path).open("rb") as file:
             first = FIRST.fullmatch(file.readline(100))

@@ -14,7 +14,7 @@ LARGEST = 256  # MB; a record of ten million values
 def read_text(path, error=ValueError, *, errors="strict", largest=LARGEST):
     """The text of a regular file, without a byte order mark.
 
-    error : class that is raised, with one line of text; errors : as of `bytes.decode`; largest : MB
+    error : class that is raised, with one line of text; errors : as in `bytes.decode`; largest : MB
     raises : error for a missing file, no text, no permission, an endless file (device, pipe), excessive size, or a
         broken seal (`seals`)
     """

@@ -9,7 +9,8 @@ from .results.result import Result
 
 
 def read(path: File) -> Result:
-    """The Result in a file, also of simulations and sweeps, whose files fill bit by bit.  Raises DatabaseError."""
+    """The Result in a file, also for simulations and sweeps, whose files are filled step by step.  Raises
+    DatabaseError."""
     from .results import file
     from .simulate.file import is_run
     from .sweep.file import is_sweep, result_of

@@ -69,7 +69,9 @@ class ContourBody:
         Raises ValueError for a frequency that is not positive and finite, and an angle that is not finite.
         """
         if not 0 < omega < np.inf:
-            raise ValueError(f"omega is {omega} rad/s; allowed: positive and finite (limits: added_mass_limit)")
+            raise ValueError(
+                f"omega is {omega} rad/s; allowed: positive and finite (for 0 or infinity use added_mass_limit)"
+            )
         if not (np.all(np.isfinite(headings)) and np.all(np.isfinite(theta))):
             raise ValueError("headings or theta contain a value that is not finite; allowed: finite angles, rad")
         with blas_threads(SMALL):
@@ -82,7 +84,7 @@ class ContourBody:
         return degree, top, len(self.plan.contour(k, degree, self.tolerance).weights)
 
     def froude_krylov(self, omega, headings, dofs=range(6), density=1025.0, gravity=9.80665):
-        """Force of the undisturbed waves alone, N/m and N m/m; shape (m, 6); arguments as of `first_order`"""
+        """Force of the undisturbed waves alone, N/m and N m/m; shape (m, 6); arguments as in `first_order`"""
         k = float(wavenumber(omega, self.depth, gravity))
         force = self.plan.incident_force(self.draft, self.depth, k, np.atleast_1d(np.asarray(headings, float)))
         return density * gravity * np.where(np.isin(np.arange(6), dofs), force, 0)

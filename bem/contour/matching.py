@@ -94,7 +94,7 @@ def solved(fixed_terms, outside, incident):
 
 
 def loads(fixed_terms, outside, flow, incident):
-    """∬ φ n dS along the motions, of every column of a `GapVelocity`, (d, columns); other arguments as of `solved`"""
+    """∬ φ n dS along the motions, of every column of a `GapVelocity`, (d, columns); other arguments as in `solved`"""
     m, d = fixed_terms.driven.shape
     velocity = flow.velocity.reshape(m, flow.velocity.shape[-1])
     out = (fixed_terms.side @ outside[m:, :m] + fixed_terms.carried) @ velocity + np.outer(

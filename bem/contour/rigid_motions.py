@@ -46,7 +46,7 @@ def motion(dof, contour, basis, gap_height, alphas):
 
 
 def side(dof, contour, basis):
-    """(2, n) `Motion.side`; arguments as of `motion`"""
+    """(2, n) `Motion.side`; arguments as in `motion`"""
     c, none = contour, 0 * contour.x
     both = (
         (c.nx, none), (c.ny, none), (none, none), (none, -c.ny), (none, c.nx), (c.x * c.ny - c.y * c.nx, none)

@@ -105,7 +105,7 @@ class StandingBody(ContourBody):
 
     @memoised
     def fixed_terms(self, cls, degree, top, dofs):
-        """`bem.contour.matching.FixedTerms` without a gap; arguments as of `ContourBody`"""
+        """`bem.contour.matching.FixedTerms` without a gap; arguments as in `ContourBody`"""
         own, d = self.plan.subset(cls, degree, top), len(dofs)
         contour = self.plan.polynomial_contour(top)
         sides = [side(dof, contour, self.plan.basis(cls, top, contour))[:, own] for dof in dofs]

@@ -83,8 +83,8 @@ class Between:
                 vars(self).pop(name, None)
 
     def error(self, omega, name):
-        """Estimated error of `value`, about one standard deviation; shape (q, …); for complex quantities that of the
-        modulus.
+        """Estimated error of `value`, about one standard deviation (of the modulus for complex quantities); shape (q,
+        …).
 
         The error covers interpolation and is zero at stored frequencies; the solver's error is stored beside each
         quantity.
@@ -171,7 +171,7 @@ class Between:
         if name not in self.quantities:
             raise BetweenError(
                 f"{name} is not stored and cannot be computed from {', '.join(self.quantities)}; "
-                f"repeat the command that made it, with --only {name}"
+                f"repeat the command that made the database, with --only {name}"
             )
 
     def _fitted(self, omega, name):

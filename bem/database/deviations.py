@@ -1,6 +1,6 @@
-"""Estimated errors of a `reader.Reader`: both interpolations, propagated to derived quantities.
+"""Estimated errors of a `reader.Reader`: errors of both interpolations, also propagated to derived quantities.
 
-Every deviation is about one standard deviation; for complex quantities that of the modulus.
+Every deviation is about one standard deviation, for complex quantities of the modulus.
 """
 
 from functools import cache

@@ -4,8 +4,8 @@ Drift follows from motions X and Kochin functions (`bem.drift`).  Energy,
 
     −Re H(β) = (1/2π) ∫ |H|² dθ + kP/(2ρgC_g),    P = ½ω² X* B′ X the power absorbed,
 
-replaces the forward value in the forces, which would else be a small difference of inexact numbers; the moment has
-none.  At stored waves the far field of the fixed body deviates from stored drift by the error of panels; this
+replaces the forward value in the forces, which would otherwise be a small difference of inexact numbers; the moment has
+no such value.  At stored waves the far field of the fixed body deviates from stored drift by the error of panels; this
 deviation, linear between frequencies, is subtracted.  Without Kochin functions the drift itself is interpolated.
 
 Every function takes a `reader.Reader`, omega (q,) rad/s, and headings (p,) rad or None for the stored ones.
@@ -31,7 +31,8 @@ def drift(reader, omega, headings, fixed):
         return value if headings is None else over.unfolded(value, "drift")
     if name not in reader.between.quantities:
         raise BetweenError(
-            f"{', '.join(KOCHIN)} must be stored for {name}; repeat the command that made it, with --only kochin,drift"
+            f"{', '.join(KOCHIN)} must be stored for {name}; repeat the command that made the database, with --only "
+            f"kochin,drift"
         )
     if not fixed and not reader.own:
         raise BetweenError(

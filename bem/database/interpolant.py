@@ -273,7 +273,8 @@ class Window(NamedTuple):
 
 
 def windows(x, real=False, ringing=()):
-    """`Window`s of nodes x (n,), rising: one for all nodes, or for many nodes several with neighbours on both sides
+    """`Window`s of rising nodes x (n,): one window for all nodes, or several for many nodes, each with neighbours on
+    both sides
 
     ringing : (p,) poles of the water, in s, the variable made from x
     """

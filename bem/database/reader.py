@@ -190,7 +190,7 @@ class Reader:
         missing = [name for name in NEEDED["rao"] if name not in self.between.quantities]
         if missing:
             raise BetweenError(
-                f"{', '.join(missing)} must be stored for motions; repeat the command that made it, with "
+                f"{', '.join(missing)} must be stored for motions; repeat the command that made the database, with "
                 "--only motions,radiation"
             )
         for name in NEEDED["rao"]:
@@ -334,7 +334,7 @@ class Reader:
         omega, (name,) = self.inside(omega), (key for key, moves in OF_EACH.items() if moves != fixed)
         if name not in self.between.quantities:
             raise BetweenError(
-                f"{name} is not stored; repeat the command that made it, with --only drift, by method panel"
+                f"{name} is not stored; repeat the command that made the database, with --only drift and --method panel"
             )
         values = self.between.value(omega, name)
         if headings is None:

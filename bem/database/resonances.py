@@ -56,7 +56,7 @@ class Resonance:
 def resonances(body):
     """[Resonance] of a `reader.Reader` within its stored frequencies, rising; [] where they are unknown.
 
-    Only those with a damping ratio below a quarter that waves of the stored headings excite.
+    Only resonances with a damping ratio below a quarter, excited by waves of the stored headings.
     """
     if body not in _FOUND:
         _FOUND[body] = _resonances(body)
@@ -81,9 +81,8 @@ def about(body, found, beside=()):
     shape (q,)
 
     beside : (p,) rad/s, frequencies that are known already.  Roll and pitch of a round body resonate at one frequency
-    except for
-    rounding. Of places so near to an earlier one, or to one of `beside`, only one is kept, so that splines can pass
-    through them.
+    except for rounding. A frequency too near to an earlier one, or to a frequency of `beside`, is left out, so that
+    splines can pass through the rest.
     """
     low, high = body.between.span
     omega = np.concatenate([[], *(_places(one.omega, one.damping) for one in found)])
@@ -138,8 +137,8 @@ def zeros(functions, low, f, high, g):
     """Frequencies ω at which m functions, nearly straight, are zero between low (m,), value f, and high (m,), value g;
     shape (m,)
 
-    functions : (m,) → (m,).  A secant within a bracket, whose end is taken at half its value when it stays for the
-    second time (Illinois; Dowell and Jarratt, BIT 11, 1971): three steps square the error.
+    functions : (m,) → (m,).  A secant within a bracket: the value at an end that stays for a second step is halved
+    (Illinois; Dowell and Jarratt, BIT 11, 1971). The error is squared every three steps.
     """
     last, x = np.zeros(len(low)), high
     for _ in range(MOST):

@@ -193,7 +193,7 @@ class Database:
             raise DatabaseError(f"{self.path} lacks {', '.join(unsolved)}; repeat the command that made it to continue")
 
     def require_one_body(self) -> None:
-        """Raise DatabaseError for a database of several bodies, which it names, or of a flexible body."""
+        """Raise DatabaseError for a database of several bodies, with their names, or of a flexible body."""
         if self.bodies:
             names = ", ".join(body.name for body in self.bodies)
             raise DatabaseError(
@@ -398,7 +398,7 @@ class Database:
         motion = [name for name in missing if name in NEEDS_MOTION]
         if motion and self.inertia_matrix is None:
             return "motions need the mass: give --gyration kxx,kyy,kzz (scene: gyration)"
-        return f"repeat the command that made it, with --only {','.join(missing)}"
+        return f"repeat the command that made the database, with --only {','.join(missing)}"
 
 
 def _sum(first, second):

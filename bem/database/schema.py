@@ -1,4 +1,4 @@
-"""What a database holds: one table of names, axes, units and types, which writing, reading and plots follow.
+"""The contents of a database: one table of names, axes, units and types, used by writing, reading and plots.
 
 Names follow Capytaine where it has one.  Every dataset carries its axes as HDF5 dimension scales.
 """

@@ -84,7 +84,7 @@ class Opened(dict):
 
 
 def append(file, omega, headings, result):
-    """Store the results of one frequency, then mark it; arguments and errors as of `Storing.add`.
+    """Store the results of one frequency, then mark it; arguments and errors as in `Storing.add`.
 
     file : from `rows.writing`
     """

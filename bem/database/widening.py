@@ -18,7 +18,7 @@ GROUPS = ("qtf", "qtf_sum")
 def extend(path, *, omega=(), wave_direction=(), names=(), header=None, anew=()):
     """Widen a file by frequencies, headings and quantities; its contents are kept, the rest is pending.
 
-    header : replaces the stored one where something is added, or at once if its `scene_hash` differs
+    header : replaces the stored header where something is added, or at once if its `scene_hash` differs
     anew : names of quantities whose stored values are dropped
     Returns whether anything was added: then a new file has the name, and a file given open is the old one.
     """
@@ -47,7 +47,8 @@ def extend(path, *, omega=(), wave_direction=(), names=(), header=None, anew=())
 
 
 def write_group(path, name, datasets, attributes):
-    """Write a group to a database, in place of one of that name; a new file is renamed when complete.
+    """Write a group to a database and replace a group of the same name; a new file is written and renamed when
+    complete.
 
     As `fill`.
     """
@@ -106,7 +107,7 @@ def _union(old, new, same):
 
 
 def fill(file, name, datasets, attributes):
-    """Write a group to an open file, in place of one of that name.
+    """Write a group to an open file and replace a group of the same name.
 
     datasets : {name: (axes, unit, values)}, the axes first; attributes : attributes of the group
     """

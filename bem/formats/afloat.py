@@ -91,9 +91,10 @@ def _check(values, still):
         return
     ratio = C[2, 2] / expected
     raise FormatError(
-        f"heave stiffness is {C[2, 2]:.5g} N/m in the files, ρ g times the waterplane of the hull {expected:.5g} N/m, "
-        f"{ratio:.3g} times; allowed: within {100 * SAME_STIFFNESS:g} %; either the files are made dimensionless by a "
-        f"length {ratio**-0.5:.4g} times as large (--length-unit), or hull (--mesh), --density or --gravity are others"
+        f"heave stiffness is {C[2, 2]:.5g} N/m in the files, {ratio:.3g} times ρ g times the waterplane of the hull, "
+        f"{expected:.5g} N/m; allowed: within {100 * SAME_STIFFNESS:g} %; either the files are made dimensionless by "
+        f"a length {ratio**-0.5:.4g} times as large (--length-unit), or the hull (--mesh), --density or --gravity is "
+        f"not that of the files"
     )
 
 
@@ -113,7 +114,7 @@ def _with_weight(body, values, still, weight):
 
 
 def _about_mass(values, still, body):
-    """A message on a mass that differs from the displaced one.  Raises FormatError for a mass in another unit."""
+    """A message on a mass that differs from the displaced mass.  Raises FormatError for a mass in another unit."""
     displaced = values.density * still.volume
     ratio = body.get("mass", displaced) / displaced
     if not 1 / FAR_MASS < ratio < FAR_MASS:

@@ -172,7 +172,7 @@ def read(place, known=None):
 def coupled(place, known, count):
     """{quantity: array} of added mass, damping and limits of `count` bodies together, (…, 6 count, 6 count)
 
-    known : as of `read`, without effect.  Raises FormatError.
+    known : as in `read`, without effect.  Raises FormatError.
     """
     with _opened(place) as file:
         rho, omega = (np.ravel(file[f"simulation_parameters/{name}"][()]) for name in ("rho", "w"))

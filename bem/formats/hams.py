@@ -130,13 +130,13 @@ def read(place, known):
 
 
 def coupled(place, known, count):
-    """As `wamit.coupled`; known : as of `read`"""
+    """As `wamit.coupled`; known : as in `read`"""
     given = _given(Path(place), known | {"body": 1})
     return wamit.coupled(given.results, given.known, count)
 
 
 def hull_of(place, known=None):
-    """The hull in Input, of several bodies that of known["body"]"""
+    """The hull in Input; with several bodies the hull of known["body"]"""
     place = Path(place)
     several = place / "Input" / f"HullMesh_{(known or {}).get('body') or 1}.pnl"
     return several if several.is_file() else place / "Input" / "HullMesh.pnl"
@@ -148,7 +148,7 @@ def drawn_at(place, known):
 
 
 class Given(NamedTuple):
-    """results : path of NAME.1; known : as of `wamit.read`; number : "" or "_1" on; drawn_at : m, origin of the hull"""
+    """results : path of NAME.1; known : as in `wamit.read`; number : "" or "_1" on; drawn_at : m, origin of the hull"""
 
     results: Path
     known: dict

@@ -58,8 +58,8 @@ def read(place, known=None):
 
 
 def _matrix(place, tables, at, name):
-    """Matrices (n, 6, 6) of a quantity from its files; the stored one of two pairs in opposite order is used for
-    both"""
+    """Matrices (n, 6, 6) of a quantity from its files; if only one of two pairs in opposite order is stored, it is used
+    for both"""
     whole = np.zeros((len(at), 6, 6))
     for (kind, mode), rows in tables.items():
         if kind == name:

@@ -2,10 +2,10 @@
 
 RadiationCoefficients.tec has a zone for each motion j: ω, then A_ij and B_ij of i = 1 … 6; ExcitationForce.tec,
 DiffractionForce.tec and FKForce.tec one for each heading: ω, then amplitude and phase (rad) of i = 1 … 6. Nemoh.cal
-gives frequencies and headings by first, last and count: others are refused.  Zones are counted, not named: Nemoh 2
-calls those of the excitation "Diffraction force" too.  Of N bodies there are zones for each motion and 6N columns, and
-Hydrostatics_0.dat, KH_0.dat on; one that is fixed has no motions.  File names are accepted in any case, as Nemoh 3
-writes results/.  G. Delhommeau, C. Lheea, École centrale de Nantes, Nemoh v3 manual.
+gives frequencies and headings by first, last and count; sets that are not evenly spaced are refused.  Zones are
+counted, not named: Nemoh 2 calls those of the excitation "Diffraction force" too.  With N bodies there are zones for
+each motion, 6N columns, and files Hydrostatics_0.dat, KH_0.dat and so on; a fixed body has no motions.  File names are
+accepted in any case, as Nemoh 3 writes results/.  G. Delhommeau, C. Lheea, École centrale de Nantes, Nemoh v3 manual.
 """
 
 import re

@@ -10,10 +10,10 @@
 
 with p = 0 for translations and 1 for rotations, L = ULEN; PER as given by IPEROUT, by default the period in s, −1 at ω
 = 0 and 0 at ω = ∞; BETA in degrees that the waves travel to, phases in degrees of exp(+iωt): the conjugates of ours.
-Pairs I, J and modes I that are 0 by symmetry are omitted.  Written with L = 1 m.  The .8 file is of the free body if
-motions are stored, as a .4 file beside it shows, else of the fixed one; for several bodies, whose modes are numbered 7
-to 12 and so on, it is omitted.  These files contain neither depth, density, gravity nor hull; ULEN and the point of
-moments are in the inputs beside them (`wamit_inputs`).
+Pairs I, J and modes I that are 0 by symmetry are omitted.  Written with L = 1 m.  The .8 file is for the free body if
+motions are stored (a .4 file then lies beside it), otherwise for the fixed body. It is omitted for several bodies,
+whose modes are numbered 7 to 12 and so on.  These files contain neither depth, density, gravity nor hull; ULEN and the
+point of moments are in the inputs beside them (`wamit_inputs`).
 """
 
 from pathlib import Path
@@ -168,7 +168,7 @@ def read(place, known):
 def coupled(place, known, count):
     """{quantity: array} of added mass, damping and limits of `count` bodies together, (…, 6 count, 6 count)
 
-    known : as of `read`.  Raises FormatError.
+    known : as in `read`.  Raises FormatError.
     """
     place, first = Path(place), known | {"body": 1}
     if place.suffix.lower() == ".out":

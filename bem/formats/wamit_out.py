@@ -10,7 +10,7 @@ Phases are whole degrees there: forces are within 1 % in phase.  NAME.mmx has vo
     External force matrices:          I J M D K              IALTFRC = 2 and 3; M in the units of ρ and lengths
 
 Modes beyond the six of a body are ignored, as are damping and stiffness of lines.  A matrix without rotational inertia,
-as of a run without motions, gives the mass alone. User manual, version 7.4, section 4.9 and chapter 5.
+as in a run without motions, gives the mass alone. User manual, version 7.4, section 4.9 and chapter 5.
 """
 
 import re

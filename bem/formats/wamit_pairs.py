@@ -4,8 +4,8 @@
                                                  F(t) = Re Σᵢ Σⱼ Aᵢ Aⱼ ρg F̄_ij exp{+i(ωᵢ + ωⱼ)t}    of .12s
 
 with F̄ multiplied by ULEN for forces and by its square for moments; periods in s, headings in degrees that waves
-travel to, phases in degrees: the conjugates of ours.  Pairs of the other order have the conjugate, in .12s the same;
-the files have those with PER₁ ≤ PER₂.  I counts the forces of several bodies from 1 to 6N.
+travel to, phases in degrees: the conjugates of ours.  The files contain the pairs with PER₁ ≤ PER₂. A pair in the other
+order has the conjugate value in .12d, the same value in .12s.  I counts the forces of several bodies from 1 to 6N.
 """
 
 from pathlib import Path

@@ -66,7 +66,7 @@ class Address(types.Type):
 
 
 class Row(types.Type):
-    """Numba type of a list of tuples in memory, whose addresses follow each other"""
+    """Numba type of a list of tuples in memory, with their addresses side by side"""
 
     def __init__(self, kind):
         self.kind = kind

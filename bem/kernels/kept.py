@@ -132,8 +132,8 @@ class Kept:
 def claimed(file):
     """The open lock of a kernel that this process is to compile, after the process that compiles it now, if any
 
-    None where files cannot be locked, or another process takes longer than PATIENCE: both then compile the kernel.  The
-    lock of a process that ends, by whatever cause, is free.
+    None where files cannot be locked, or where another process takes longer than PATIENCE; then both processes compile
+    the kernel.  The lock of a process that ends, by whatever cause, is free.
     """
     try:
         from fcntl import LOCK_EX, LOCK_NB, flock

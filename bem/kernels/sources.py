@@ -120,7 +120,8 @@ class Sources:
 
 
 def put_file(file, data):
-    """Write bytes to a file at once, whoever else writes or reads it.  Raises OSError, and leaves nothing then."""
+    """Write bytes to a file in one operation, safe against other processes that write or read it.  Raises OSError, and
+    leaves nothing then."""
     file.parent.mkdir(parents=True, exist_ok=True)
     beside = file.with_suffix(f".{os.getpid()}")
     try:

@@ -44,7 +44,7 @@ class FewEstimates:
         self.ahead, self.differences = {}, {}
 
     def run(self, omega, *question):
-        """The quantities of one frequency; question : as of `bem.frequency.FrequencyRun` after the frequency"""
+        """The quantities of one frequency; question : as in `bem.frequency.FrequencyRun` after the frequency"""
         i = int(np.argmin(np.abs(self.omegas - omega)))
         own_angles = question[2] is None and bool(set(question[1]) & DRIFT)  # Kochin functions of others are at theirs
         if own_angles or abs(self.omegas[i] - omega) > SAME * omega:

@@ -2,8 +2,9 @@
 
 The mean rise of the water is that on a damping lid without damping (`bem.panels.damping_lid`).  Around its resonance
 the rise is that of a mass on a spring, and 1 / rise is a smooth function of ω², for which three frequencies give a
-parabola; its smallest modulus gives the next frequency.  Of a ring of 1 600 panels, with one node each, the frequency
-is 0.7 % and the rise 2 % too low; 2 % and nothing where the gap under its keel is a fifth of its draft.
+parabola; its smallest modulus gives the next frequency.  For a ring of 1 600 panels, with one node each, the frequency
+is 0.7 % and the rise 2 % too low; where the gap under the keel is a fifth of the draft, the frequency is 2 % too low
+and the rise is exact.
 """
 
 from typing import NamedTuple

@@ -34,7 +34,7 @@ def near_field_drift(run, moving):
 
 def near_field_error(run, moving):
     """Estimated bound of the difference between drift from the near field and from the far field, N/m², N m/m²; shape
-    (m, 3), as of `near_field_drift`.
+    (m, 3), as in `near_field_drift`.
 
     Per metre of breadth and wave amplitude squared the terms are up to ρg(1 + v)² at the waterline, water standing up
     to twice the wave at a wall, and ρω²d a² on the sides, v the vertical motion there and a that of any point of the
@@ -42,13 +42,13 @@ def near_field_error(run, moving):
     pressures is taken from the estimated errors of coefficients and forces; by the contour method, whose forces are
     wrong at second order and whose pressures at first, no less than
     `bem.contour.pressure_drift.PRESSURES`.  Errors of the motions are not in it: near and far field are equal in any.
-    run, moving : as of `near_field_drift`
+    run, moving : as in `near_field_drift`
     raises : ValueError as `near_field_drift`, and for panels without an estimate of their errors
     """
     method, radius, draft = _method(run, moving), run.prepared.radius, run.prepared.draft
     if run.errors is None:
         raise ValueError(
-            "near-field drift by panels has an error only if the panels have one; allowed: a run with a coarse mesh"
+            "near-field drift by panels has an estimated error only in a run with a coarse mesh; give such a run"
         )
     rho, g = run.problem.density, run.problem.gravity
     motions, lever = np.abs(_motions(run, moving)), np.hypot(radius, draft)
@@ -68,19 +68,17 @@ def _method(run, moving):
     """The module of the run's method"""
     if not (run.far_field and run.diffracts and (run.free or not moving)):
         name = "drift_force, of a body with its inertia" if moving else "drift_force_fixed"
-        raise ValueError(
-            f"near-field drift from a run with want = {', '.join(sorted(run.want))}; allowed: want with {name}"
-        )
+        raise ValueError(f"want of the run is {', '.join(sorted(run.want))}; near-field drift also needs {name}")
     if hasattr(run, "geometry"):
         from ..panels.pressure_drift import mean_drift as panel_drift
 
         return panel_drift
     if run.problem.shapes:
         raise ValueError(
-            "near-field drift of several bodies by the contour method; allowed: one body, or the panel method"
+            "the contour method computes near-field drift for one body only; use the panel method for several bodies"
         )
     if run.problem.method != "contour":
-        raise ValueError(f"near-field drift by method {run.problem.method}; allowed: panel, contour")
+        raise ValueError(f"the method is {run.problem.method}; near-field drift needs panel or contour")
     from ..contour import pressure_drift as contour_drift
 
     return contour_drift

@@ -58,7 +58,8 @@ class ShapeRun(FrequencyRun):
 
     @cached_property
     def differences(self):
-        """Differences from the finer body; None for strips, whose error is that of strip theory"""
+        """Differences from the finer body; None for strips: there the error of strip theory itself, which is not
+        estimated, is larger"""
         if self.problem.method not in RESOLVED:
             return None
         ours, fine = self.first_order, self.finer

@@ -117,7 +117,7 @@ class DampedRun(PanelRun):
 
     @property
     def mean_rise(self):
-        """Elevation of the water, in the mean over all damping lids, beside bodies at rest, m per m; shape (m,)"""
+        """Mean elevation of the water over all damping lids, beside bodies at rest, m per m; shape (m,)"""
         weights = self.geometry.elements.weights[self.on_lids]
         _ = self.potentials
         return 1j * self.omega / self.problem.gravity * self._of_waves[1, 1] @ weights / weights.sum()

@@ -1,9 +1,10 @@
 """A frequency from two meshes: results are extrapolated to panels of zero size (Richardson 1911).
 
-The error of a mesh falls like a known power of the number of its panels (`bem.checks.ERROR_ORDER`), so that a coarser
-mesh shows most of it, with its sign.  After its subtraction, a sixth remains in the median and a third in nine of ten
-random bodies; in short waves more, for panels a fifth of a wave long a third and two thirds (`left_over`).  This takes
-no time, whereas twice as many panels, which leave 0.45 of the error, take three times as long.
+The error of a mesh decreases with a known power of its number of panels (`bem.checks.ERROR_ORDER`), so that a coarser
+mesh shows most of the error, with its sign.  After its subtraction a sixth of the error remains at the median of random
+bodies, and at most a third in nine of ten. In short waves more remains: with panels a fifth of a wave long, a third and
+two thirds (`left_over`).  This takes no time, whereas twice as many panels, which leave 0.45 of the error, take three
+times as long.
 """
 
 import math

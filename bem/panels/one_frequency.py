@@ -317,8 +317,8 @@ class PanelRun(FrequencyRun):
     def pressure(self):
         """Mean dynamic pressure iωρφ on each panel, Pa per m of wave amplitude; shape (m, panels of the whole hull)
 
-        Of the freely floating body if its inertia is known, else of the fixed one; panels as in `mesh.whole()`, where
-        the mesh is that of the original run if this one is finer.
+        For the freely floating body if its inertia is known, otherwise for the fixed body; panels as in `mesh.whole()`,
+        where the mesh is that of the original run if this one is finer.
         """
         if self.refined is not None:
             return self.refined.pressure()

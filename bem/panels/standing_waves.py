@@ -2,7 +2,8 @@
 
     Im G = C Z(z) Z(ζ) J₀(kR),    J₀(kR) = ⟨cos(kΔx cos θ) cos(kΔy sin θ)⟩
 
-averaged over a quarter of directions θ.  Equally spaced, T of them on the circle leave 2 J_T(kR) and less.  With f =
+averaged over a quarter of directions θ.  With T equally spaced directions on the circle the error is at most 2 J_T(kR).
+ With f =
 Z(z) times cos or sin of kx cos θ times cos or sin of ky sin θ, with the symmetry of the class at each mirror plane,
 the sum over the images is Σ f(point) f(source).  The number of columns is the number of functions f and does not grow
 with the number of nodes.

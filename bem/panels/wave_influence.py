@@ -30,7 +30,7 @@ class Sources(NamedTuple):
 
     @classmethod
     def of(cls, nodes, per_panel):
-        """Sources at the nodes (m,), which increase."""
+        """`Sources` from the numbers of their nodes (m,), in increasing order."""
         nodes = np.asarray(nodes)
         panels, first = np.unique(nodes // per_panel, return_index=True)
         return cls(panels, np.append(first, len(nodes)), nodes % per_panel)
@@ -51,7 +51,8 @@ class Pairs(NamedTuple):
 
     @classmethod
     def of(cls, geometry, points, nodes, classes=None):
-        """The nodes `points` (r,) of a `bem.panels.influence.Geometry`, sources at `nodes` (m,), which increase
+        """`Pairs` of a `bem.panels.influence.Geometry`: points at the nodes `points` (r,), sources at `nodes` (m,), in
+        increasing order
 
         classes : all if None
         """
@@ -88,8 +89,7 @@ class Pairs(NamedTuple):
 
 
 def close_up_to(sizes, k, depth):
-    """Distance of the surface images of panels of these sizes (m) up to which they use the fine points, m; shape
-    (s,)"""
+    """Distance to the surface image up to which panels of these sizes (m) use the fine points, m; shape (s,)"""
     length = min(1 / k if k > 0 else np.inf, depth)
     return np.where(sizes > PER_WAVE * length, np.inf, NEAR * sizes)
 

@@ -3,8 +3,8 @@ contour method.
 
     φ = −(ig/ω) exp(ikr cos(θ − β)) + Σ_m e^{imθ} {c_m H_m(kr) + Σₙ Zₙ(0) Kₘ(kₙr) / kₙKₘ'(kₙR) ⟨∂φ/∂r, Zₙ⟩_m / ⟨Zₙ, Zₙ⟩}
 
-on r > R, c_m from the potential of the propagating mode on the side.  The local part is given on rings, as for panels
-(`surface_waves`), which begin at the side.
+on r > R, c_m from the potential of the propagating mode on the side.  The local part is given on rings that begin at
+the side, as for panels (`surface_waves`).
 """
 
 import numpy as np

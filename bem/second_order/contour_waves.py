@@ -34,7 +34,7 @@ class ContourWaves(FirstOrderWaves):
         super().__init__(problem, headings, moving, lines, swayed, kind)
         if problem.method != "contour" or not np.isfinite(problem.depth):
             raise ValueError(
-                f"wave pairs by the method {problem.method} in {problem.depth:g} m; allowed: panels, or contour "
+                f"the method is {problem.method} in {problem.depth:g} m of water; wave pairs need panels, or contour "
                 f"in finite depth"
             )
         self.prepared = self.held.prepared()
@@ -50,8 +50,8 @@ class ContourWaves(FirstOrderWaves):
         surface = surface and len(rising) > 0
         if (moving or surface) and not self.points.whole:
             raise ValueError(
-                "the contour method has wave pairs of a box only if it is fixed, and without the free-surface "
-                "forcing; use panels for other bodies"
+                "the contour method computes wave pairs of a box only if the box is fixed, and without the "
+                "free-surface forcing; use panels in other cases"
             )
         first = self._frequency(omega[-1], [])
         self.surfaces = self.points.surfaces(first)

@@ -72,7 +72,8 @@ class FirstOrderWaves:
         return body_forces(self.surfaces, flow, one, two, made, self.problem, self.kind) @ self.problem.transform.T
 
     def squares_in_swayed(self):
-        """Transfer function T of squares of first order in the motions `swayed`; shape (n, m, n, m, 6)"""
+        """Transfer function T of the products of first-order quantities, with the motions `swayed`; shape (n, m, n, m,
+        6)"""
         parts, loads, rao = zip(*self.in_swayed, strict=True)
         return self._squares(HullFlow.joined(parts), loads, rao)
 
@@ -136,10 +137,10 @@ class PanelWaves(FirstOrderWaves):
 class WavesOfBodies(PanelWaves):
     """Like `PanelWaves`, for several bodies; flows are lists, one `HullFlow` for each body, forces and motions (…, 6N).
 
-    Squares of first order are integrated over each hull by itself.  Haskind's relation gives the force of the bound
-    wave on a body a, and that of the potential of moving hulls: with ψ the radiation potential of a motion of a, each
-    hull b that moves adds −iρΩ ∬ ψ_a ∂φ₂/∂n dS over itself (`body_forces`).  A fixed body has such a ψ too.  The far
-    field gives the drift of all bodies together only, so it cannot correct the drift of one.
+    Products of first-order quantities are integrated over each hull separately.  Haskind's relation gives the force of
+    the bound wave on a body a, and that of the potential of moving hulls: with ψ the radiation potential of a motion of
+    a, each hull b that moves adds −iρΩ ∬ ψ_a ∂φ₂/∂n dS over itself (`body_forces`).  A fixed body has such a ψ too.
+    The far field gives the drift of all bodies together only, so it cannot correct the drift of one.
 
     raises : ValueError with `surface`, and for lines that hold the bodies
     """

@@ -3,8 +3,8 @@
     F(t) = Re Σᵢ Σⱼ aᵢ āⱼ T_ij exp{−i(ωᵢ − ωⱼ)t},        F(t) = Re Σᵢ Σⱼ aᵢ aⱼ T⁺_ij exp{−i(ωᵢ + ωⱼ)t}
 
 A real wave Re φ exp(−iωt) is also Re φ̄ exp(−i(−ω)t): the effect of two waves at the sum of their frequencies is the
-effect of the first and of the second, so written, at the difference.  A formula for differences becomes one for sums
-with −ωⱼ for ωⱼ and without the conjugates of the second wave; T⁺_ij = T⁺_ji.
+effect, at the difference, of the first wave and of the second wave written in this form.  A formula for differences
+becomes one for sums with −ωⱼ for ωⱼ and without the conjugates of the second wave; T⁺_ij = T⁺_ji.
 """
 
 from collections.abc import Callable

@@ -75,7 +75,7 @@ class QuadraticForces:
 
     @property
     def to_body(self):
-        """The transfer function without the part of the water's surface; shape (d, n, m, m, 6)"""
+        """The transfer function without the free-surface forcing; shape (d, n, m, m, 6)"""
         return self.squares + self.bound_wave + self.body
 
 
@@ -97,9 +97,9 @@ def quadratic_forces(
 class QuadraticRun:
     """Forces of wave pairs for some force frequencies at a time, from the lowest up, after all first-order waves.
 
-    Arguments, errors and results as of `quadratic_forces`; swayed : (n, m, 6) motions about the rotation centre
-    from another resolution, or None.  motions : (n, m, 6) its own; by_motions : (d, n, m, m, 6) what the squares of
-    first order are more in the motions `swayed`, N/m², N m/m², or None
+    Arguments, errors and results as in `quadratic_forces`; swayed : (n, m, 6) motions about the rotation centre
+    from another resolution, or None.  motions : (n, m, 6) its own; by_motions : (d, n, m, m, 6) T of the products of
+    first-order quantities with `swayed` minus T with `motions`, N/m², N m/m², or None
     """
 
     def __init__(
@@ -256,7 +256,7 @@ def _waves_of(problem):
 def surface_share(problem, omega, headings, highest, moving):
     """Share of the surface forcing in the force in surge and sway, root mean square over a few pairs.
 
-    Arguments as of `quadratic_forces`; the pairs lie at PLACES in the band, half the largest difference apart, in waves
+    Arguments as in `quadratic_forces`; the pairs lie at PLACES in the band, half the largest difference apart, in waves
     of the first heading
     """
     omega, parts = np.asarray(omega, float), []

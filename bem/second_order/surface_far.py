@@ -137,7 +137,7 @@ def hankel_orders(kind, most, z):
 def bessel_orders(most, z):
     """Bessel functions J_m of order 0 … most + 1 without e^{|Im z|}; shape (most + 2, …); z (…) complex, Im z ≥ 0
 
-    Half the sum of both Hankel functions, except where these grow with the order and cancel.
+    Half the sum of both Hankel functions, except where they grow with the order and would cancel.
     """
     out = np.empty((most + 2, *z.shape), complex)
     size, edge = np.abs(z), most + BEYOND

@@ -1,8 +1,9 @@
 """Force on a body by products of first-order waves on the free surface around it.
 
-On z = 0 the second-order potential of a pair (i, j) has Ω² φ₂ − g ∂φ₂/∂z = −Q, in products as of `quadratic_forces`
+On z = 0 the second-order potential of a pair (i, j) has Ω² φ₂ − g ∂φ₂/∂z = −Q, in products as in `quadratic_forces`
 
-    Q = ½iΩ (∇φᵢ·∇φ̄ⱼ + KᵢKⱼ φᵢφ̄ⱼ) − ¼iωᵢ φᵢ (φ̄ⱼ,zz − Kⱼ² φ̄ⱼ) + ¼iωⱼ φ̄ⱼ (φᵢ,zz − Kᵢ² φᵢ),        T = (iΩρ/g) ∬ ψ Q dS
+    Q = ½iΩ (∇φᵢ·∇φ̄ⱼ + KᵢKⱼ φᵢφ̄ⱼ) − ¼iωᵢ φᵢ (φ̄ⱼ,zz − Kⱼ² φ̄ⱼ) + ¼iωⱼ φ̄ⱼ (φᵢ,zz − Kᵢ² φᵢ),        T = (iΩρ/g) ∬ ψ Q
+    dS
 
 minus the same of the incident waves alone, which the bound wave satisfies (ψ as in `body_forces`; Molin 1979).  With
 φ,zz = −∇²φ along the surface and Green's theorem no second derivative remains:
@@ -10,9 +11,9 @@ minus the same of the incident waves alone, which the bound wave satisfies (ψ a
     ∬ ψQ dS = ∬ ψ {¼iΩ ∇φᵢ·∇φ̄ⱼ + ¼i (2Ω KᵢKⱼ + ωᵢKⱼ² − ωⱼKᵢ²) φᵢφ̄ⱼ} − ¼i ∇ψ·(ωᵢ φᵢ∇φ̄ⱼ − ωⱼ φ̄ⱼ∇φᵢ) dS
               − ¼i ∮ ψ (ωᵢ φᵢ ∂φ̄ⱼ/∂n − ωⱼ φ̄ⱼ ∂φᵢ/∂n) dl
 
-∇ along the surface, n out of the body; sum frequencies as in `kinds`.  Up to a circle about the body the waves are
-those of its panels (`surface_near`), beyond it sums of Hankel functions with a local part on rings (`surface_far`),
-then without it (`surface_tail`).
+∇ along the surface, n out of the body; sum frequencies as in `kinds`.  Inside a circle about the body the waves come
+from the panels (`surface_near`). Outside they are sums of Hankel functions, first with a local part on rings
+(`surface_far`), then without local part (`surface_tail`).
 """
 
 from dataclasses import dataclass
@@ -49,8 +50,8 @@ class Products(NamedTuple):
 
 
 def integrated(products, terms, psi, weights):
-    """Integrals of ψQ over the surface, divided by ¼i, without the line's; shape (q, 6): terms [(φᵢ, φ̄ⱼ)] of `Field`
-    (q, p), ψ a `Field` (q or 1, 6, p)"""
+    """Integrals of ψQ over the surface, divided by ¼i, without the line integral; shape (q, 6): terms [(φᵢ, φ̄ⱼ)] of
+    `Field` (q, p), ψ a `Field` (q or 1, 6, p)"""
     c = Products(*(part[:, None] for part in products))
     scalar, x, y = 0.0, 0.0, 0.0
     for f, g in terms:

@@ -98,8 +98,8 @@ def strips_about(mesh, line, circle, k):
     if not (np.all(turn > 0) and abs(np.sum(turn) * len(mesh.reflections()) - 2 * np.pi) < 1e-6):
         raise ValueError(
             "the free-surface forcing needs a waterline that is one closed curve, with each point visible from "
-            "its middle; allowed: --level body, which has all other parts of the force (between several columns no "
-            "level has this one)"
+            "its middle; give --level body, which includes all other parts of the force (between several columns no "
+            "level includes this part)"
         )
     length = np.hypot(*(sides[:, 1] - sides[:, 0]).T)
     counts = np.clip(np.ceil(2 + k * np.maximum(turn * circle.radius, length)), FEWEST, MOST).astype(int)

@@ -10,9 +10,9 @@ of ψ combine around the circle, with a factor that depends on frequencies alone
 
     2π C ∫ f_m(kr) f̄_n(qr) H_p(κr) r dr + …
 
-Radii are real to where all orders oscillate, then r + ix, where sent waves decay with sent and with incident ones, and
-r − ix for what comes in with the first incident wave.  All pairs use the same radii on a path, and the same values of
-the functions at these radii.
+Radii are real up to the radius at which all orders oscillate. Beyond it they are r + ix, where products of sent waves
+with sent or incident waves decay, and r − ix for products with the incoming part of the first incident wave.  All pairs
+use the same radii on a path, and the same values of the functions at these radii.
 
 At the sum of two frequencies (`kinds`) κ > k + q, and all products decay along r + ix.  φⱼ is Σ (−1)ⁿ c₋ₙ H_n e^{−inθ},
 in place of Σ c̄ₙ H̄_n e^{−inθ}.
@@ -57,13 +57,14 @@ class Path:
 
     @cached_property
     def down(self):
-        """Places x and weights, m, of products that decay with k + q − κ, 2q or more; shape (2, c); none at sums"""
+        """Places x and weights, m, for products that decay as exp(−(k + q − κ)x), with a rate of 2q or more; shape (2,
+        c); none at sums"""
         return self._away(self.least_down)
 
     @cached_property
     def up(self):
-        """Places x and weights, m, of products that decay with k − q + κ, 2κ or more, at sums 2q or more; shape (2,
-        c)"""
+        """Places x and weights, m, for products that decay as exp(−(k − q + κ)x), with a rate of 2κ or more (at sums 2q
+        or more); shape (2, c)"""
         return self._away(self.least_up)
 
     def _away(self, least):
@@ -113,8 +114,8 @@ class Path:
         return np.concatenate([values[:-1, : self.first], three, values[:-1, self.first + 1 :]], axis=1)
 
     def weights(self, up, down, C, sides):
-        """(c,) weights of columns; up, down : rad/m, rates at which products decay along r + ix, r − ix; sides :
-        weights of the three columns at the first radius, over this radius"""
+        """Weights of the columns, (c,); up, down : rad/m, rates at which products decay along r + ix and along r − ix;
+        sides : weights of the three columns at the first radius, divided by this radius"""
         (y, v), (r, u), (x, w) = self.down, self.real, self.up
         below, above = self.edges[-1] - 1j * y, self.edges[-1] + 1j * x
         parts = (

@@ -4,8 +4,8 @@
 
 over the body (∂φ/∂n given), the surface on both sides of it (∂φ/∂n = Kφ) and two verticals one depth away, where the
 modes of the depth leave,  ∂φ/∂n = Σ λₙ Zₙ ⟨φ, Zₙ⟩ / ⟨Zₙ, Zₙ⟩,  λ₀ = ik,  λₙ = −kₙ.  The kernels have no frequency: the
-body is eliminated once for a shape, and a frequency costs one small linear system.  The identity is that of the water
-itself, so there are no irregular frequencies.
+body is eliminated once for a shape, and a frequency costs one small linear system.  Green's identity is applied to the
+water itself, so there are no irregular frequencies.
 
 An edge at z = 0 between others is the water of a gap between two sections, with ∂φ/∂n = K(1 + iε)φ of the total φ, ε
 its damping (`bem.panels.damping_lid`).

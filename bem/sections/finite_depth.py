@@ -24,9 +24,8 @@ Galerkin: both potentials are equal on the gap when tested with every function o
 orthonormal combinations of `gap_profiles`, since they are nearly dependent.  Energy is then conserved to 1e-12 in the
 highest gaps, where the functions themselves give 4e-10, and another figure with another number of threads.  Unit
 velocities; y to port, z up, roll from y to z about the origin; exp(−iωt).  SR179 report (1982), section 2.1.3;
-Garrett, Journal of Fluid Mechanics 46 (1971) for the method; Porter and Evans, the same 294 (1995) for the functions of
-the
-gap.
+Garrett, Journal of Fluid Mechanics 46 (1971) for the method; Porter and Evans, in the same journal, 294 (1995), for the
+functions of the gap.
 """
 
 from functools import cached_property, lru_cache

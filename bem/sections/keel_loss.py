@@ -61,7 +61,7 @@ class KeelFlow(NamedTuple):
 
 
 def keel_flow(beam, draft, depth, omega, *, density=1025.0, gravity=9.80665, tolerance=1e-6):
-    """`KeelFlow`; arguments as of `coefficients.section`, in finite depth.  Raises ValueError."""
+    """`KeelFlow`; arguments as in `coefficients.section`, in finite depth.  Raises ValueError."""
     there = section(beam, draft, depth, omega, density=density, gravity=gravity, tolerance=tolerance)
     flow = section_flow(beam, draft, depth, omega, gravity=gravity, tolerance=tolerance)
     gap, profiles, f = flow.shape.gap, flow.shape.profiles, len(flow.shape.gap.mean)

@@ -3,8 +3,8 @@
     {−ω²[M + A] − iωB + C} ξ = F + Gᵀμ,    G ξ = 0
 
 over sway, heave and roll of each, about its centre of gravity, per metre of length.  A row of G requires that the point
-of a hinge on one section moves as on the other, or, for a rigid hinge, that both turn alike; μ is the hinge force (in
-three dimensions `bem.hinges`).  Conventions are those of `coefficients`.
+of a hinge moves equally on both sections or, for a rigid hinge, that both sections rotate equally; μ is the hinge force
+(in three dimensions `bem.hinges`).  Conventions are those of `coefficients`.
 """
 
 from typing import NamedTuple
@@ -93,7 +93,10 @@ def linked_sections(
     basis = _null_space(rows[:, free])
     held = basis.T @ dynamic[np.ix_(free, free)] @ basis
     if basis.shape[1] and np.linalg.cond(held / _scale(held)) > 1e12:
-        raise ValueError(f"motions at omega {omega:g} rad/s have neither inertia nor stiffness; give mass and gyration")
+        raise ValueError(
+            f"a motion at omega {omega:g} rad/s has neither inertia nor stiffness, so it is not "
+            f"determined; give mass and gyration"
+        )
     xi[free] = basis @ np.linalg.solve(held, basis.T @ force[free]) if basis.shape[1] else 0.0
     left = (dynamic @ xi - force)[free]
     forces = np.linalg.lstsq(rows[:, free].T, left, rcond=None)[0] if len(rows) else np.zeros(0)

@@ -43,7 +43,7 @@ def side_by_side(sections, depth, omega, damping=0.0, *, gravity=9.80665, tolera
 
 
 def flow_of(sections, depth, omega, damping, gravity, tolerance, velocities=None):
-    """`AnyFlow` of sections as of `side_by_side`; velocities : function of points, normals and the number of the
+    """`AnyFlow` of sections as in `side_by_side`; velocities : function of points, normals and the number of the
     section of each, (n,), that gives (n, m) of motions along the normals, or None
     """
     if not (damping >= 0 and np.isfinite(damping)):

@@ -13,10 +13,10 @@ wave,
 
     fⱼ = iρω ∮ φⱼ ∂φ_I/∂n dl,  φ_I = −(ig/ω) Z₀ exp(iky′ sinβ′),    Fⱼ = ∫ fⱼ exp(ikx′ cosβ′) dx′
 
-for sway, heave, roll; pitch is the moment of heave, −∫x′f₃, and yaw that of sway, ∫x′f₂.  Surge along the row is no
-sectional motion: it is the sway of the row in the other direction, whose sides are the ends.  This surge is not coupled
-to pitch, which comes from other sections: the damping matrix would not remain positive.  Waves around the ends are
-neglected, and with them drift and the far field.
+for sway, heave, roll; the pitch moment follows from heave, −∫x′f₃, and the yaw moment from sway, ∫x′f₂.  Surge along
+the row is no sectional motion. It is the sway of a row in the other direction, whose sides are the ends of the body.
+This surge is not coupled to pitch, which comes from other sections; with a coupling the damping matrix would not remain
+positive.  Waves around the ends are neglected, and with them drift and the far field.
 
 Against a panel method in water of twice the draft, B/d = 5, L/B = 2, 4, 8, waves on the beam: the error of the
 exciting force in heave is 28, 6, 4 %, in sway 5, 2, 1 %, in roll 5, 2, 1 %.
@@ -67,7 +67,7 @@ class Strips:
         return FirstOrder(impedance, incident, scattered, None, None, None, np.nan)
 
     def froude_krylov(self, omega, headings, dofs=range(6), density=1025.0, gravity=9.80665):
-        """Force of the undisturbed waves on the whole box, N/m and N m/m; shape (m, 6); arguments as of
+        """Force of the undisturbed waves on the whole box, N/m and N m/m; shape (m, 6); arguments as in
         `first_order`"""
         k = float(wavenumber(omega, self.depth, gravity))
         force = box_incident_force(self.length, self.beam, self.draft, self.depth, k, np.asarray(headings, float))

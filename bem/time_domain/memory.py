@@ -229,9 +229,10 @@ def _shorter(body, goal, motions, stored=True):
 
 
 def _by_causality(body, goal, motions):
-    """`_Goal` with A(∞) from damping by causality, if nothing is consistent with the stored one, else `goal`
+    """`_Goal` with A(∞) from damping by causality instead of the stored A(∞), if the band agrees with it; else `goal`
 
-    Panels that are coarse for short waves leave A(∞) off: of WAMIT's set of RM3 that of a thin plate's roll, by 3 %.
+    Panels too coarse for short waves give a wrong A(∞): in the set of RM3 by WAMIT it is off by 3 % for the roll of
+    a thin plate.
     """
     found = _goal(body, body.between.span, motions, stored=False)
     if found.deviation.max() > CLOSE[0]:
@@ -240,8 +241,8 @@ def _by_causality(body, goal, motions):
         return goal
     warn(
         f"the stored added mass at infinite frequency contradicts the band by {goal.deviation.max():.2g} of the "
-        f"largest, allowed: {CLOSE[1]:g}; the memory uses the value that follows from damping, "
-        f"from which the band deviates by {found.deviation.max():.2g}",
+        f"largest, allowed: {CLOSE[1]:g}; the memory uses the value that follows from damping instead; the band "
+        f"deviates from this value by {found.deviation.max():.2g}",
         stacklevel=4,
     )
     return found

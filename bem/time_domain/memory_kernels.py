@@ -42,7 +42,7 @@ def memory_rate(memory, states, velocity, rate, body=0):
 
 @kernel(inline=True, counted=False)
 def memory_force(memory, states, force, body=0):
-    """Write y, the force on one of several bodies against its motion, into force (6,), N and N m: `Memory.force`.
+    """Write y, the force on one of several bodies against its motion, N and N m, into force (6,), as `Memory.force`.
 
     memory : `MemoryArrays`; states (n,)
     """

@@ -38,7 +38,7 @@ GONE = 40.0  # κ times the water between two circles, beyond which nothing arri
 
 
 def prepare_far(shapes, places, depth, tolerance=1e-3):
-    """`FarBodies`; arguments as of `contour.several.bodies.prepare_several`
+    """`FarBodies`; arguments as in `contour.several.bodies.prepare_several`
 
     Raises ValueError as `solver.prepare_box`, and for bodies whose circles are too near (`circles`).
     """
@@ -50,8 +50,8 @@ def prepare_far(shapes, places, depth, tolerance=1e-3):
     found = too_near([place.x + 1j * place.y for place in places], [body.plan.reach for body in bodies], depth)
     if found:
         raise ValueError(
-            f"the circles around bodies {found[0] + 1} and {found[1] + 1} {found[2]}; allowed by transfer matrices: "
-            f"from {SHARE_OF_DEPTH * depth:.3g} m, {SHARE_OF_DEPTH:g} of the depth; take contours or panels"
+            f"the circles around bodies {found[0] + 1} and {found[1] + 1} {found[2]}; transfer matrices need at least "
+            f"{SHARE_OF_DEPTH * depth:.3g} m between them, {SHARE_OF_DEPTH:g} of the depth; use contours or panels"
         )
     gaps = nearest([body.plan for body in bodies], places)
     return FarBodies(tuple(bodies), tuple(places), tuple(gaps))
@@ -59,7 +59,8 @@ def prepare_far(shapes, places, depth, tolerance=1e-3):
 
 @dataclass(frozen=True, eq=False)
 class FarBodies(SeveralBodies):
-    """Several `bem.contour.body.ContourBody`, equal ones the same object; the rest as of `SeveralBodies`"""
+    """`bem.contour.body.ContourBody` of several bodies, one object for equal bodies; other arguments as in
+    `SeveralBodies`"""
 
     def first_order(self, omega, headings=(), theta=(), dofs=None, density=1025.0, gravity=9.80665):
         """`FirstOrder` at one frequency, motions (6N,) about the origin, body by body; dofs : all are found"""
@@ -68,7 +69,9 @@ class FarBodies(SeveralBodies):
     def at(self, omega, gravity=9.80665):
         """`Coupled` at one frequency; the last result is kept"""
         if not 0 < omega < np.inf:
-            raise ValueError(f"omega is {omega} rad/s; allowed: positive and finite (limits: added_mass_limit)")
+            raise ValueError(
+                f"omega is {omega} rad/s; allowed: positive and finite (for 0 or infinity use added_mass_limit)"
+            )
         if self.cache.get("frequency") != (omega, gravity):
             count = self.mode_count(omega**2 / gravity)
             modes = {body: body.profiles.gap.outer_modes(omega, count, gravity) for body in self.alone}

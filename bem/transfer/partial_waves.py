@@ -97,8 +97,9 @@ class PartialWaves(NamedTuple):
 def highest_order(kind, k, a, apart, gap, tolerance, most):
     """Highest order that bodies in circles of radius a, `apart` from axis to axis and `gap` from hull to hull (m) need
 
-    What a box sends in order m falls like (a / apart)ᵐ on its way to the next axis, and what passes by has no more
-    orders than waves have on the circle.  Of what decays only that counts which gets across the gap and back.
+    Order m of the waves that a box sends decreases like (a / apart)ᵐ on the way to the next axis, and waves that pass a
+    body have no more orders than plane waves have on its circle.  Of the decaying waves only those count that cross the
+    gap and return.
     """
     m = np.arange(1, _finite(kind, k, a, apart, most) + 1)
     left = (a / apart) ** m

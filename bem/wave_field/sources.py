@@ -111,7 +111,7 @@ def perimeter(plan):
 
 
 def contour(plan, count):
-    """Points on a polygon (n, 2), about `count`, two on each side at the least, evenly spaced; shape (n, 2)"""
+    """About `count` points on a polygon (n, 2), evenly spaced, at least two on each side; shape (n, 2)"""
     side = np.roll(plan, -1, axis=0) - plan
     step = perimeter(plan) / count
     each = np.maximum(2, np.ceil(np.linalg.norm(side, axis=1) / step).astype(int))
@@ -122,7 +122,7 @@ def contour(plan, count):
 
 
 def spaced(plan, count):
-    """Points on a polygon (n, 2), `count` rounded up, evenly spaced around it; shape (n, 2)"""
+    """At least `count` points on a polygon (n, 2), evenly spaced around it; shape (n, 2)"""
     closed = np.vstack([plan, plan[:1]])
     along = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(closed, axis=0), axis=1))])
     n = int(np.ceil(count))

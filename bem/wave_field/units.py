@@ -27,7 +27,8 @@ class Field(NamedTuple):
     missed: float
 
     def elevation(self, places):
-        """Complex elevation of the whole wave, incident too, at places (p, 2), m; shape (b, p); nan in a body"""
+        """Complex elevation of the whole wave, the incident wave included, at places (p, 2), m; shape (b, p); nan in a
+        body"""
         total = incident(self.sources.k, self.beta, places)
         for middle, strengths in zip(self.middles, self.strengths.swapaxes(0, 1), strict=True):
             total += self.sources.elevation(strengths, places - middle)

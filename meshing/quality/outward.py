@@ -1,4 +1,4 @@
-"""Normals of a drawing that point to different sides, brought to one side of each part, the side of the water."""
+"""Turn the normals of a drawing, which may point to either side, to the side of the water."""
 
 from dataclasses import replace
 
@@ -10,7 +10,8 @@ SAME_POINT = 1e-6  # points closer than this share of the mesh size are one poin
 
 
 def outward(mesh) -> PanelMesh:
-    """A copy whose panels run along each common edge in opposite directions, if they do not yet; else reversed.
+    """A copy in which neighbouring panels run along their common edge in opposite directions; reversed if they already
+    do.
 
     Each part that edges of two panels join is turned so that its volume ∬ x·n dS / 3 is positive, which an open
     waterplane in z = 0 and halves that end at x = 0 or y = 0 do not change.

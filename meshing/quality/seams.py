@@ -5,8 +5,8 @@ Free edges, directed as in their panels, form rings.  Each ring encloses an open
     a = ½ Σ x × Δx        with a straight closing line where a border ends at the surface
 
 whose mean width is 2|a| over the length of the ring.  A missing panel leaves a width of half an edge; edges that
-coincide leave zero, and chords of unequal length on a curved side leave their sagittas.  Two rims along each other
-without a common corner, such as rims of 12 and 16 sides, are one seam by the sum of their areas.
+coincide leave zero, and chords of unequal length on a curved side leave their sagittas.  Two rims that lie along each
+other without a common corner, such as rims of 12 and 16 sides, are one seam; its area is the sum of their areas.
 """
 
 from collections import defaultdict

@@ -48,7 +48,7 @@ def counter_clockwise(corners):
 
 
 def mirrored_in(polygons, symmetry):
-    """Those mirror planes of `symmetry` in which the polygons are images of each other or of themselves"""
+    """The mirror planes of `symmetry` that map every polygon to itself or to another polygon"""
     return "".join(axis for axis in symmetry if all(_found(_image(p, axis), polygons) for p in polygons))
 
 

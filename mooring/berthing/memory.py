@@ -8,9 +8,9 @@ has approached at constant speed for ever: states −a⁻¹ b ν, whose force is
 
     ½ νᵀ(M + A∞) ν + ½ xᵀP x + Σ ∫R dδ + ∫ ½ |lossᵀx|² dt = energy before contact,
 
-of which `ledger` is the largest violation: ∫R dδ is computed from fender curves along the deflections, not from the
-power in the time integration.  C_M = 2 max Σ∫R dδ/(C_e M V²) is the virtual mass for which the kinetic-energy method
-gives the same energy (α² of Ueda 1981, eq. 3.2, for a linear fender).
+`ledger` is the largest violation of this balance; ∫R dδ is computed from fender curves along the deflections, not from
+the power in the time integration.  C_M = 2 max Σ∫R dδ/(C_e M V²) is the virtual mass for which the kinetic-energy
+method gives the same energy (α² of Ueda 1981, eq. 3.2, for a linear fender).
 """
 
 from dataclasses import dataclass

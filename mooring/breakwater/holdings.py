@@ -74,7 +74,7 @@ def exact_response(holding, sections, body, angle=None, axial_stiffness=None):
 def response_with_loss(holding, flows, body, coefficient, amplitude, angle=None, axial_stiffness=None):
     """`Response` of a rectangle with head loss under the keel, including motions and tensions.
 
-    flows : (n,) `bem.sections.keel_loss.KeelFlow`; coefficient : C; amplitude : amplitude of the waves, m; others as of
+    flows : (n,) `bem.sections.keel_loss.KeelFlow`; coefficient : C; amplitude : amplitude of the waves, m; others as in
     `exact_response`.  The resistance κ = (2C/3πω) a |U| is found with the motion that it damps.
     """
     from scipy.optimize import brentq

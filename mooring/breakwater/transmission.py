@@ -30,7 +30,8 @@ class Cells(NamedTuple):
 
 
 def equal_cells(spectrum, count):
-    """`Cells` of nearly equal energy, of all but the outermost 0.0008 of a `Spectrum`: few cells in its long tail"""
+    """`Cells` of nearly equal energy of a `Spectrum`, without a share of 0.0004 at each end: few cells in its long
+    tail"""
     outside = (1 - LEAST_SHARE) * 0.4
     return _between(spectrum, spectrum.quantile(np.linspace(outside, 1 - outside, count + 1)))
 

@@ -90,7 +90,7 @@ def rainflow_cycles(tension) -> Cycles:
 
 
 def miner(cycles, curve, diameter, breaking_load):
-    """Miner's sum D of Cycles, and the sum of the squares of the damage of each, Q; diameter mm, breaking_load N
+    """Miner's sum D of Cycles, and Q, the sum of the squared damages of the cycles; diameter mm, breaking_load N
 
     The sum has random terms, one of each cycle: D²/Q is their effective number, and its standard error is √Q.
     """

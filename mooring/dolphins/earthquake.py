@@ -7,8 +7,8 @@ For springs, R = k (η − y_g), in steady motion of the ground
     R/(ω² y_g M) = (k/ω²M) |−ω²(M + a) + iωN| / |k − ω²(M + a) + iωN|
 
 stiff fenders → (M + a)/M, soft ones → k/(ω²M) → 0; 1 is the method of the seismic coefficient.  SR179 report (1982),
-section 3.7.4.  A record of acceleration is integrated twice with velocity and displacement 0 at both ends: a straight
-line of acceleration is taken off it.
+section 3.7.4.  A record of acceleration is integrated twice. A straight line is subtracted from the acceleration, so
+that velocity and displacement are 0 at both ends.
 
 In the body's motion against the ground, u = η − y_g, the ground drives as −(M + a) ÿ_g where N is small, so that a
 response spectrum S_a gives R = (M + a) S_a(T, ζ), with period and damping of the equivalent spring at its own u.  A

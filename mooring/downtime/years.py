@@ -13,7 +13,7 @@ FEWEST = 5  # years with an interval
 
 
 def by_group(down, known, group, groups):
-    """Σ of down and of known (n, …) over each of `groups` (g,): two (g, …) arrays.
+    """Sums of `down` and of `known` (n, …) over each of `groups` (g,): two arrays (g, …).
 
     down : (n, …) truths, or chances; group : (n,) of each row, sorted or not
     """

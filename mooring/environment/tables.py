@@ -41,8 +41,8 @@ def column_of(path, names, wanted):
 
 
 def without_rounding(time):
-    """The evenly spaced times (n,) s from which the given times differ only by rounding in the file; if there are none,
-    the given times
+    """Evenly spaced times (n,) s, if the given times differ from them only by rounding in the file; otherwise the given
+    times
 
     0, 0.8, 1.6, 2.4, 3.3, … are steps of 0.814 s.  The last digit is at most a quarter of a step: no row is lost.
     """
@@ -57,15 +57,15 @@ def without_rounding(time):
 
 
 def check_even(path, time, off, lines):
-    """Raise TableError where the times (n,) of a table, at `lines` (n,) of its file, have steps uneven beyond `off` of
-    a step"""
+    """Raise TableError if a step of the times (n,) of a table differs from the median step by more than `off` of it;
+    lines : (n,) of the file"""
     steps = np.diff(time)
     if len(steps) and not np.all(np.abs(steps - np.median(steps)) <= off * np.median(steps)):
         raise fault_of_steps(path, time, off, lines)
 
 
 def fault_of_steps(path, time, off, lines):
-    """`TableError` for times (n,) of a table with steps uneven beyond `off` of a step: its line and a remedy
+    """`TableError` for uneven steps between the times (n,) of a table; the message gives the line and a remedy
 
     lines : (n,) line numbers in the file
     """

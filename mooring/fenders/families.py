@@ -95,7 +95,7 @@ def _ordinary(label, family, intensity, height, length):
 
 
 def fender_of_file(path, height, **marks):
-    """`fender.Fender` of a maker's CSV table; height : m; marks : as of `fender_of_points`.  Raises FenderError."""
+    """`fender.Fender` of a maker's CSV table; height : m; marks : as in `fender_of_points`.  Raises FenderError."""
     rows = list(csv_rows(read_text(path, FenderError, largest=1)))
     columns = set(rows[0]) if rows else set()
     along = next((key for key in ("strain", "deflection_m") if key in columns), None)

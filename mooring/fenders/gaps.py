@@ -25,8 +25,8 @@ class Side(NamedTuple):
 
 
 def pairs_of(sides):
-    """Pairs (Side, Side) of which at least one moves, whose boxes do not overlap at rest, unlike a float and its spar,
-    and that no third hull keeps apart, as the middle one of three in a row"""
+    """Pairs (Side, Side) of hulls between which a gap is reported: at least one of them moves, their boxes do not
+    overlap at rest (as a float and its spar do), and no third hull lies between them (as in a row of three)"""
     rest = np.zeros((1, 1 + max((one.moves for one in sides), default=0), 6))
     for one in sides:
         if one.moves >= 0:

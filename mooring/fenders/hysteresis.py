@@ -70,7 +70,7 @@ def advanced_one(state, before, after, length):
 
 
 def reaction_at(fender, deflection, state):
-    """N at deflections and states of the same shape"""
+    """Force, N, at deflections and states of the same shape"""
     down = fender.unloading(deflection)
     return down + state * (fender.loading(deflection) - down)
 

@@ -6,6 +6,7 @@ class FormatError(ValueError):
 
 
 def fault(path, line, section, what):
-    """FormatError at a line (counted from 1, None for the whole file) of a section (None before the first)."""
+    """FormatError at a line of a section; line : counted from 1, None for the whole file; section : None before the
+    first section."""
     place = f"{path}" + (f" line {line}" if line else "") + (f", section {section}" if section else "")
     return FormatError(f"{place}: {what}")

@@ -21,7 +21,7 @@ DIPS = 1e-3  # part of the length that may enter the water while a line still co
 
 
 def in_air(lines, points, bodies, water):
-    """The lines, of which lines that cannot reach the water get a type with weight in air; the names of these dry
+    """The lines, with a type with weight in air for lines that cannot reach the water; and the names of these dry
     lines"""
     lowest = _lowest(lines, points, bodies)
     dry = [_is_dry(line, lowest) for line in lines] if water.density > 0 else [False] * len(lines)

@@ -100,7 +100,7 @@ def _number(row, key, where, path, unit, default=None):
     try:
         found = float(value)
     except (TypeError, ValueError):
-        state = "missing" if value is None else f"{value!r}, as of variable data"
+        state = "missing" if value is None else f"{value!r}, as variable data are"
         raise FormatError(f"{path}: {key} of {where} is {state}; allowed: a number") from None
     if not np.isfinite(found):
         raise FormatError(f"{path}: {key} of {where} is {value}; allowed: finite")

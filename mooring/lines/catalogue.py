@@ -14,8 +14,8 @@ Wire:  break = K d² R / 1000 kN, mass = W d² / 100 kg/m, EN 12385-4 (2002), 6x
 1620, B 1770 N/mm² (its own 6x24 A break with 0.304 d² R, a twelfth more, by a maker's table); modulus over the nominal
 circle 7.0e10 N/m² six strands, 1.13e11 spiral strand, DNV-OS-E301. Fibre rope and the loads of spiral strand:
 coefficients drawn from makers' catalogues as published with NREL's mooring property library (MoorPy, 2021 to 2024);
-stiffness quasi-static, a multiple of the breaking load. Submerged weight counts the volume of the material, water
-fills the gaps.
+stiffness quasi-static, a multiple of the breaking load. The submerged weight is the weight of the material less its own
+buoyancy; water fills the gaps.
 
 Drag: coefficients on the nominal diameter of DNV-OS-E301 (2013) ch. 2 sec. 2, which gives none along ropes; added mass
 along a chain 0.5 of its displaced water, as in NREL's library.

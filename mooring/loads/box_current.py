@@ -7,7 +7,7 @@ L/B = 1.2 with B/d = 10, H/d from 1.05, and 15 in deep water (2.2.3.1, 2.2.3.4).
     C_x(χ) = C_x(0°) S_x(χ),   C_y(χ) = C_y(90°) S_y(χ)
 
 where C_x(0°), C_y(90°) over B/d and H/d are interpolated along their crest (see `crest`) and the shapes S between the
-three depths at which all angles were tested.  A sea deeper than the tank is treated as one of the tank's depth. The
+three depths at which all angles were tested.  Water deeper than the tank is treated as water of the tank's depth. The
 moment is not tabulated; the report's text gives the lever 0.09 (sin 2χ)^1.2 of the length for L/B = 2.
 
 A square has the mean of both sides of L/B = 1.2, so that it has no side of its own; boxes up to 1.2 are in between.

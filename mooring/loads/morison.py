@@ -23,17 +23,17 @@ class Section(NamedTuple):
 
 
 def circular(diameter, C_D, C_M=2.0):
-    """Section of a circular cylinder; C_M on π/4 D², 2 in potential flow.  Raises ValueError."""
+    """Section of a circular cylinder; C_M refers to π/4 D², in potential flow 2.  Raises ValueError."""
     return _solid(diameter, C_D, np.pi / 4 * diameter**2, C_M)
 
 
 def square(side, C_D, C_M=2.19):
-    """Section of a square prism moved along a side; C_M on D², 2.19 in potential flow.  Raises ValueError."""
+    """Section of a square prism moved along a side; C_M refers to D², in potential flow 2.19.  Raises ValueError."""
     return _solid(side, C_D, side**2, C_M)
 
 
 def plate(width, C_D, C_M=1.0):
-    """Section of a flat plate across the flow; C_M on π/4 D², 1 in potential flow, all of it added mass."""
+    """Section of a flat plate across the flow; C_M refers to π/4 D², in potential flow 1, all added mass."""
     _check(width, C_D, C_M, 0.0)
     return Section(width, C_D, 0.0, C_M * np.pi / 4 * width**2)
 

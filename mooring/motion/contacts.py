@@ -39,8 +39,8 @@ class QuayFender:
     def __post_init__(self):
         if not (self.friction >= 0 and self.shear >= 0) or (self.friction > 0 and self.shear == 0):
             raise FenderError(
-                f"fender {self.name}: friction is {self.friction:g} and shear, the stiffness along its face until it "
-                f"slides, {self.shear / 1e3:g} kN/m; allowed: both 0, or both above 0"
+                f"fender {self.name}: friction is {self.friction:g} and shear (stiffness along the face before "
+                f"sliding) is {self.shear / 1e3:g} kN/m; allowed: both at least 0, and shear above 0 if friction is"
             )
 
 
@@ -171,7 +171,7 @@ def at_rest(berth, others, start, unit):
 
 
 def balanced(residual, start):
-    """Place at which a residual is least, as by `scipy.optimize.least_squares`, with the same digits each time
+    """Place at which a residual is least, as by `scipy.optimize.least_squares`, with the same digits in every run
 
     Not by method="lm": for a body with a motion that hardly changes the residual, the next place in scipy 1.17 depends
     on uninitialised memory.

@@ -21,8 +21,8 @@ fenders and ropes between two bodies act on both with opposite sign.  ψ is the 
 Shapes of bodies that bend have amplitudes ξ beside these motions, and the same equation without the terms of slow
 motion: mass, memory, damping and restoring forces of all motions together, first-order waves at the slow pose of the
 body, and Q_k = f · R u_k(p) of the force f of a line, fender or rope at a point p, which is moved by Σ ξ_k R u_k(p).
-They go in G groups of six, filled up with motions that are none, each of one body: of a group the state has ξ (6) and
-ξ̇ (6) before the memory, and vectors of forces have six numbers after those of all bodies.
+Shapes are in G groups of six; each group belongs to one body and is filled up with empty motions. For each group the
+state contains ξ (6) and ξ̇ (6) before the memory, and vectors of forces have six numbers after those of all bodies.
 """
 
 from __future__ import annotations

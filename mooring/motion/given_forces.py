@@ -1,8 +1,8 @@
 """Forces given as tables in time, in the axes that turn with the body.
 
 Between the rows they follow monotone cubics (Fritsch and Carlson 1980; `scipy.interpolate.PchipInterpolator`), which do
-not overshoot, or cubic splines where they are smooth.  Before the first row they are those of the first, grown by the
-ramp as every load is.
+not overshoot, or cubic splines where they are smooth.  Before the first row the forces of the first row act; the ramp
+applies to them as to every load.
 
 Drift by half waves (`mooring.response.slow_drift.half_wave_drift`; SR179 report (1982), eq. 3.7.1.5) is such a force.
 """

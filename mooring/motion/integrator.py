@@ -312,7 +312,7 @@ def advance(scene, waves, clock, samples, most, buoy, links, moving):
     """Integrate until the end, or for `most` steps; samples (n, SAMPLED N + 12 G, or 6 more), filled.  Returns why it
     stopped.
 
-    scene : `equation.Scene`; waves : `wave_loads.Waves`; buoy, links : as of `rates`; moving : (MovingLines,
+    scene : `equation.Scene`; waves : `wave_loads.Waves`; buoy, links : as in `rates`; moving : (MovingLines,
         MovingWork), None without moving lines, and then not compiled
     """
     now, counts, k, fixed = clock.now, clock.counts, clock.stages, clock.fixed_step

@@ -85,8 +85,8 @@ def findings(moored, body, mean, constant, dragged):
         if much:
             beside = ", in addition to the drag of the water" if dragged else ""
             yield (
-                'left out: the memory of the water: memory = "constant" damps slow motion as much as waves of '
-                f"{mean:.3g} rad/s do: {', '.join(much)}{beside}; so the σ of slow motion is too small; give "
+                'left out: the memory of the water; memory = "constant" gives slow motion the damping at '
+                f"{mean:.3g} rad/s: {', '.join(much)}{beside}; its σ is therefore too small; give "
                 'memory = "states"'
             )
         return

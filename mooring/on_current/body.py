@@ -112,7 +112,7 @@ class OnCurrent(Reader):
 
 
 def on_current(body, carrier):
-    """A `Reader` on the current of a `Carrier`; the same `Reader` without current"""
+    """A `Reader` on the current of a `Carrier`; without current the given `Reader`"""
     if carrier is None:
         return body
     return OnCurrent(**{one.name: getattr(body, one.name) for one in fields(Reader)}, carrier=carrier)

@@ -1,6 +1,6 @@
 """Forces of a passing ship by formulas fitted to tests in tanks: Kriebel (2005) for an open jetty, Swiegers (2011).
 
-The largest force of each kind is that of Wang (1975) in deep water, times a factor that depends on the depth:
+The largest force of each kind is the force by Wang (1975) in deep water, times a factor that depends on the depth:
 
     F = C ρ U² S₁ S₂/L₂²,   Mz = C_M ρ U² S₁ S₂ L₁/L₂²
     surge 1 + 1.70 e^(2.92 T/d) e^(−0.08 (G/B − 3)²)

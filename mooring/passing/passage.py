@@ -105,6 +105,6 @@ class Passage:
 
     @property
     def left(self):
-        """Largest remaining surge or sway force at the ends of the track, over the largest of all"""
+        """Largest surge or sway force at the ends of the track, over the largest of the whole passage"""
         plane = np.abs(self.force[:, :2])
         return float(np.max(plane[[0, -1]] / np.maximum(plane.max(axis=0), ROUNDING * plane.max())))

@@ -3,10 +3,10 @@
     F(t) = Re Σᵢ Σⱼ aᵢ āⱼ T_ij exp{−i(ωᵢ − ωⱼ)t},        T_ij = √(DᵢDⱼ) + s_ij D(Ω, κ),    Ω = ωᵢ − ωⱼ, κ = kᵢ − kⱼ
 
 with the mean drift D of single waves (`slow_drift`), the bound wave s of a pair (`bem.second_order.bound_waves`) and
-the force of a wave of unit amplitude that is not free (`bem.second_order.long_wave_forces`).  This is Pinkster's (1980)
-third part of the force with the diffraction of the bound wave at its own wavenumber; forces on the body and on the
-surface by products of first-order waves at Ω ≠ 0 are left to Newman's term.  On a fixed cylinder whose radius is half
-the depth the sum is within 8 % of the whole from ka = 0.2 and 0.4 on, Newman's term alone 4 % of it there.
+the force of a wave of unit amplitude that is not free (`bem.second_order.long_wave_forces`).  This is the third part of
+the force by Pinkster (1980), with the diffraction of the bound wave at its own wavenumber. The other parts, forces on
+body and surface by products of first-order waves, are approximated by Newman's term.  On a fixed cylinder whose radius
+is half the depth the sum is within 8 % of the whole from ka = 0.2 and 0.4 on, Newman's term alone 4 % of it there.
 
 Long-crested waves only: all travel in one direction, and Ω/κ lies between their group velocities.  On a grid over Ω and
 Ω/κ the force is a polynomial, whose last coefficients are the estimated error.
@@ -271,7 +271,7 @@ def estimated_forces(body, one, two, direction, highest):
     D = iκ ρg (∇ + A/ρ) (cos β, sin β) f,   f = sinc(κa cos β) sinc(κb sin β), its mean over a plan of 2a by 2b
 
     A added mass at the lowest known frequency; body : `bem.database.reader.Reader` with its inertia
-    highest : rad/s, of the differences, as of `BoundWaveForces`
+    highest : rad/s, of the differences, as in `BoundWaveForces`
     """
     bound = bound_waves((one, 0.0), (two, 0.0), body.depth, body.gravity)
     kappa, amplitude = bound.number[..., 0], bound.amplitude * slow_share(bound.omega / highest)

@@ -4,7 +4,7 @@
 
 D in N per m² of wave amplitude squared (moment N m/m²), in surge, sway and yaw.  The SR179 report (1982) has two
 coefficients for it: R_w = F / (½ρgLζ²) in 3.6.10 and 3.7.1.1, and C_R of the guideline (3.3) with the depth factor
-outside, R_w = C_R (1 + 2kh/sinh 2kh).  The sum of 3.6.9 takes R_w once; the square printed there counts it twice.
+outside, R_w = C_R (1 + 2kh/sinh 2kh).  The sum of 3.6.9 contains R_w once; the printed square would count it twice.
 
 D is that of `bem.database.reader.Reader`, which resolves the resonances of the motions between stored waves.
 """

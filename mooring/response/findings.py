@@ -66,7 +66,7 @@ def waves_missed(transfer):
 
 
 def named_shares(names, share):
-    """Words on the responses whose share (c,) exceeds MISSED, the largest first; empty without any"""
+    """Words on the responses whose share (c,) exceeds MISSED, the largest first; empty if there are none"""
     return some([f"{names[i]} {100 * share[i]:.1f} %" for i in np.argsort(-share) if share[i] > MISSED])
 
 
@@ -173,7 +173,8 @@ def drift_of_each(body, slow):
         return
     if not body.own:
         yield (
-            "the drift of each body is the stored one, for free motions; damping, stiffness and hinges that are added "
+            "the drift of each body is the stored drift, for free motions; damping, stiffness and hinges that are "
+            "added "
             "here change the motions and so the true drift"
         )
         return

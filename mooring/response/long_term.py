@@ -52,7 +52,9 @@ def long_term(m0, m2, probability) -> LongTerm:
     """
     m0, m2, p = (np.asarray(v, float).ravel() for v in (m0, m2, probability))
     if not len(m0) == len(m2) == len(p) > 0:
-        raise ValueError(f"moments and shares have {len(m0)}, {len(m2)}, {len(p)} values; allowed: one each per state")
+        raise ValueError(
+            f"moments and shares have {len(m0)}, {len(m2)}, {len(p)} values; allowed: one of each per state"
+        )
     if np.any(p < 0) or p.sum() > 1 + 1e-6:
         raise ValueError(f"shares of time sum to {p.sum():.6g}, least {p.min():.3g}; allowed: at least 0, sum up to 1")
     if not np.any((m0 > 0) & (p > 0)):

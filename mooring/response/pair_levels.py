@@ -1,6 +1,6 @@
 """The slow force of wave pairs by levels of its quadratic transfer function T, each more expensive and more complete.
 
-newman      √(DᵢDⱼ) of the mean drift: nothing beside what every study has (`slow_drift`)
+newman      √(DᵢDⱼ) of the mean drift: needs no data beyond those of every study (`slow_drift`)
 bound-wave  and the long wave bound to the pair, diffracted (`bound_wave_drift`): a second for a sea
 body        squares at their difference frequency, bound wave and the moving hull (`bem.second_order`), as
             `hakobune qtf` stores them, of the freely floating body
@@ -115,7 +115,7 @@ class SpreadPairForces:
     def of_components(self, components, drift):
         """T minus Newman's value from their mean drift (n, 3), of all pairs of wave `components`; shape (n, n, 6)
 
-        T is linear between headings; beyond the headings of the pairs it is that of the nearest
+        T is linear between headings; outside the headings of the pairs the nearest heading is used
         """
         omega, total = np.asarray(components.omega, float), 0.0
         used = sorted({a for a, _ in self.pairs})
@@ -207,7 +207,7 @@ def beside_newman(db, sea, level, spread=False):
 def beside_newman_of_bodies(db, sea, level):
     """What `beside_newman` has for each of several bodies, or None, shape (moving bodies,); and remarks
 
-    level : newman, body, or auto, which is body where that is stored.  raises : as of `beside_newman`
+    level : newman, body, or auto, which is body where that is stored.  raises : as in `beside_newman`
     """
     if level == "newman":
         return None, ()
@@ -273,8 +273,8 @@ def stored_pairs(db, sea, level="body", spread=False, body=None):
         )
     if stored.asked is not None:
         raise ValueError(
-            f"the wave pairs in {db.path} come from an unfinished run, with differences to "
-            f"{forces.frequency[-1]:.3g} of {stored.asked:.3g} rad/s; 'hakobune qtf {db.path}' continues it"
+            f"the wave pairs in {db.path} come from an unfinished run; differences up to {forces.frequency[-1]:.3g} "
+            f"of {stored.asked:.3g} rad/s are stored; 'hakobune qtf {db.path}' continues it"
         )
     if level == "full" and forces.surface is None:
         raise ValueError(

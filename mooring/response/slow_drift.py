@@ -185,7 +185,7 @@ def cross_spectrum(spectrum, omega, products, difference):
     """Cross spectral densities of slow forces; shape (d, 3, 3); products : `signed_pairs` at omega, mean over headings
 
     In phase: T_ij of two forces in one pair of waves have no lag by Newman's rule.  Its diagonal is `force_spectrum`.
-    Complex products of n forces at several places have their phases there; shape (d, n, n).
+    The products of n forces at several places are complex, with the phases at these places; shape (d, n, n).
     """
     omega, shape = np.asarray(omega, float), products.shape[1:]
     found = _over_pairs(spectrum, omega, products.reshape(len(omega), -1), difference).reshape(-1, *shape)

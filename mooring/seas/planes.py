@@ -46,7 +46,7 @@ class TabulatedSpreading(Spreading):
 def two_dimensional(omega, angle, density, name):
     """Sea of S(ω, θ) (n, m) m² s/rad², omega (n,) rad/s rising, angle (m,) rad travelled to, in any order.
 
-    A direction that is there at both ends of a turn, such as −180° and 180°, is taken once where its densities agree.
+    A direction given twice, such as −180° and 180°, is used once if the densities agree.
     """
     turned = np.mod(angle, 2 * np.pi)
     turned = np.where(turned > 2 * np.pi - SAME, 0.0, turned)

@@ -152,7 +152,7 @@ def six_parameters(swell, sea):
 
 
 def ochi_hubble(height, **period):
-    """The most probable sea of a significant height (m): the first row of the eleven of table 2b.
+    """The most probable sea of a significant height (m): the first of the eleven rows of table 2b.
 
     Periods follow from the height: ValueError if one is given.  The printed heights, 0.84 and 0.54 of the significant
     height, have 0.9972 of the energy; both are scaled to the whole energy.

@@ -92,7 +92,7 @@ def on_hull(point: SinglePoint, slow_added_mass, drift=True, up=0.0) -> OnHull:
 
 def body_at(steady: Equilibrium, state, db=None, *, buoy: BuoyBody | None = None, rope=None, end_z=0.0,
             memory=None, sea=None) -> Moored:  # fmt: skip
-    """Moored at a state (6,) near an Equilibrium (`slewing.turned_state`), with the hawser stretched by its tension.
+    """`Moored` at a state (6,) near an Equilibrium (`slewing.turned_state`), with the hawser stretched by its tension.
 
     db : opened database, None for the plane; memory : memory of its water; sea : for the linearisation of its
     viscous damping

@@ -3,8 +3,8 @@
     slow      T ν̇ = F(ψ, ν) + F_mooring                          in steps of 10 s, with constant wind in each
     waves     A ẍ + B ẋ + C x = F_w(t) + T_w,   T_w = F_mooring(slow + x) − F_mooring(slow)
 
-The position and the heading of the slow motion are constant during the waves of its step; A and B are those of one
-frequency.  Tensions are those of both displacements together (3.6.4, with the arm of the hawser and the sign of yaw
+The position and the heading of the slow motion are constant during the waves of its step; A and B are taken at one
+frequency.  Tensions follow from the sum of both displacements (3.6.4, with the arm of the hawser and the sign of yaw
 corrected, and with pitch, which the report omits).  Waves may start later than the slow motion, to show the decay of
 the slewing alone.  Wave motion is integrated by Newmark's method of mean acceleration, with the mooring at the
 predicted position.  The slow drift is not included: the report adds a fifth to the tension.

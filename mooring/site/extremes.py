@@ -196,7 +196,9 @@ def _doubts(found, years, confidence):
             f"{found.value:.4g}, its {100 * confidence:.0f} % interval {found.low:.4g} to {found.high:.4g}"
         )
     if years > 4 * count:
-        yield f"{years:.0f} years are more than four times the {count} measured: an extrapolation"
+        yield (
+            f"{years:.0f} years are more than four times the {count} measured years, so this value is an extrapolation"
+        )
     if years >= count and found.value < most:
         yield (
             f"the value of {years:.0f} years by {found.fit.family}, {found.value:.4g}, is below {most:.4g}, the "

@@ -16,11 +16,12 @@ from Gaussian: with independent complex normal z_j
 
 (Kac and Siegert 1947, Naess 1986), to which gusts and waves add a Gaussian.  The characteristic function of the sum
 gives its density f, and a level x is crossed f(x) σ_ẋ/√2π times a second.  The largest value of slow motion in head
-seas is a third above that of a Gaussian of the same variance.  The rule for comparison (DNV-OS-E301, chapter 2, section
-2) is the larger of slow significant + fast largest and slow largest + fast significant, both Gaussian.
+seas is a third above that of a Gaussian of the same variance.  For comparison, DNV-OS-E301 (chapter 2, section 2) takes
+the larger of two sums: significant slow motion + largest wave motion, and largest slow motion + significant wave
+motion, both Gaussian.
 
-Several bodies move together, on the stiffness of lines, fenders and hinges: three slow motions of each in place of
-three, with the mean drift of each body and the phases of the waves at its place.  Damping and stiffness of a mode are
+Several bodies move together, on the stiffness of lines, fenders and hinges: each body has three slow motions, with its
+own mean drift and the phases of the waves at its place.  Damping and stiffness of a mode are
 then those of the coupled natural mode named after the motion; the drag of each hull is linearised in its own velocity.
 """
 

@@ -75,7 +75,8 @@ def mooring_stiffness(state: SystemEquilibrium, body, others="free"):
 
 
 def _following(inner, pulled):
-    """K_ee⁻¹ K_eb, least where a motion, as of a clamp about its line, is held by nothing and pulled by nothing.
+    """K_ee⁻¹ K_eb, of least norm where a motion, such as that of a clamp about its line, has neither stiffness nor
+    load.
 
     raises : LineSystemError for a motion with force but without stiffness
     """

@@ -75,7 +75,7 @@ def wave_effects(db, conditions, body=None):
 
 
 def lacks_drift(db, body):
-    """Whether the files that a database of one body was imported from had no drift, which nobody can add to it"""
+    """Whether a database of one body was imported from files without drift, so that the drift cannot be computed"""
     return "imported" in getattr(db, "attributes", ()) and not (body.bodies or body.knows_drift)
 
 
@@ -118,11 +118,12 @@ def _irregular(reader, conditions, lacking=False):
     sea = sea_of(conditions)
     if not (lacking or reader.knows_drift):
         raise BetweenError(
-            "drift_force must be stored for waves; repeat the command that made it, with --only drift,kochin,rao"
+            "drift_force must be stored for waves; repeat the command that made the database, with --only "
+            "drift,kochin,rao"
         )
     if reader.bodies and not reader.knows_drift_of_each:
         raise BetweenError(
-            "body_drift_force must be stored for a study with waves; solve the scene of the bodies by method panel"
+            "body_drift_force must be stored for a study with waves; solve the scene of the bodies with --method panel"
         )
     try:
         body, _ = in_sea(on_current(reader, carrier_of(conditions.current)), sea)
@@ -182,7 +183,7 @@ def _regular(reader, conditions, lacking=False):
     if body.lacks_motions:
         warnings += (
             "motions on the current are taken from still water, since the database lacks the coefficients to compute "
-            "them; repeat the command that made it, with --only motions,radiation",
+            "them; repeat the command that made the database, with --only motions,radiation",
         )
     near = np.clip(w.omega * (1 + BESIDE * np.array([-1.0, 0.0, 1.0])), *body.between.span)
     _, coefficients, known = drift_on_current(body, np.unique(near), [w.direction])

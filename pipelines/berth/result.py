@@ -110,7 +110,7 @@ def _vessel(name, db):
     """
     if not db.bodies:
         if name:
-            raise StudyError(f"ship.body is {name!r}, and {db.path} is of one body; leave it out")
+            raise StudyError(f"ship.body is {name!r}, but {db.path} contains one body; leave ship.body out")
         return db, {}
     moving = [body.name for body in db.bodies if not body.fixed]
     name = moving[0] if not name and len(moving) == 1 else name

@@ -113,7 +113,7 @@ def _inclined(table, where, fender):
     if width is None:
         raise StudyError(
             f"{where}.angle_deg is {table.angle_deg:g} without a width; give the width of the panel, m (for a cell "
-            "fender that of the flange, 1.1 to 1.3 times its height)"
+            "fender the width of the flange, 1.1 to 1.3 times the height)"
         )
     return inclined(fender, below(f"{where}.width", width, WIDEST), math.radians(table.angle_deg))
 

@@ -74,8 +74,8 @@ class Stop:
 def ctrl_c(say=None):
     """A `Stop` that the first Ctrl-C sets; the second one interrupts at once.
 
-    say : called with one line at the first Ctrl-C; None if it should interrupt at once, as the second does during
-    compilation of kernels
+    say : called with one line at the first Ctrl-C; None if Ctrl-C should interrupt at once, as the second Ctrl-C does
+    during compilation of kernels
 
     An exception during a compiled kernel appears as an error of the kernel, and would be mistaken for a failed
     frequency.  Outside the main thread, and where another process handles Ctrl-C, signals are unchanged.

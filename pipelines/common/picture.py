@@ -45,7 +45,7 @@ def save(figure, path, dpi):
 
 @contextmanager
 def loaded_meanwhile(wanted):
-    """Within this matplotlib is loaded, which takes 0.3 s, if it is wanted: while kernels run, Python is free for it"""
+    """Context in which matplotlib is loaded if it is needed (0.3 s): while kernels run, Python has time for it"""
     loading = Thread(target=lambda: [*map(import_module, PARTS_OF_MATPLOTLIB)] if wanted else None)
     loading.start()
     try:
@@ -141,7 +141,7 @@ def data_address(draw):
 
 
 def check_display():
-    """Raise ValueError where a window would never appear, which VTK does not report."""
+    """Raise ValueError if there is no display for a window; VTK does not report this."""
     drawn_by_x = sys.platform.startswith("linux")
     if drawn_by_x and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
         raise ValueError(

@@ -233,8 +233,9 @@ def _side(where, face, hull):
     if not reached:
         x, y, z = face
         raise StudyError(
-            f"{where}: the body cannot reach {x:g}, {y:g}, {z:g} m; allowed: in front of a side of the hull of "
-            f"{hull.length:g} × {hull.beam:g} m, at most {FARTHEST:g} m off, z {-hull.draft:g} to {hull.freeboard:g}"
+            f"{where}: the body cannot reach the point {x:g}, {y:g}, {z:g} m; allowed: points in front of a side of "
+            f"the hull of {hull.length:g} × {hull.beam:g} m, at most {FARTHEST:g} m from it, with z from "
+            f"{-hull.draft:g} to {hull.freeboard:g} m"
         )
     normal = np.zeros(3)
     normal[across] = np.sign(face[across])
@@ -295,8 +296,8 @@ class HingeTable(Table):
         if wrong or self.bodies[0] == self.bodies[1] or not set(self.bodies) & set(moves):
             given = wrong[:1] or list(self.bodies)
             raise StudyError(
-                f"{where}.bodies has {' and '.join(map(repr, given))}; allowed: two different of {', '.join(known)}, "
-                "of which at least one moves"
+                f"{where}.bodies has {' and '.join(map(repr, given))}; allowed: two different names of "
+                f"{', '.join(known)}, at least one of a body that moves"
             )
         if self.kind not in KINDS:
             raise StudyError(f"{where}.kind is {self.kind!r}; allowed: {', '.join(KINDS)}")

@@ -52,7 +52,7 @@ def typed(raw: dict[str, typing.Any], kind: type[Typed], error: type[ValueError]
 
 
 def to_toml(study):
-    """TOML of a typed study or scene that reads back as the same, without the keys that are None"""
+    """TOML that reads back as the same typed study or scene; keys that are None are left out"""
     import tomli_w
 
     return tomli_w.dumps(without_none(msgspec.to_builtins(study)))

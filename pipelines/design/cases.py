@@ -130,7 +130,8 @@ def check_cases(read, scenes):
 
 
 def _check_several(read, body):
-    """Raises StudyError for limits on a body that is not there, and for water levels beside what does not float"""
+    """Raises StudyError for limits on a body that does not exist, and for water levels beside a structure that does not
+    float"""
     several = () if body is None else body.bodies
     moving = [one.name for one in several if not one.fixed]
     for i, one in enumerate(read.project.limits):

@@ -121,7 +121,7 @@ def repeated(read, factors):
 
 
 def judged_case(read, ran, others):
-    """The Case for the criteria, from the Ran of one load case with all factors on the motions.
+    """The `Case` for the criteria, from the `Ran` of one load case at all factors on the motions.
 
     ran : {factor: Ran}; others : {quantity: value} of the whole project
     """

@@ -40,8 +40,8 @@ class Verdicts(NamedTuple):
 
 
 def judged(used, limits, operations):
-    """Verdicts for utilisations (n, l) without uncertainty: an operation is known in an hour if all of its limits are
-    known"""
+    """Verdicts for utilisations (n, l) without uncertainty; the verdict of an hour is known if all limits of the
+    operation are known"""
     down, known = [], []
     for number in range(operations):
         own = used[:, [one.operation == number for one in limits]]

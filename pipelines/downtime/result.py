@@ -176,8 +176,8 @@ def _outside(response, record, hours):
         )
         if np.nanmedian(share) > MOST_OUTSIDE:
             raise StudyError(
-                f"{text}; allowed: at most {100 * MOST_OUTSIDE:g} % of the energy in half of the rows; check that "
-                f"periods are in s"
+                f"{text}; allowed: at most {100 * MOST_OUTSIDE:g} % of the energy outside, in at least half of the "
+                f"rows; check that periods are in s"
             )
         yield text
 

@@ -34,7 +34,7 @@ def import_(
     *,
     from_: Annotated[str, Parameter(name="--from", help=f"{FORMATS}, aqwa, diodore or hydrostar")],
     mesh: Annotated[
-        Path | None, Parameter(help="mesh of the hull, of several bodies separated by commas [beside the results]")
+        Path | None, Parameter(help="mesh of the hull; for several bodies a,b,… [beside the results]")
     ] = None,
     depth: Annotated[float | None, Parameter(help="water depth, m or inf, if the files do not contain it")] = None,
     density: Annotated[float, Parameter(help="density of the water, kg/m³, if the files do not contain it")] = 1025.0,
@@ -158,7 +158,7 @@ def _from_to(text):
     except ValueError:
         found = (1.0, 0.0)
     if not colon or not 0 <= found[0] < found[1]:
-        raise ValueError(f"--frequencies is {text!r}; allowed: from:to in rad/s, as 0.2:1.5, 0.2: or :1.5")
+        raise ValueError(f"--frequencies is {text!r}; allowed: from:to in rad/s, such as 0.2:1.5, 0.2: or :1.5")
     return found
 
 
@@ -172,5 +172,5 @@ def _three(flag, text):
         return None
     values = numbers(flag, text)
     if not isinstance(values, list) or len(values) != 3 or not all(map(isfinite, values)):
-        raise ValueError(f"{flag} is {text!r}; allowed: three numbers in m, as 0,0,1")
+        raise ValueError(f"{flag} is {text!r}; allowed: three numbers in m, such as 0,0,1")
     return tuple(values)

@@ -35,7 +35,7 @@ def import_several(place, kind_name, names, meshes, known, weights, output, fres
     """Make the database of the bodies called `names` and print its content; returns the exit status.  Raises
     ValueError.
 
-    known : as of `importing.import_`, without a body; weights : `bem.formats.afloat.Weight` of each
+    known : as in `importing.import_`, without a body; weights : `bem.formats.afloat.Weight` of each
     uncoupled : whether to omit added mass and damping between different bodies, as WEC-Sim does (b2b = 0)
     """
     kind = format_of("from", kind_name)

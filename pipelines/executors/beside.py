@@ -15,7 +15,7 @@ _begun = []  # the process that this process has begun; one is enough
 
 
 def begin_beside(command, source, *words):
-    """Begin such a process, until this one ends, if kernels are not there and there are two processors.
+    """Start the second process if kernels are missing and there are two processors; it ends with this process.
 
     source : file, below the root, of the kernels that the command compiles last; words : its files
     """

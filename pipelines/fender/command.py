@@ -17,7 +17,7 @@ def fender(
         str | None, Parameter(help="CSV of the manufacturer with columns strain or deflection_m, reaction_kN, …")
     ] = None,
     height: Annotated[
-        float, Parameter(help="m, height; of a pneumatic fender its diameter", allow_leading_hyphen=True)
+        float, Parameter(help="m, height; for a pneumatic fender the diameter", allow_leading_hyphen=True)
     ],
     length: Annotated[float | None, Parameter(help="m, of v, h, pneumatic", allow_leading_hyphen=True)] = None,
     rated_reaction: Annotated[float | None, Parameter(help="kN", allow_leading_hyphen=True)] = None,

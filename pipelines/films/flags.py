@@ -21,7 +21,7 @@ def animate(
         float | None, Parameter(help="s, length of the film [60; at a single point the whole run]")
     ] = None,
     step: Annotated[
-        float | None, Parameter(help="s between frames, of which ten are shown each second [1, or 150 frames in total]")
+        float | None, Parameter(help="s between frames; the film shows ten frames a second [1, or 150 frames in total]")
     ] = None,
     period: Annotated[float | None, Parameter(help="s, period of the waves around the body of a database")] = None,
     omega: Annotated[float | None, Parameter(help="rad/s, in place of the period")] = None,

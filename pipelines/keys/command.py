@@ -13,7 +13,7 @@ def keys(
         str | None, Parameter(help="kind of file, a command that reads it, or a word to search for in all files")
     ] = None,
     /,
-    *words: Annotated[str, Parameter(help="show only the keys with these words, as waves or pretension")],
+    *words: Annotated[str, Parameter(help="show only the keys with these words, such as waves or pretension")],
     json: Annotated[bool, Parameter(help="print as JSON", negative="")] = False,
     markdown: Annotated[bool, Parameter(help="print as Markdown", negative="")] = False,
     schema: Annotated[

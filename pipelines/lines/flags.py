@@ -73,7 +73,7 @@ def lines(
     output: Annotated[Path | None, Parameter(help="results, .h5 or .csv")] = None,
     plot: Annotated[
         Path | None,
-        Parameter(help="plan, profile, curves: .png .svg .pdf; of a result its frames, .gif too [NAME_frames.png]"),
+        Parameter(help="plan, profile, curves: .png .svg .pdf; for a result its frames, also .gif [NAME_frames.png]"),
     ] = None,
     moordyn: Annotated[Path | None, Parameter(help="write the system as a MoorDyn v2 input file")] = None,
 ):

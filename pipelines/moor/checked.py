@@ -49,7 +49,7 @@ class Body(NamedTuple):
 
     @property
     def words(self):
-        """Names of the motions, as of a database"""
+        """Names of the motions, as in a database"""
         return words_of(self.bodies)
 
 
@@ -67,7 +67,7 @@ def body_of_database(db):
 
 
 def body_of_scene(name, scene):
-    """Body, or several bodies, of a Scene.  Raises StudyError for one of several whose size is not known."""
+    """Body, or several bodies, of a Scene.  Raises StudyError for one of several bodies whose size is not known."""
     from ..scene.places import bodies_of
 
     water, shape = scene.water, scene.body.shape
@@ -142,8 +142,8 @@ def check_period(waves, omega):
 
 
 def check_weather(study, body):
-    """ExposedBox of a `Study` on a Body, of several {name: ExposedBox}.  Raises ValueError for a hull, weather or quay
-    that does not match."""
+    """ExposedBox of a `Study` on a Body; for several bodies {name: ExposedBox}.  Raises ValueError for a hull, weather
+    or quay that does not match."""
     study.check_depth(body.water_depth, body.name)
     hull = study.hulls_of(body) if body.bodies else study.hull_of(body.dimensions)
     for one in hull.values() if body.bodies else (hull,):

@@ -20,7 +20,8 @@ _asked = None  # (form, file of tables) while another form than boxes is request
 
 @contextlib.contextmanager
 def tables_as(form):
-    """Context in which tables are printed as "csv" or "json", or with None as boxes; reports if there was none"""
+    """Context in which tables are printed as "csv" or "json", or with None as boxes; reports a command without
+    tables"""
     global _asked
     if form is None:
         yield

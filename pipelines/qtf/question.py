@@ -94,7 +94,7 @@ def waves_and_sums_of(db, omega, heading, highest):
 
 
 def carried_by(mesh, depth, gravity):
-    """rad/s, highest frequency whose wave has the length of `A_WAVE` of the largest panels"""
+    """rad/s, frequency of the wave that is as long as `A_WAVE` of the largest panels"""
     k = 2 * math.pi / (A_WAVE * float(mesh.sizes.max()))
     return math.sqrt(gravity * k * math.tanh(min(k * depth, 50.0)))
 

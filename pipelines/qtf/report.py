@@ -23,8 +23,8 @@ def newman(forces, mode, heading):
 
 
 def diagonal_gap(forces):
-    """Largest difference of the pressure's mean drift from that of the far field in surge and sway, over the largest
-    mean drift; None if unknown"""
+    """Largest difference between mean drift by pressure and by the far field in surge and sway, over the largest mean
+    drift; None if unknown"""
     if forces.added is None:
         return None
     h = np.arange(len(forces.headings))

@@ -84,7 +84,7 @@ def moored(path, read, db, sea, duration, points):
 
 
 def moored_together(path, read, db, sea, duration, points):
-    """The same for several bodies; slow motions are those of each, one after another"""
+    """As above for several bodies; the slow motions of each body follow one another"""
     from hakobune.bem.hinges import driven
     from hakobune.mooring.response.viscous import in_sea
     from hakobune.mooring.studies.conditions import Waves
@@ -146,7 +146,7 @@ def _of_stiffness(path, statics, gusts):
             "slack, which hakobune simulate includes"
         )
         if idle:
-            yield f"no force under the steady forces, and so no stiffness: {', '.join(idle)}"
+            yield f"without force under the steady forces, and therefore without stiffness here: {', '.join(idle)}"
 
 
 def _of_bound_waves(spectrum, db):

@@ -78,7 +78,7 @@ class Quantity:
 
 
 def quantities(table, given, *axes, record=False) -> dict[str, Quantity]:
-    """{name: Quantity} of {name: (values, unit, description)} on the same axes, printed in one table
+    """{name: Quantity} from {name: (values, unit, description)} with the same axes, to be printed in one table
 
     the unit "%" marks shares, which are stored unchanged and printed in per cent
     """

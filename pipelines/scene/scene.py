@@ -183,4 +183,4 @@ def band(key, text):
             return {"from": float(first), "to": float(last)}
     except ValueError:
         pass
-    raise SceneError(f"{key} is {text!r}; allowed: auto:from:to in rad/s, as auto:0.1:2.0")
+    raise SceneError(f"{key} is {text!r}; allowed: auto:from:to in rad/s, such as auto:0.1:2.0")

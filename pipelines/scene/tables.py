@@ -151,7 +151,7 @@ class DampingLidTable(SceneTable):
 
 
 class Waves(SceneTable):
-    """Frequencies, in one of four ways, and headings
+    """Frequencies, given in one of four ways, and headings
 
     omegas : rad/s, wave frequencies, a list or a range
     periods : s, wave periods, a list or a range

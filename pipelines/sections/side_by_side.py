@@ -19,7 +19,7 @@ MOTIONS, UNITS = ("sway", "heave", "roll"), ("m/m", "m/m", "rad/m")
 
 
 def side_by_side(study):
-    """Result of sections side by side in beam waves; study, raises as of `pipelines.sections.result.sections`"""
+    """Result of sections side by side in beam waves; study, raises as in `pipelines.sections.result.sections`"""
     study, text = given(study, SectionsStudy, read_study, make_study)
     order = sorted(study.sections, key=lambda one: one.y)
     names = [one.name for one in order]

@@ -1,5 +1,4 @@
-"""Results for a ship at a berth: natural periods beside the natural periods of the harbour, fenders, windows of a
-record."""
+"""Results for a ship at a berth: natural periods of the ship and of the harbour, fenders, windows of a record."""
 
 import json
 from functools import partial

@@ -77,7 +77,7 @@ class Header:
     anchor, fairlead : (lines, 3) m in space with the body at rest
     time : (n,) s of the samples that are kept; quantities : names, units : of each
     motions : names, of several bodies barge__Surge and so on
-    hinges : names of their quantities, as of `bem.hinges.told_of`; stations : stations of what beams carry at theirs
+    hinges : names of their quantities, as in `bem.hinges.told_of`; stations : stations of what beams carry at theirs
     """
 
     identity: str
@@ -178,7 +178,7 @@ def _dataset(file, name, dims, data, unit, words):
 
 @contextmanager
 def opened(path, mode="r"):
-    """The open file of a simulation.  Raises DatabaseError for another file, or one whose seal is broken."""
+    """The open file of a simulation.  Raises DatabaseError for a file of another kind or with a broken seal."""
     path = Path(path)
     if not path.exists():
         raise DatabaseError(f"{path} does not exist")
@@ -247,7 +247,7 @@ def told(file):
 def stored_findings(file):
     """Lines of text: findings that hold for all runs, and findings of single runs
 
-    Findings that differ only in their decimals, such as the mean frequency of each seed's waves, are merged; the one
+    Findings that differ only in a number, such as the mean frequency of the waves of each seed, are merged; the finding
     with the largest number remains.
     """
     of_all = str(file.attrs.get("findings_of_all", "")).split("\n")
@@ -289,7 +289,8 @@ def summary_of(file, quantity):
 
 
 def first_what_is_left_out(findings):
-    """Findings, each once, first the findings on neglected effects, which limit the accuracy of all other findings"""
+    """Findings without repetition; findings on neglected effects come first, since these limit the accuracy of the
+    others"""
     return tuple(sorted(dict.fromkeys(findings), key=lambda line: not line.startswith(LEFT_OUT)))
 
 

@@ -29,7 +29,7 @@ def simulate(
         Parameter(help="with --methods: database of a box of the ship's dimensions, solved with --method contour, .h5"),
     ] = None,
 ):
-    """Run a mooring study in time: motions and tensions over seeds, beside the simplified method of `moor`.
+    """Run a mooring study in time: motions and tensions over seeds, compared with the simplified method of `moor`.
 
     A second call with the same output continues where the first stopped, or adds seeds.
     """

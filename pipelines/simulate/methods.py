@@ -32,7 +32,7 @@ SIGNIFICANT = 0.9  # mean over significant period, of the spectra of the report
 def compared(result, study, database, duration=None, division=None):
     """A Result with the methods side by side, on the waves of the first seed.
 
-    study, database : as of `result.simulate`; duration : s of the run, None for the study's
+    study, database : as in `result.simulate`; duration : s of the run, None for the study's
     division : path of a database by the contour method, or None
     raises : StudyError for a study without waves or a database of another body or method
     """

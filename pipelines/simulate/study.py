@@ -74,7 +74,7 @@ def plan_of(study, omega, seeds=None, duration=None, folder=None, words=ONE_BODY
     """
     table = study.simulation
     if table is None and duration is None:
-        raise StudyError("the study has no [simulation]; give it one with duration (s), or --duration")
+        raise StudyError("the study has no [simulation]; give [simulation] with duration (s), or --duration")
     table = SimulationTable() if table is None else table
     settings = _settings(table, _duration(table, duration), words, shapes)
     _check_damping(table, words)

@@ -6,8 +6,8 @@
     level = "high"             # name of the level; by default mean water
     leave_out = ["current"]    # part of the state
 
-A value has one source: a value in both study and site is a fault.  The resulting study contains all numbers of the
-site, so that a stored result shows them, and a change of site changes the study.
+A value may be given only once: a value in both study and site is refused.  The resulting study contains all numbers of
+the site, so that a stored result shows them, and a change of site changes the study.
 """
 
 from typing import NamedTuple

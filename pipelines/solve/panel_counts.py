@@ -80,7 +80,7 @@ def counts_of(body, mesh):
 
 
 def meshed(body, counts, bottom=True, **panels):
-    """PanelMesh with the given counts, or for None with `panels` panels; bottom : as of `fine_counts`"""
+    """PanelMesh with the given counts, or for None with `panels` panels; bottom : as in `fine_counts`"""
     keys = ("block", "bow", "stern", "waterplane") if body.shape == "ship" else ()
     form = {key: getattr(body, key) for key in keys}
     return MAKERS[body.shape][0](*sizes(body), **form, counts=counts, **panels, **_walls_only(bottom))

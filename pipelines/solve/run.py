@@ -117,8 +117,8 @@ def _check_in_place(file):
     own = os.fstat(file.id.get_vfd_handle())
     if not (path.exists() and os.path.samestat(own, path.stat())):
         raise DatabaseError(
-            f"{path} was removed or replaced during this run, by another one on the same file, and what this run "
-            "stored in it is lost; run the command again, with an --output of its own"
+            f"{path} was removed or replaced during this run by another run with the same file, so the results of "
+            "this run are lost; run the command again with another --output"
         )
 
 

@@ -57,7 +57,7 @@ def filled(path: Path, output: Path, executor: str, fresh: bool, say) -> tuple[S
 
 @contextmanager
 def in_files(study: File | Tables, folder: Path):
-    """The path of a sweep: given, or in a folder to which the tables of the sweep and of the varied study are
+    """The path of a sweep: the given one, or in a folder to which the tables of the sweep and of the varied study are
     written"""
     if isinstance(study, str | os.PathLike):
         yield Path(study)

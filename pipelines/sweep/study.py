@@ -133,7 +133,7 @@ def varied(raw, keys, values):
 
 
 def check_keys(command, raw):
-    """Raise StudyError for a key that is unknown to the command or of another type, which affects every case.
+    """Raise StudyError for a key that the command does not know, or of a wrong type: every case would fail.
 
     A study with a [site] is not checked here: its command inserts the values of the site before it reads the tables.
     """

@@ -23,7 +23,7 @@ LONG = 100  # rows above which a table is in files only
 
 
 def read_rows(path):
-    """[{column: text}] of a CSV whose # lines name its source.  Raises StudyError."""
+    """Rows of a CSV as [{column: text}]; its # lines, which name the source, are skipped.  Raises StudyError."""
     return list(csv_rows(read_text(path, StudyError, largest=1)))
 
 
@@ -60,7 +60,7 @@ def database(scene, path, fresh):
     if outcome.interrupted:
         raise KeyboardInterrupt
     if outcome.exit_status:
-        raise StudyError(f"{path} is not whole: not all frequencies are stored; see hakobune check {path}")
+        raise StudyError(f"{path} is incomplete: not all frequencies are stored; see hakobune check {path}")
     return open_database(path)
 
 
@@ -71,7 +71,7 @@ def keep(path, raw):
 
 
 def result(kind, source, tables, notes=(), findings=(), shown=True):
-    """The Result of {axis: [{column: number or text}, …]}, whose first columns name the rows
+    """The Result of {axis: [{column: number or text}, …]}; the first column of each table names its rows
 
     Quantities are named axis.column, without the unit. source : title and year of the publication; shown : whether
     tables of at most LONG rows are printed; detail : the rows

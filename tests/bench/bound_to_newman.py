@@ -36,7 +36,7 @@ def ratios(depth, panels, folder):
     peaks = np.sqrt(G * KH / depth * np.tanh(KH))
     band = f"{0.6 * peaks[0]:.4g}:{1.6 * peaks[-1]:.4g}:30"
     if main([*words.split(), "--omega", band, "--heading", "0", "--output", str(path)]):
-        raise SystemExit(f"{path} is not whole")
+        raise SystemExit(f"{path} is incomplete")
     db = open_database(path)
     body, found = db.reader.floating(), []
     assert np.allclose([wavenumber(w, depth, G) * depth for w in peaks], KH, rtol=1e-6)

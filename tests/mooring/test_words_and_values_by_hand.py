@@ -198,7 +198,7 @@ def test_tables_of_orcaflex_are_rows_with_names_or_a_table_by_names():
     assert (column(table, "OD"), column(table, "Weight"), column(table, "None")) == ([0.1], [1.0, 2.0], [])
     assert column({"Length[2]": 5.0, "Length[1]": 4.0}, "Length") == [4.0, 5.0]
     assert _number({"OD": "854e3"}, "OD", "w", "f", 1e3) == 854e6 and _number({}, "OD", "w", "f", 1e3, 2.0) == 2.0
-    for given, says in (({"OD": "vary"}, "OD of w is 'vary', as of variable data"), ({}, "OD of w is missing"),
+    for given, says in (({"OD": "vary"}, "OD of w is 'vary', as variable data are"), ({}, "OD of w is missing"),
                         ({"OD": math.inf}, "OD of w is inf; allowed: finite")):  # fmt: skip
         with pytest.raises(ValueError, match=says):
             _number(given, "OD", "w", "f", 1e3)

@@ -111,7 +111,7 @@ def amplitudes(freq, values, cls):
     """Amplitudes of `DepthSums` at the m nodes, and their slopes; shape (a, m, columns); columns: wave, table and rows,
     speed and turn of the edge
 
-    values : `plan_values` of the class; columns : as of `freq.flows`
+    values : `plan_values` of the class; columns : as in `freq.flows`
     """
     dofs, wave, sides, flow = freq.flows[cls]
     moving, c = len(dofs), freq.contour

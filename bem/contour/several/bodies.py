@@ -157,7 +157,9 @@ class SeveralBodies:
         dofs : ignored, all motions are solved
         """
         if not 0 < omega < np.inf:
-            raise ValueError(f"omega is {omega} rad/s; allowed: positive and finite (limits: added_mass_limit)")
+            raise ValueError(
+                f"omega is {omega} rad/s; allowed: positive and finite (for 0 or infinity use added_mass_limit)"
+            )
         with blas_threads(SMALL):
             return SeveralFrequency(self, omega, headings, theta, density, gravity).result()
 
@@ -174,7 +176,7 @@ class SeveralBodies:
     def added_mass_limit(self, which, density=1025.0):
         """Added mass for `which` "zero" or "infinity" of the frequency, about the origin; shape (6N, 6N)
 
-        At zero infinite between motions with a net flux, as `frequency_limits`.
+        At zero frequency it is infinite between motions with a net flux, as in `frequency_limits`.
         """
         finite, flux = self.limit(which)
         return with_net_flux(density * finite, flux, np.abs(flux).max() or 1.0)
@@ -195,7 +197,7 @@ class SeveralBodies:
             return self._limit(which == "zero"), self.to_scene @ flux
 
     def _limit(self, zero):
-        """Modes as of `frequency_limits`"""
+        """Modes as in `frequency_limits`"""
         degrees_, tops = self.degrees(0.0)
         shift = 0.0 if zero else -0.5
         k = (np.arange(1, self.mode_count(0.0) + 1) + shift) * np.pi / self.depth

@@ -60,8 +60,8 @@ class Finding(NamedTuple):
 
 
 def finding(values, own):
-    """`Finding` on a `sample` of Values against `Own`; None if they agree within `AGREED`, on flat panels with one
-    node, as in most programs, or with four, which are close to the limit of many panels
+    """`Finding` on a `sample` of Values against `Own`; None if they agree within `AGREED`, with hakobune's solution on
+    flat panels with one node, as in most programs, or with four nodes, which are close to the limit of many panels
     """
     found = _finding(values, own)
     if found is not None and found.gap <= MESH:  # may be of panels

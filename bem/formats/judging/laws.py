@@ -63,8 +63,8 @@ def _finite(values):
 
 
 def size_of(values):
-    """Length of the body, m: that of the waterplane or, if larger, twice the arm of added mass in yaw; without either
-    from A₃₃"""
+    """Length of the body, m: the length of the waterplane or, if larger, twice the arm of added mass in yaw; without
+    either value it follows from A₃₃"""
     C, A = values.get("hydrostatic_stiffness"), values.get("added_mass")
     plane = 0.0
     if C is not None and C[2, 2] > 0:
@@ -323,7 +323,7 @@ def _factor_of_force(ratio):
 
 
 def _surge(values, n, heave, kL, floats):
-    """Lines on the sign of surge in long waves; of a body that floats, beside that of heave, which follows the crest"""
+    """Lines on the sign of surge in long waves; for a floating body also relative to heave, which follows the crest"""
     beta = values.wave_direction
     X = values.get("excitation_force")[kL <= max(LONG, kL[n])].sum(axis=0)  # sum over all long waves, to average noise
     ahead = int(np.argmax(np.abs(np.cos(beta))))

@@ -59,7 +59,7 @@ class ErrorTest(NamedTuple):
     def wave_error(self, exact, low_rank, potentials, velocity, classes=slice(None)):
         """Largest error of the wave potentials at the test points relative to 2πφ, a number; NaN of NaN
 
-        Arguments as of `errors`.
+        Arguments as in `errors`.
         """
         size = 2 * np.pi * np.abs(potentials).max(axis=1, keepdims=True)
         errors = self.errors(exact, low_rank, potentials, velocity, classes)
@@ -81,7 +81,7 @@ class ErrorTest(NamedTuple):
         return errors
 
     def flux_error(self, flux, at_flux_nodes):
-        """Largest error of ∂φ_I/∂n at the samples, relative to the largest of a wave
+        """Largest error of ∂φ_I/∂n at the samples, relative to the largest |∂φ_I/∂n| of the same wave
 
         flux : (m, e) at the samples on the hull; at_flux_nodes : (m, t) at the interpolation nodes
         """

@@ -133,7 +133,7 @@ class Snapshots:
             yield table.K, S, D
 
     def samples(self, seed=SEED, deep=BASIS_SAMPLES, most=np.inf):
-        """Random `Samples` of the nodes, each with its probability of `probabilities`"""
+        """Random `Samples` of the nodes; `probabilities` gives the probability of each node"""
         probabilities = self.probabilities(deep, most)
         nodes = np.flatnonzero(np.random.default_rng(seed).random(len(probabilities)) < probabilities)
         return Samples(nodes, 1 / probabilities[nodes], int(np.count_nonzero(nodes < self.geometry.hull)))

@@ -182,7 +182,7 @@ class BandRun(CompressedRun):
 
 
 class ReducedSolution(NamedTuple):
-    """c symmetry classes; u = r + v + l unit columns, as of `bem.panels.band.equations.BandEquations`."""
+    """c symmetry classes; u = r + v + l unit columns, as in `bem.panels.band.equations.BandEquations`."""
 
     coefficients: np.ndarray  # (c, u, columns) m, −v and Kφ' of the lid, of the unit columns
     lid: np.ndarray  # (c, l, columns) φ'

@@ -18,8 +18,8 @@ class Clusters:
 
     Of c clusters, parents before their children.  The lid has its own root, and so have the hull panels that face ±x,
     ±y, ±z: clusters that extend around an edge see part of each other edge-on, which cross approximation does not
-    detect.  So do clusters that extend from one body to the next: with one root for all bodies two boxes of 1 000
-    panels had errors of 1 %.
+    detect.  Each body has its own roots for the same reason: with one root for all bodies two boxes of 1 000 panels had
+    errors of 1 %.
     """
 
     order: np.ndarray  # (panels,) number in the mesh, by place in the tree

@@ -1,9 +1,10 @@
 """Wave part of near blocks: both layers, and both directions of a pair of leaves, from one evaluation of G.
 
-A block and its transpose belong to two leaves and one mirror image.  The first leaf of a pair evaluates both; a block
-whose transpose is far away is evaluated in its own direction alone, and so is that of a leaf and itself.  Integrals are
-those of `bem.panels.wave_influence`, real parts alone: at the nodes, and with the fine points on panels whose surface
-image is close.  Two ships of 12 000 nodes: 0.4 s; each direction by itself, with imaginary parts, 0.95 s.
+A block and its transpose belong to two leaves and one mirror image.  The first leaf of a pair evaluates both
+directions. A block whose transpose is a far block, and the block of a leaf with itself, are evaluated in one direction
+only.  Integrals are those of `bem.panels.wave_influence`, real parts alone: at the nodes, and with the fine points on
+panels whose surface image is close.  Two ships of 12 000 nodes take 0.4 s; with each direction separately, and with
+imaginary parts, 0.95 s.
 """
 
 import math
@@ -18,7 +19,8 @@ from ..wave_influence import COARSE, close_up_to
 
 
 class Share(NamedTuple):
-    """Blocks that one leaf evaluates, side by side: m nodes of other leaves, of which the first `both` both ways"""
+    """Blocks that one leaf evaluates, side by side: m nodes of other leaves; the first `both` nodes in both
+    directions"""
 
     nodes: np.ndarray  # (m,)
     images: np.ndarray  # (m,)
@@ -84,7 +86,8 @@ def _count(span):
 
 
 def near_waves(span, share, images, panels, table):
-    """S, D (k, m) of the k nodes of a leaf and the m of its `Share`; and those of the first `both` back, transposed
+    """S, D (k, m) at the k nodes of a leaf from the m nodes of its `Share`; and transposed, from the leaf to the first
+    `both` of these nodes
 
     span : slice of the nodes of the leaf; images : (i, 2) ±1; panels : `Panels`; table : `bem.green.tables.Table`
     """

@@ -1,4 +1,5 @@
-"""An approximate inverse of the compressed equations: variation from cell to cell directly, the rest leaf by leaf.
+"""An approximate inverse of the compressed equations: the variation from cell to cell is solved directly, the remainder
+leaf by leaf.
 
 With P the functions 1, x, y, z on each cell, orthonormal by area, and R their integrals (R P = 1), B the inverse of the
 real diagonal blocks of the leaves and Â = R A P for each symmetry class

@@ -28,8 +28,8 @@ class Stencils(NamedTuple):
     """Up to three panels in a row for each of n panels, in one of the two directions of the panel: φ is interpolated
     between their nodes.
 
-    For a panel at an edge and the one behind it they are the first three from the edge, elsewhere the panel and its
-    neighbours, mirror images included.  Distances are measured from the outer end of the first.
+    For a panel at an edge, and for its neighbour, these are the first three panels from the edge; elsewhere the panel
+    and its two neighbours, mirror images included.  Distances are measured from the outer end of the first.
     """
 
     at_edge: np.ndarray  # (n,) whether the row begins at an edge
@@ -51,14 +51,14 @@ class Stencils(NamedTuple):
         return np.where(self.at_edge, self.panels[:, 0], np.arange(len(self.at_edge)))
 
     def replaced(self, where, others):
-        """These stencils, replaced by the stencils of `others` where the condition `where` (n,) holds"""
+        """A copy with the stencils of `others` where `where` (n,) is true"""
         return Stencils(
             *(np.where(where.reshape(-1, *[1] * (a.ndim - 1)), b, a) for a, b in zip(self, others, strict=True))
         )
 
     def where(self, used, alone):
-        """These stencils where the condition `used` (n,) holds, elsewhere the stencils `alone` of the panels alone, at
-        the same edges"""
+        """A copy with these stencils where `used` (n,) is true; elsewhere the stencils `alone` of single panels, at the
+        same edges"""
         first = self.at_edge & (self.own == 0)
         across = np.where(first[:, None], self.across, alone.across), np.where(first, self.gap, alone.gap)
         return self.replaced(~used, alone._replace(across=across[0], gap=across[1]))._replace(row=self.row)
@@ -72,7 +72,7 @@ class Stencils(NamedTuple):
 
 
 def stencils(mesh, exponents, depth=np.inf, steady=lambda stencil: True):
-    """`Stencils` along s and along t; exponents : (n, 4) as of `sharp_sides`; depth : m
+    """`Stencils` along s and along t; exponents : (n, 4) as in `sharp_sides`; depth : m
 
     The two directions form a product stencil: if the panels of the one have a different layout in the other, the
     stencil is the panel alone, also if `steady` (n,) of a stencil is false.

@@ -202,7 +202,7 @@ def disturbed_flow(run, surfaces, motions, own, bent=None):
     """Like `wave_flow` on the hull of one of several bodies; motions : (m, 6N) of all bodies; own : (m, 6) of the body
     itself
 
-    bent : as of `Surface.value`
+    bent : as in `Surface.value`
     """
     phi = [_on_images(run, run.disturbance(j, motion)) for j, motion in enumerate(motions)]
     return _flow(run, surfaces, np.array(phi), np.ones(len(phi)), own, run.headings, bent)

@@ -35,7 +35,7 @@ class HullQuadrature(NamedTuple):
 
 
 def hull_quadrature(mesh, exponents, depth=np.inf):
-    """`HullQuadrature` on the panels of a PanelMesh; exponents : (n, 4) as of `edges.sharp_sides`; depth : m"""
+    """`HullQuadrature` on the panels of a PanelMesh; exponents : (n, 4) as in `edges.sharp_sides`; depth : m"""
     both = stencils(mesh, exponents, depth, _steady)
     return _quadrature(mesh, np.arange(len(mesh)), both, [_line_rule(stencil) for stencil in both])
 

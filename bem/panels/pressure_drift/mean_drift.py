@@ -83,6 +83,6 @@ def check_panels(problem, mesh):
     if length > LONGEST_PER_GAP * gap:
         warnings.warn(
             f"near-field drift: panels next to the keel are {length:.3g} m long over a gap of {gap:.3g} m; "
-            f"reliable: up to {LONGEST_PER_GAP * gap:.3g} m, with more panels or finer panels there",
+            f"reliable: up to {LONGEST_PER_GAP * gap:.3g} m; give more panels, or finer panels there",
             stacklevel=4,
         )

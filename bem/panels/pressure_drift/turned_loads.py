@@ -9,7 +9,7 @@ import numpy as np
 def products(one, two, second=np.conj):
     """Transfer function T of the product of two quantities (f, a) and (f, b), ¼(aᵢ b̄ⱼ + āⱼ bᵢ); shape (f, f, a, b)
 
-    second : as of `bem.panels.pressure_drift.mean_drift.pressure_pairs`, here and below
+    second : as in `bem.panels.pressure_drift.mean_drift.pressure_pairs`, here and below
     """
     first = np.einsum("ia,jb->ijab", one, second(two))
     return 0.25 * (first + np.einsum("ja,ib->ijab", second(one), two))

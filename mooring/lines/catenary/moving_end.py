@@ -2,9 +2,9 @@
 
 The equations are those of `flat_bed` and `suspended`.  The unknown of these equations, H of a line on the bed or the
 parameter t of a free line, is kept between calls, with the tangent of H.  Newton's method then starts with an error of
-the square of a step's change and squares it again: a step of 3e-6 of H leaves 1e-11.  With T = H + rise at the fairlead
-and asinh(wS/H) = ln[(wS + T)/H] an iteration on the bed takes one logarithm and two roots; where it does not converge,
-the safe search of `flat_bed` is used.
+the square of the change in a step, and squares this error: after a change of 3e-6 of H, 1e-11 remains.  With T = H +
+rise at the fairlead and asinh(wS/H) = ln[(wS + T)/H] an iteration on the bed takes one logarithm and two roots; where
+it does not converge, the safe search of `flat_bed` is used.
 
 Lines that lay on the bed a moment before are solved eight at once, in vectors, by two iterations; a line of which the
 last changes more than CLOSE is then solved alone, like those in other states.

@@ -32,8 +32,8 @@ def solve_uniform(row, line, bed):
     """Fill a row of `COLUMNS` for a line (x, z, length, weight, 1/EA, friction, slope).
 
     A line whose free shape would leave its anchor below the bed's slope lies on the bed; if it can lie up to the point
-    below its fairlead and hang vertically from there, it is slack.  On a bed that falls from the anchor more steeply
-    than friction holds, the excess lies in a bight further down: seen from there the bed rises.
+    below its fairlead and hang vertically from there, it is slack.  On a bed that falls from the anchor too steeply for
+    friction to hold the line, the excess length lies in a bight further down; seen from the bight the bed rises.
     """
     x, z, length, weight, flexibility, friction, slope = line
     tan = math.tan(slope)
@@ -76,7 +76,7 @@ def put_grounded(row, line):
 
 @kernel()
 def put_mirrored(row, line):
-    """A line whose bight lies beyond its fairlead: it pulls the fairlead away from the anchor."""
+    """A line whose bight lies beyond its fairlead; such a line pulls the fairlead away from the anchor."""
     x, z, length, weight, flexibility, friction, slope = line
     put_grounded(row, (-x, z, length, weight, flexibility, friction, -slope))
     row[0], row[2], row[6], row[7] = -row[0], -row[2], -row[6], -row[7]

@@ -89,8 +89,8 @@ def _plain(case):
 
 
 def _off(difference, of, line):
-    """Differences of two forces as shares of `of`, N; shape (2,); 0 for rounding, as of a fairlead that lies on the
-    bed"""
+    """Differences of two forces as shares of `of`, N; shape (2,); 0 for rounding, such as that of a fairlead that lies
+    on the bed"""
     none = of <= NONE * max(np.abs(line.system.weight).max(), of.max())
     return np.where(none, 0.0, np.abs(difference) / np.where(none, 1.0, of))
 

@@ -147,7 +147,7 @@ def control_of(line, state, tolerance, longest):
 
 
 def finer(line):
-    """Factor by which the longest step is shorter than required by the motion of a line's fairlead"""
+    """Divisor of the longest step that the motion of the fairlead allows: FINER with friction on the bed, else 1"""
     return FINER if line.bed is not None and line.bed.friction > 0 else 1
 
 

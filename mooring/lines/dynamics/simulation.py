@@ -110,7 +110,7 @@ def _check_joint(motion, state, from_rest):
     gap = np.linalg.norm(position - state.position[-1])
     if not gap <= JOINT * (1 + np.abs(position).max()):
         raise ValueError(
-            f"the motion starts {gap:.3g} m from the end of the previous run; allowed: the place where that run ended"
+            f"the motion starts {gap:.3g} m from the place where the previous run ended; start it at that place"
         )
     jerk = np.linalg.norm(velocity - state.velocity[-1])
     if from_rest and jerk > JERK:

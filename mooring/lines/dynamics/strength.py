@@ -40,11 +40,12 @@ class Strength:
         return len(set(self.breaking)) == 1
 
     def nodes(self, line):
-        """Nodes whose tensions a run must keep for the tension of each segment: all, or none for a uniform line"""
+        """Nodes whose tensions a run must keep, so that the tension of each segment is known: all nodes; none for a
+        uniform line"""
         return () if self.uniform else tuple(range(line.elements + 1))
 
     def most_used(self, line, result):
-        """Used, for a Result that has kept the tensions at `nodes`, over all of its run; None without a known load"""
+        """`Used` over the whole run, for a Result that has kept the tensions at `nodes`; None without a known load"""
         if not np.isfinite(self.weakest):
             return None
         time, found = result.time, []

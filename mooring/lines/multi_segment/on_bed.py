@@ -150,8 +150,8 @@ def pass_on_bed(line, q, g, at, angle, is_load):
 def pass_sliding_sinker(line, q, g, at, angle, folds):
     """Pass a sinker where the line slides.  returns : whether the line is folded there
 
-    A sinker that the line above does not pull up the slope hangs between both legs: the other leg carries the part that
-    friction and that line do not.
+    A sinker that the line above does not pull up the slope hangs between both legs; the lower leg carries the part of
+    its weight that friction and the upper leg do not carry.
     """
     weight = line.loads[at[1], 1]
     along, across = math.sin(angle), line.friction * math.cos(angle)

@@ -103,11 +103,11 @@ class StaticSolution:
 
     @property
     def slides(self):
-        """Whether a part without tension lies on a bed steeper than friction holds, also in a heap at the anchor.
+        """Whether a part without tension, or a heap at the anchor, lies on a bed that is too steep for its friction.
 
-        Such a part is assumed to remain in place; in reality it would slide to the nearest hollow, and pull there.
-        Parts that slide towards the anchor, or down the first facet, are solved; not solved are lines with buoys, and
-        lines whose traversal shows that they slide into a hollow beyond their fairlead.
+        The solution leaves such a part in place; in reality it would slide down to the nearest low point of the bed and
+        pull the line. Parts that slide towards the anchor, or down the first facet, are solved; lines with buoys, and
+        lines whose traversal shows that they slide to a low point beyond their fairlead, are not solved.
         """
         if self.line.bed is None:
             return False

@@ -118,7 +118,7 @@ def rest(system: System, start: Pose | None = None, steps=2000) -> SystemEquilib
 
 
 def _next_radius(radius, step, before):
-    """m; to and fro across a kink, such as of a line that falls slack, the steps become ever shorter"""
+    """m; when iterates go to and fro across a kink, such as a line that falls slack, steps become ever shorter"""
     size = math.sqrt(step @ step)
     back = before @ step < -0.5 * math.sqrt(before @ before) * size
     return 0.5 * size if back else max(2 * size, radius)

@@ -84,9 +84,11 @@ def warn_of_friction(system, lines):
 
 
 def unheld(lines):
-    """Whether a part of each line without tension lies on a bed steeper than friction holds; shape (n,) of LineForces.
+    """Whether a part of each line without tension lies on a bed that is too steep for its friction; shape (n,) of
+    LineForces.
 
-    Such a part is assumed to remain in place; in reality it slides to the nearest hollow, and pulls there.
+    The solution leaves such a part in place; in reality it slides down to the nearest low point of the bed and pulls
+    the line.
     """
     return np.array([i in lines.solutions and lines.solutions[i].slides for i in range(len(lines.status))], bool)
 

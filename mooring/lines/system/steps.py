@@ -140,7 +140,7 @@ def left_over(force, rows, free, bed, may, unit, moving, residual):
 
 @kernel()
 def ahead_of(step, residual, force, free, bed, unit):
-    """Work along a step of the force after it, over `unit`, work of the force before the step, and the length of the
+    """Work along a step by the force after the step, over `unit`; work by the force before the step; length of the
     step."""
     forth, here, first = 0.0, 0.0, force.size - 3 * free.shape[0]
     for i in range(force.size):

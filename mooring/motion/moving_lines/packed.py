@@ -1,6 +1,7 @@
 """Moving lines of a body as the kernels read them, and the state that the kernels keep.
 
-Lines have different numbers of nodes; what one kernel steps of them all lies behind each other in one array of a kind.
+Lines have different numbers of nodes. All data of one kind that a kernel advances lie one line after another in one
+array.
 """
 
 from itertools import pairwise

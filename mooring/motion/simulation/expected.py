@@ -14,7 +14,8 @@ def expected_motion(moored, components):
     """Standard deviations of motions and velocities of the linear bodies, and of groups of their shapes; shape (N + G,
     12)
 
-    None is below a share of the largest, of a shape below a share of the largest of shapes.
+    Each value is at least a fraction of the largest; for shapes, at least a fraction of the largest value of the
+    shapes.
 
     All are computed at the frequencies of `moored.waves`: seeds have different frequencies, for each of which the
     database would store values.

@@ -92,7 +92,7 @@ def streams(moored, weather, seed, end):
 
 
 def pairs(moored, weather, settings, components):
-    """The force of wave pairs in addition to Newman's, for a run, as a GivenForce of each sea with one
+    """Slow force of wave pairs in addition to Newman's approximation: a GivenForce for each sea that has such a force
 
     components : components of all seas of the weather, one after another; forces of several bodies are tuples, one
     for each
@@ -113,7 +113,7 @@ def pairs(moored, weather, settings, components):
 
 
 def half_waves(moored, weather, settings, components):
-    """The drift by half waves of a run, as a GivenForce, or nothing"""
+    """Slow drift of a run by its half waves: (GivenForce,), or () if the run does not use half waves"""
     if settings.slow_drift != "half-waves" or components is None or not moored.reader.knows_drift:
         return ()
     if moored.reader.bodies:

@@ -11,7 +11,8 @@ WANTED = 1e-3  # fit error accepted without a finding
 
 
 def fitted_memory(body, motions=None):
-    """The `Memory` of a Reader to the smallest possible one of TOLERANCES, and findings if that is not WANTED.
+    """The `Memory` of a Reader, fitted to the smallest possible tolerance of TOLERANCES; and findings if this tolerance
+    is not WANTED.
 
     motions : numbers of its motions, None for all
     raises : ValueError where no tolerance is met

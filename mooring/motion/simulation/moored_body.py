@@ -109,7 +109,7 @@ def moored(
     waves : WaveForces, memory : a Memory, by default those of the database
     spring, damping : (n, n) SI; quadratic : (n,) N s²/m² …; all in addition to the viscous damping of the database's
         scene; no spring between two bodies
-    linearised_in : waves as of `response.viscous.in_time`, for the part of that damping that is not drag, and for the
+    linearised_in : waves as in `response.viscous.in_time`, for the part of that damping that is not drag, and for the
         drift
     motions : numbers of the free motions, None for all
     turned : as for `wave_loads.wave_forces`
@@ -280,7 +280,7 @@ def _of_loose(stiffness, body, free):
         worst = body.words[free[int(np.argmax(np.abs(ways[:, 0])))]]
         yield (
             f"{worst} is not held at rest: ropes and fenders leave it free to move there, so the body has several "
-            "places of rest; a run begins near the given one; shorten the ropes, or give more of them"
+            "places of rest; a run begins near the given place; shorten the ropes, or give more of them"
         )
 
 

@@ -42,7 +42,7 @@ class Begun(NamedTuple):
 
     scene : `equation.Scene`; waves : `wave_loads.Waves`; expected : (N + G, 12) scale of its errors
     (`expected_motion`)
-    moving : as of `moving_of`; findings : one line each
+    moving : as in `moving_of`; findings : one line each
     """
 
     scene: Scene
@@ -138,7 +138,7 @@ def _begun(moored, weather, settings, seed):
 def with_lines_chosen(moored, weather, settings):
     """`trial.Choice`: settings whose dynamic_lines are names, by a trial if they are "auto", else unchanged.
 
-    raises : SimulationError as of `simulate`
+    raises : SimulationError as in `simulate`
     """
     if settings.dynamic_lines != "auto":
         return Choice(settings)

@@ -1,7 +1,7 @@
 """Shapes of bodies that bend, in groups of six as the kernels read them, and how they move points of their bodies.
 
-Each group is of one body, along whose axes its shapes and forces are, and is filled up with motions that are none.
-Of a shape between several bodies that is the first of them.
+Each group belongs to one body, has its shapes and forces along the axes of this body, and is filled up with empty
+motions. A shape of several bodies belongs to the first of them.
 """
 
 from dataclasses import replace

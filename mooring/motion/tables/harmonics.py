@@ -18,7 +18,7 @@ PART_1, PART_2, PART_3 = 1.57079632673412561417, 6.07710050630396597660e-11, 2.0
 
 
 def zeros_in_lines(shape):
-    """Zeros of a shape, of which the first begins a LINE"""
+    """Array of zeros of a shape; its first element lies at the begin of a cache line (LINE bytes)"""
     room = np.zeros(int(np.prod(shape)) + LINE // 8)
     first = -room.ctypes.data % LINE // 8
     return room[first : first + int(np.prod(shape))].reshape(shape)

@@ -1,4 +1,4 @@
-"""Windows of wave forces, compiled: the waves of a slow pose are summed, and put into windows of time.
+"""Windows of wave forces, compiled: the waves are summed at a slow pose and stored for a window of time.
 
 Equations and windows: `mooring.motion.wave_loads`.
 """

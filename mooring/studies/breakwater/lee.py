@@ -102,7 +102,8 @@ def held(breakwater, reader, length):
     lines, center = breakwater.lines, float(reader.rotation_center[2])
     if np.any(np.abs(reader.rotation_center[:2]) > 0):
         raise BreakwaterError(
-            "the database's rotation_center is not in the middle of the hull; solve the body again about x = y = 0"
+            "the rotation_center of the database is not at x = y = 0, the middle of the hull; solve the body again "
+            "with rotation_center there"
         )
     holding = breakwater.design[0]
     body = breakwater.afloat(0.0)[0] if holding == "free" else breakwater.taut(0.0)

@@ -24,8 +24,9 @@ BESIDE, STEEP = 0.05, 0.2  # relative change of period and the change of K_T tha
 
 
 class Front(NamedTuple):
-    """names : names of the varied values; designs : (n, names), as the ranges; tension : (n,) greatest, N/m, ascending
-    behind : (n,) 4√m₀ behind, m, or without a sea the greatest K_T, descending; trials : number of designs tried"""
+    """Best designs, by increasing tension. names : of the varied values; designs : (n, names), in the units of the
+    ranges; tension : (n,) greatest, N/m; behind : (n,) 4√m₀ behind the breakwater, m, or the greatest K_T if there is
+    no sea; trials : number of designs tried"""
 
     names: tuple
     designs: np.ndarray

@@ -111,7 +111,7 @@ def body(raw):
 
 
 def needs(raw):
-    """[Need] of lines, and of anchors whose capacity the study has"""
+    """[Need] of lines, and of anchors whose capacity is in the study"""
     lines = [Need("lines (lines)", (ALLOWABLE,))] if raw.get("lines") else []
     provided = any(PROVIDED & set(table) for table in raw.get("anchors", {}).values())
     return lines + ([Need("anchors of a known capacity (anchors)", (ANCHOR,))] if provided else [])

@@ -86,7 +86,7 @@ def _threads(text):
         numbers = [0]
     if not 1 <= min(numbers) <= max(numbers) <= most or len(set(numbers)) < len(numbers):
         shown = text if len(text) <= 40 else f"{text[:40]}…"
-        raise ValueError(f"--threads is {shown!r}; allowed: different whole numbers from 1 to {most}, as 1,2")
+        raise ValueError(f"--threads is {shown!r}; allowed: different whole numbers from 1 to {most}, such as 1,2")
     return numbers
 
 

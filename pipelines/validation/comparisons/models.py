@@ -69,7 +69,7 @@ class Models:
 
 
 def period_rows(results):
-    """[{column: number or text}] of each model and method: natural periods of roll and pitch beside the measured
+    """[{column: number or text}] of each model and method: computed and measured natural periods of roll and pitch
 
     NaN where the period lies outside the frequencies computed.
     """

@@ -1,6 +1,7 @@
-"""`hakobune series appendix-1`: model tests of multi-point mooring, computed beside what was measured and calculated.
+"""`hakobune series appendix-1`: model tests of multi-point mooring: our results, the measurements and the report's
+calculations.
 
-SR179 report (1982), appendix 1 and section 3.5.3, digitised in appendix_1.csv beside: models M3A and M3B, four lines at
+SR179 report (1982), appendix 1 and section 3.5.3, digitised in appendix_1.csv: models M3A and M3B, four lines at
 45° from the corners to anchors 7.10 m away, chain of 0.871 kg/m in water, 7.530 m of it, or 7.482 m with a sinker of
 2.87 kg.  Two calculations:
 
@@ -72,7 +73,7 @@ MEASURED_PERIODS = {  # tables 1.2, 1.3: tension at the model, kgf, measured and
 
 
 def make(folder, only=None, seeds=1, fresh=False):
-    """The Result: models at rest beside tables 1.2 and 1.3; σ of each row and quantity beside the printed one"""
+    """The Result: models at rest compared with tables 1.2 and 1.3; σ of each row and quantity, computed and printed"""
     rows = read_tests(only)
     for row, variant in [(row, variant) for row in rows for variant in VARIANTS]:
         keep(folder / "cases" / f"{name_of(row)}_{variant}.toml", simulation_of(row, variant, seeds))
@@ -92,7 +93,8 @@ def name_of(row):
 
 
 def read_tests(only=None):
-    """Rows of the table as dictionaries of text, those of names or of their beginnings.  Raises StudyError."""
+    """Rows of the table, as dictionaries of text, selected by names or by the beginnings of names.  Raises
+    StudyError."""
     return chosen({name_of(row): row for row in read_rows(TABLE)}, only)
 
 
@@ -154,7 +156,7 @@ def _wave(row):
 
 
 def at_rest(model, line, db):
-    """{column: number} of a model on its lines in still water beside what was measured, at the size of the model"""
+    """{column: number} of a model on its lines in still water, computed and measured, at the size of the model"""
     from ...moor.result import studied
     from ...moor.study import make_study
 
@@ -221,7 +223,7 @@ def _units(model):
 
 
 def ratios(found, variant, quantity, incidence):
-    """Computed over measured σ of the tests of an incidence; shape (n,)"""
+    """Computed σ divided by measured σ, for the tests at an incidence; shape (n,)"""
     return np.array([one["over_printed"] for one in _of(found, variant, quantity, incidence)])
 
 

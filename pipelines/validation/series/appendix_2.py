@@ -1,11 +1,11 @@
-"""`hakobune series appendix-2`: the tests of model M3B at a single point, computed beside what was measured.
+"""`hakobune series appendix-2`: the tests of model M3B at a single point, computed and measured.
 
-SR179 report (1982), appendix 2, digitised in appendix_2.csv beside: three chains, an intermediate buoy of 5.8 kg on two
+SR179 report (1982), appendix 2, digitised in appendix_2.csv: three chains, an intermediate buoy of 5.8 kg on two
 hawsers, or a contact buoy at the bow.  What the report does not tell is taken as: lines at ±60° and 180° of the waves,
 0.72 and 0.82 kgf in them at rest; nylon hawsers of 5 mm, T = 4 kN (ε/0.25)², 0.4 m apart at the bow; chains made fast
 0.05 m under water, hawsers 0.05 m over it, on a gauge on the deck of the buoy, so that their pull tilts it: by that it
 yields three times as far as they stretch.  A buoy that stays upright snaps two to three times as hard as was measured
-in waves alone.  Significant loads are means of the highest third of the crests, as of records of a tank.
+in waves alone.  Significant loads are means of the highest third of the crests, as for records of a tank.
 
 Pitch is taken from the run on the intermediate buoy, in which buoy and body are one equation.  With a contact buoy it
 is that of the
@@ -48,7 +48,7 @@ REPORT_CHAINS = {"2": 42, "3": 36, "R3S": 32}  # mm; R3S for the report's grade 
 
 
 def make(folder, only=None, fresh=False):
-    """The Result: each test beside what was measured, significant amplitudes and tensions"""
+    """The Result: significant amplitudes and tensions of each test, computed and measured"""
     rows = read_tests(only)
     wide = sorted({row["B_over_d"] for row in rows})
     solved = {one: database(make_scene(scene_of(one)), folder / f"M3B_Bd{one}.h5", fresh) for one in wide}
@@ -58,7 +58,7 @@ def make(folder, only=None, fresh=False):
 
 
 def read_tests(only=None):
-    """Tests as dictionaries of text, those of names.  Raises StudyError."""
+    """Tests, as dictionaries of text, selected by names.  Raises StudyError."""
     return chosen({row["case"]: row for row in read_rows(TABLE)}, only)
 
 
@@ -111,7 +111,7 @@ def study_of(row, scheme=None, seed=1):
 
 
 def computed(row, db, seed=1):
-    """{column: number or text} of a test beside what was measured; seed : seed of its waves
+    """{column: number or text} of a test, computed and measured; seed : seed of its waves
 
     pitch_deg : significant amplitude; hawser, buoy : kgf significant, of one at the bow, of both, massless by a buoy
     without mass; settled_s : settled s of the heading to 1° of rest, nan where it is not; slews : whether it goes on
@@ -165,7 +165,7 @@ def pitch_amplitude(db, height, period=PERIOD, area=BUOY_AREA):
 
 
 def summary(found):
-    """Lines on all tests beside the measured means"""
+    """Lines on all tests, computed and measured means"""
     for wide in ("10", "20"):
         for buoy in ("intermediate", "contact"):
             own = [one for one in found if (one["B_over_d"], one["buoy"]) == (wide, buoy)]

@@ -74,8 +74,8 @@ def _check_gap(gap):
     least = max(least_gap(REFUSED, *sizes) for sizes in floating)
     if not least <= gap <= FARTHEST:
         raise StudyError(
-            f"--quay is {gap:g} m; allowed: {math.ceil(least)} to {FARTHEST:g} m, where waves alone cross the gap "
-            "behind every floater; hakobune simulate takes nearer quays, with a database solved with --wall"
+            f"--quay is {gap:g} m; allowed: {math.ceil(least)} to {FARTHEST:g} m, where only propagating waves cross "
+            "the gap behind every floater; for a nearer quay use hakobune simulate with a database solved with --wall"
         )
 
 

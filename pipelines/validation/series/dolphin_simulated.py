@@ -55,7 +55,7 @@ VARIANTS = {"report": ("constant", "half-waves"), "significant": ("constant", "h
 
 
 def simulated_rows(databases, wanted=None, variants=tuple(VARIANTS), duration=HOUR, seeds=SEEDS):
-    """[{column: number or text}] of every row of the table in every variant, as of `row_of`
+    """[{column: number or text}] of every row of the table in every variant, as in `row_of`
 
     databases : {(floater, depth): Database}; wanted : numbers of rows, all by default; duration : s of each run
     """
@@ -153,6 +153,7 @@ def statements(rows):
         same = sum(r["verdict"] == r["printed_verdict"] for r in own)
         rolls = np.array([r["roll_deg"] / r["printed_roll_deg"] for r in own])
         yield (
-            f"{variant}: σ within a fifth of the print in {near} of {len(own)} rows, mean in {means}, verdict of 35 % "
-            f"the same in {same}; roll {rolls.min():.2f} to {rolls.max():.2f} times the print"
+            f"{variant}: σ is within a fifth of the printed value in {near} of {len(own)} rows, the mean in {means}; "
+            f"the verdict at 35 % is the same in {same}; roll is {rolls.min():.2f} to {rolls.max():.2f} times the "
+            f"printed value"
         )

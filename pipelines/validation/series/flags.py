@@ -33,17 +33,18 @@ def series(
     ] = None,
     fresh: Annotated[bool, Parameter(help="replace the databases that are there", negative="")] = False,
 ):
-    """Repeat a design series of the SR179 report (1982): its numbers beside ours, its charts, its statements.
+    """Repeat a design series of the SR179 report (1982): compare its numbers with ours, draw its charts, check its
+    statements.
 
     single-point: floaters A and B on six to eighteen chains, contact and intermediate buoy, Tables 3.6.5.3 to 3.6.5.5.
     multi-point: A and B on chain, with a buoy or a sinker, over sea, depth, period and number of lines (section 3.5.5):
-    simplified method beside simulation, long-period motion by quick rule, spectrum and simulation.
-    appendix-1: the tests of models M3A and M3B on four lines, chain and sinker, and Table 3.5.3.2.
-    appendix-2: the tests of model M3B at a single point, intermediate and contact buoy.
-    dolphin: floaters A and B between dolphins with fenders, section 3.7.5, by the design spectrum method, and
-    Table 3.7.5.2 in time; with --quay 25 the charts before a quay, beside those of open water.
-    lines: static lines, charts 1.7.1 to 1.7.6: friction, scope, slope, hills, sinker and buoys, elasticity.
-    A second call solves only what is new; every case is stored as a study for `hakobune single-point`, or `simulate`.
+    simplified method beside simulation, long-period motion by quick rule, spectrum and simulation. appendix-1: the
+    tests of models M3A and M3B on four lines, chain and sinker, and Table 3.5.3.2. appendix-2: the tests of model M3B
+    at a single point, intermediate and contact buoy. dolphin: floaters A and B between dolphins with fenders, section
+    3.7.5, by the design spectrum method, and Table 3.7.5.2 in time; with --quay 25 charts in front of a quay, compared
+    with open water. lines: static lines, charts 1.7.1 to 1.7.6: friction, scope, slope, hills, sinker and buoys,
+    elasticity. A second call solves only what is new; every case is stored as a study for `hakobune single-point`, or
+    `simulate`.
     """
     from ...common.outputs import check_folder
     from ...results.output import check_result, write_result

@@ -1,4 +1,5 @@
-"""`hakobune series multi-point`: cases by the simplified method and in time, Table 3.5.5.5 beside its print."""
+"""`hakobune series multi-point`: cases by the simplified method and in time; Table 3.5.5.5 compared with its printed
+values."""
 
 import warnings
 

@@ -29,7 +29,7 @@ ALIKE = ("lines", "system", "pretension_tonf", "current_kn", "mean_period_s", "d
 
 
 def make(folder, only=None, seeds=1, fresh=False):
-    """The Result: each case beside its print; fails where one has no static answer"""
+    """The Result: each case compared with its printed values; fails if a case has no static solution"""
     cases, solved, found = chosen(read_cases(), only), {}, []
     for case in one_by_one(cases, lambda case: case.name):
         if case.database not in solved:
@@ -116,7 +116,8 @@ def lying(found):
 
 
 def pictures(made):
-    """Tension of each floater over depth, weather and direction of the current: computed, and crosses printed"""
+    """Tension of each floater over depth, weather and direction of the current; curves are computed values, crosses
+    printed values"""
     out = {}
     for floater, f in FLOATERS.items():
         own = [row for row in made.detail["case"] if row["floater"] == floater]
@@ -149,7 +150,8 @@ def _over(rows, column):
 
 
 def statements(found):
-    """Lines on the report's statements of section 3.6.5, each with the computed values; none without its cases"""
+    """Lines on the report's statements of section 3.6.5, each with the computed values; a statement without its cases
+    has no line"""
     named = {one["case"]: one for one in found}
     for text, cases, value in STATEMENTS:
         if all(name in named for name in cases):
@@ -157,7 +159,7 @@ def statements(found):
 
 
 def trends(found):
-    """Lines on significant over static tension of a contact buoy head-on, six lines, computed beside printed
+    """Lines of text: significant over static tension of a contact buoy with six lines, head-on, computed and printed
 
     Where lines are nearly taut, decimetres of surge decide; each line gives the difference of surge between the two.
     """
@@ -177,8 +179,9 @@ def trends(found):
     away = np.abs([one["apart_m"] for one in found if np.isfinite(one["apart_m"])])
     if len(away) > 1:
         yield (
-            f"significant tensions of {len(away)} cases head-on and those printed are apart by {np.median(away):.2f} m "
-            f"of surge at the median, {np.quantile(away, 0.9):.2f} m in nine of ten: lines nearly taut make much of it"
+            f"{len(away)} head-on cases: computed and printed significant tensions differ as by {np.median(away):.2f} "
+            f"m of surge (median; nine of ten cases: at most {np.quantile(away, 0.9):.2f} m), since nearly taut lines "
+            f"turn a small surge into a large tension"
         )
 
 

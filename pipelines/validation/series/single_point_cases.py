@@ -1,6 +1,6 @@
 """The cases of the report's single-point series as studies, and the scenes of their floaters.
 
-Tables 3.6.5.1 to 3.6.5.5 of the SR179 report (1982), digitised in single_point.csv beside.  What the report does not
+Tables 3.6.5.1 to 3.6.5.5 of the SR179 report (1982), digitised in single_point.csv.  What the report does not
 tell follows from its tables: six lines at ±30°, ±90° and ±150° of the wind, those of 12 and 18 as six of two and three
 times the weight; lines made fast at the buoy's draft; freeboards of 10 m; turning tests of B/d = 10; a drift of c H²
 along the waves at any heading, c of the head-on rows of 14 m (A) and 40 m (B) in waves of 10 s, elsewhere in proportion

@@ -111,7 +111,8 @@ def _solved(scene, row, seed, method, tolerance, every):
 
 
 def roughest(scene, here, method, tolerance):
-    """Largest second difference in any parameter over that which the errors of the three results allow"""
+    """Largest second difference in any parameter, divided by the difference that the errors of the three results
+    allow"""
     found = []
     for _, sides in scene.neighbours(STEP / (1 + scene.k * scene.reach)):
         before, after = (solved(side, method, tolerance) for side in sides)

@@ -22,8 +22,9 @@ def stress(
 ):
     """Solve random boxes and buoys in any depth and wave, and test each answer by the laws of waves.
 
-    Finite, reciprocal, energy kept and damping not negative within the stored estimated error; one scene in twenty
-    again with every parameter moved a little, and one as a mesh rotated and shifted.  Status 1 if one fails.
+    Results must be finite and reciprocal, conserve energy and have no negative damping, within the stored estimated
+    error. One scene in twenty is solved again with every parameter changed a little, and one as a rotated and shifted
+    mesh.  Status 1 if one fails.
     """
     from ...executors.choice import executor_of
     from ...results.output import check_result

@@ -1,6 +1,6 @@
 """Laws that every result obeys; each violation is divided by the violation that the estimated error e allows.
 
-With Z and X each wrong by no more than e of their size, theory allows
+If Z and X each have errors of at most e of their size, theory allows these violations:
 
     reciprocity  |Zᵢⱼ − Zⱼᵢ| ≤ 2e            Haskind  two values of X ≤ 2e apart
     dissipation  eigenvalues of B ≥ −2e      for surge with pitch and sway with roll are pairs, heave and yaw alone

@@ -1,4 +1,5 @@
-"""Panel method on a rotated and shifted mesh, without mirror planes, and compared with itself with two of them.
+"""The panel method on a rotated and shifted mesh without mirror planes, compared with the same mesh with two mirror
+planes.
 
 With R the rotation by α about the vertical, a body moved to p has, about p,
 
@@ -47,7 +48,7 @@ def rotated(scene, seed):
 
 
 def difference(one, other, angle, phase, towards):
-    """Largest difference of Z and X, relative to their size, of a body and of the same moved
+    """Largest difference of Z and X, relative to their size, between a body and the same body moved
 
     one, other : `Solved`; phase : k times the place; towards : (m,) rad, headings of the second
     """

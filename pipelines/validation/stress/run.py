@@ -70,8 +70,8 @@ def summary(rows):
         known = [(row.worst, row.number) for row in mine if np.isfinite(row.worst[0])]
         (worst, law), at = max(known, default=((np.nan, "nothing"), mine[0].number))
         yield (
-            f"{method}: {len(mine)} scenes, {1e3 * np.median(seconds):.0f} ms in the middle, {seconds.max():.1f} s at "
-            f"most; estimated error {np.nanmedian(estimates):.1e} in the middle, above {USELESS:g} in "
+            f"{method}: {len(mine)} scenes, {1e3 * np.median(seconds):.0f} ms at the median, {seconds.max():.1f} s at "
+            f"most; estimated error {np.nanmedian(estimates):.1e} at the median, above {USELESS:g} in "
             f"{np.count_nonzero(estimates > USELESS)}; worst: {law} {worst:.2g} of what is allowed, scene {at}"
         )
     left_out = sum(1 for row in rows if not row.method and not row.verdict)

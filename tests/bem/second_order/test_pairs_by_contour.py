@@ -143,7 +143,7 @@ def test_held_boxes_have_surge_sway_and_yaw():
 def test_what_needs_the_flow_under_a_box_is_refused(moving, surface):
     with pytest.raises(
         ValueError,
-        match="has wave pairs of a box only if it is fixed, and",
+        match="computes wave pairs of a box only if the box is fixed, and",
     ):
         quadratic_forces(problem("box"), [0.6, 0.8], [0.4], 0.3, moving, surface=surface)
 

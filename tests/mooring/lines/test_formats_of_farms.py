@@ -109,7 +109,7 @@ def test_a_vessel_of_orcaflex_that_says_no_turn_or_place_has_none(tmp_path):
 def test_what_a_model_of_orcaflex_lacks_is_named(tmp_path):
     good = ORCAFLEX.format(**SI)
     for old, new, says in (
-        ("EA: 854e3", "EA: rope", "EA of line type chain is 'rope', as of variable data"),
+        ("EA: 854e3", "EA: rope", "EA of line type chain is 'rope', as variable data are"),
         ("[barge, 10, 0, 0, 0]", "[buoy, 10, 0, 0, 0]", "end A of line one is on buoy; allowed: Fixed, Anchored"),
         ("[chain, 100, 5]", "[wire, 100, 5]", "line one has the types wire, chain"),
         (

@@ -130,7 +130,7 @@ def test_a_run_begins_where_the_last_ended_and_from_rest_without_a_jerk(gap, spe
     with warnings.catch_warnings(record=True) as said:
         warnings.simplefilter("always")
         if refused:
-            with pytest.raises(ValueError, match="m from the end of the previous run"):
+            with pytest.raises(ValueError, match="m from the place where the previous run ended"):
                 simulation._check_joint(motion, state, rest)
         else:
             simulation._check_joint(motion, state, rest)

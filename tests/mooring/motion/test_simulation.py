@@ -411,11 +411,11 @@ def test_coefficients_of_a_wave_are_named_where_they_damp_slow_motion(on_springs
     named = [
         line
         for line in said[0].findings
-        if 'left out: the memory of the water: memory = "constant" damps slow motion as much as waves of' in line
+        if 'left out: the memory of the water; memory = "constant" gives slow motion the damping at' in line
     ]
     assert len(named) == 1 and "surge" in named[0] and "states" in named[0]
     assert not any(
-        'left out: the memory of the water: memory = "constant" damps slow motion as much as waves of' in line
+        'left out: the memory of the water; memory = "constant" gives slow motion the damping at' in line
         for line in said[1].findings
     )
     assert any("slow motion is lightly damped: surge" in line for line in said[1].findings)

@@ -167,7 +167,8 @@ def test_the_ship_is_one_of_several_and_the_others_are_held(monkeypatch, fixed, 
 @pytest.mark.parametrize(("db", "body", "says"), [
     (several("pier"), "", "ship.body is ''; allowed: one that moves of a.h5, ship, barge"),
     (several("pier"), "pier", "ship.body is 'pier'; allowed: one that moves of a.h5, ship, barge"),
-    (SimpleNamespace(path="a.h5", bodies=()), "ship", "ship.body is 'ship', and a.h5 is of one body; leave it out"),
+    (SimpleNamespace(path="a.h5", bodies=()), "ship",
+     "ship.body is 'ship', but a.h5 contains one body; leave ship.body out"),
 ])  # fmt: skip
 def test_a_ship_that_no_body_is_cannot_berth(db, body, says):
     with pytest.raises(StudyError) as error:

@@ -82,7 +82,7 @@ def database(*fixed):
 ])  # fmt: skip
 def test_a_hinge_joins_two_bodies_of_which_one_moves(bodies, given):
     hinge = quay_tables.HingeTable("pin", bodies, (0.0, 0.0, 0.0))
-    says = rf"hinges\[0\]\.bodies has {given}; allowed: two different of a, b, quay, space"
+    says = rf"hinges\[0\]\.bodies has {given}; allowed: two different names of a, b, quay, space"
     with pytest.raises(StudyError, match=says):
         hinge.link("hinges[0]", database("quay"))
 

@@ -224,7 +224,7 @@ def test_a_fender_with_friction_slides_after_a_tenth_of_its_height_and_takes_its
         assert made(**given).shear == pytest.approx(0.3 * 980665.0 / 0.15, rel=1e-12)
     assert made(rated_reaction=1000.0, friction=0.0).shear == 0
     assert made(rated_reaction=1000.0, shear=700.0).shear == 700e3
-    with pytest.raises(ValueError, match="allowed: both 0, or both above 0"):
+    with pytest.raises(ValueError, match="allowed: both at least 0, and shear above 0 if friction is"):
         made(rated_reaction=1000.0, shear=0.0)
     with pytest.raises(StudyError, match="rated_reaction_kN and rated_reaction_tonf are given"):
         made(rated_reaction_kN=1000.0, rated_reaction_tonf=100.0)

@@ -46,8 +46,8 @@ def test_a_hinge_has_a_finite_place_and_an_axis():
     for more in ({"position": (0.0, math.inf, 0.0)}, {"axis": (0.0, 0.0, 0.0)}, {"axis": (0.0, math.nan, 1.0)}):
         refused("; allowed: finite, with an axis other than 0", link, **more)
     refused("hinges[0].kind is 'weld'; allowed: ", link, kind="weld")
-    refused("of which at least one moves", link, bodies=("a", "a"))
-    refused("of which at least one moves", link, bodies=("b", "space"))
+    refused("at least one of a body that moves", link, bodies=("a", "a"))
+    refused("at least one of a body that moves", link, bodies=("b", "space"))
     refused("hinges[0].damping is -1 for a slider; allowed: 0 or more", link, kind="slider", damping=-1.0)
     refused("hinges[0].damping is 1 for a rigid; allowed: 0 or more for a ", link, kind="rigid", damping=1.0)
 

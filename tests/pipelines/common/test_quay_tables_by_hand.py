@@ -28,7 +28,7 @@ def test_a_fender_is_met_by_the_side_that_it_stands_before(face, normal, half):
 
 @pytest.mark.parametrize("face", [(30.0, 30.1, 2.0), (30.0, 21.0, 6.1), (30.0, 21.0, -8.1), (51.0, 21.0, 0.0)])
 def test_a_fender_that_no_side_reaches_is_refused(face):
-    with pytest.raises(StudyError, match=r"the body cannot reach .* 100 × 40 m, at most 10 m off, z -8 to 6"):
+    with pytest.raises(StudyError, match=r"cannot reach .* 100 × 40 m, at most 10 m from it, with z from -8 to 6 m"):
         quay_tables._side("fender", np.array(face), HULL)
 
 

@@ -361,7 +361,7 @@ FAULTS = {
         "berth", [(study("fender", 1, "family"), "coen")], ("'coen' is unknown", "cell, v, h, cone"),
     ),
     "place of a fender": (
-        "berth", [(study("fender", 1, "position"), [25.0, 45.0, 2.0])], ("fender[1] (F2)", "at most 10 m off"),
+        "berth", [(study("fender", 1, "position"), [25.0, 45.0, 2.0])], ("fender[1] (F2)", "at most 10 m from it"),
     ),
     "name of two ropes": ("berth", [(study("rope", 1, "name"), "head")], ("'head' is the name of two", "its own")),
     "tail of a rope": (

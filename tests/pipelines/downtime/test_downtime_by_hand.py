@@ -219,8 +219,8 @@ def test_energy_beyond_the_stored_frequencies_is_told_above_a_hundredth_and_refu
     assert "the stored 5 to 20 s, at most 20 %" in line
     with pytest.raises(
         StudyError,
-        match=r"in 100 % of the rows.*allowed: at most 50 % of the energy in half of the "
-        r"rows;",
+        match=r"in 100 % of the rows.*allowed: at most 50 % of the energy outside, in at "
+        r"least half of the rows;",
     ):
         said(0.49, 0.4, 0.9, 0.0)
 

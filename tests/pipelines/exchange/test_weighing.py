@@ -49,7 +49,7 @@ def test_what_cannot_be_weighed_is_told(bare, tmp_path, capsys):
         ([imported, "--mass", "8e5", "--output", solved], "exists already; give another name by --output"),
         ([imported, "--mass", "820"], "the hull displaces 820000 kg; allowed"),
         ([imported, "--frequencies", "2:3"], "selects no frequency; the files have 0.6 to 1 rad/s"),
-        ([imported, "--frequencies", "3"], "allowed: from:to in rad/s, as 0.2:1.5"),
+        ([imported, "--frequencies", "3"], "allowed: from:to in rad/s, such as 0.2:1.5"),
     ):
         assert cli.main(["body", *map(str, words)]) == 2
         assert says in capsys.readouterr().err

@@ -281,7 +281,7 @@ def test_a_run_that_was_ended_goes_on_from_the_differences_it_stored(coarse, tmp
     assert len(read_forces(db).forces.frequency) == 2 and read_forces(db).asked == pytest.approx(0.6)
     with pytest.raises(
         ValueError,
-        match=r"come from an unfinished run, with differences to 0.15 of 0.6 rad/s; "
+        match=r"come from an unfinished run; differences up to 0.15 of 0.6 rad/s are stored; "
         r"'hakobune qtf .*' continues it",
     ):
         stored_pairs(db, SWELL, "full")

@@ -168,8 +168,11 @@ def test_waves_of_a_record_beside_the_study_move_the_ship(tmp_path):
 @pytest.mark.parametrize(
     "tables, says",
     [
-        ({"fender": [FENDER | {"position": [60, 30, 0]}]}, "fender[0] (F): the body cannot reach 60, 30, 0 m"),
-        ({"fender": [FENDER | {"position": [0, 40, 0]}]}, "at most 10 m off"),
+        (
+            {"fender": [FENDER | {"position": [60, 30, 0]}]},
+            "fender[0] (F): the body cannot reach the point 60, 30, 0 m",
+        ),
+        ({"fender": [FENDER | {"position": [0, 40, 0]}]}, "at most 10 m from it"),
         ({"fender": [FENDER | {"causes": ["ageing"]}]}, "fender[0] (F).causes is given"),
         ({"fender": [FENDER | {"on": "D"}]}, "there is no dolphin 'D'; allowed: none is given"),
         ({"dolphin": [{"name": "D", "stiffness": 1.0}]}, "dolphin 'D' carries no fender"),

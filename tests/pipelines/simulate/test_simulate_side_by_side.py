@@ -214,7 +214,7 @@ FAULTS = {
     "to none": ({"rope": [{**ROPE, "to": "tug"}]}, "rope R: to = 'tug'; allowed: the name of another body, ship"),
     "a motion of none": ({"simulation": STUDY["simulation"] | {"spring": {"sway": 1.0}}}, "allowed: ship surge"),
     "hinged to itself": ({"hinges": [{**HINGE, "bodies": ["ship", "ship"]}]}, "bodies has 'ship' and 'ship'; allowed"),
-    "hinged to none": ({"hinges": [{**HINGE, "bodies": ["ship", "tug"]}]}, "'tug'; allowed: two different of ship"),
+    "hinged to none": ({"hinges": [{**HINGE, "bodies": ["ship", "tug"]}]}, "'tug'; allowed: two different names of"),
     "hinged twice": ({"hinges": [HINGE, {**HINGE, "name": "G"}]}, "some constraints repeat others"),
     "motions held": (
         {"hinges": [HINGE], "simulation": STUDY["simulation"] | {"motions": ["ship heave"]}},

@@ -41,7 +41,7 @@ def beside(e, b):
 
 @kernel(counted=False)
 def factor_band(D, B, bending, pivots, first, last):
-    """pivots[j], j = first … last, of D and B (9, w) as of `block_tridiagonal.factor`
+    """pivots[j], j = first … last, of D and B (9, w) as in `block_tridiagonal.factor`
 
     bending : `Work.bending`, whose last rows are e and f
     """

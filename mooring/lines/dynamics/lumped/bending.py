@@ -3,9 +3,10 @@
     V = Σ ½ k |c|²,   c = d₊/ℓ₊ − d₋/ℓ₋,   1/k = ½ (ℓ₋/EI₋ + ℓ₊/EI₊),   d = q[j+1] − q[j]
 
 over the inner nodes j.  The ends are hinges, and so is a node beside an element without EI.  With unstretched ℓ the
-forces are linear in the places: their tangent is exact and constant, one number for the three coordinates of each
-pair of nodes up to two apart, and energy is kept.  A line stretched by ε bends as if EI were (1 + ε)² times as large.
-Second differences make it of second order in ℓ: (nπ/N)²/6 too small an ω² of mode n of a hinged beam.
+forces are linear in the places: their tangent is exact and constant, and energy is conserved. The tangent has one
+number for each pair of nodes at most two apart, the same for all three coordinates.  A line stretched by ε bends as if
+EI were (1 + ε)² times as large. With second differences the error is of second order in ℓ: ω² of mode n of a hinged
+beam is too small by (nπ/N)²/6.
 """
 
 import numpy as np

@@ -60,7 +60,8 @@ def record(row, t, step, s, work, energy):
 
 @kernel(counted=False)
 def frame(row, x, h, q0, v0, q1, v1):
-    """Positions at the share x of a step, by the cubic through both ends and their velocities, into row (n, 3)."""
+    """Write positions at the fraction x of a step into row (n, 3), from the cubic through positions and velocities at
+    both ends."""
     y = 1.0 - x
     for j in range(row.shape[0]):
         for i in range(3):

@@ -65,7 +65,7 @@ def change(work, elements, scale):
 
 @kernel(counted=False)
 def spread(work, elements):
-    """The same with the change of tension at either end, or the root mean square of all if that is larger."""
+    """As above, with the change of tension at either end, or the root mean square of all changes if it is larger."""
     _, mean, ends, distance = changes(work, elements, 1.0)
     return ends if mean <= ends else mean, distance  # nan stays
 

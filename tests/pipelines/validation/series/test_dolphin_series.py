@@ -51,7 +51,7 @@ def test_a_row_of_the_reports_simulations_stands_as_printed(database):
     assert row["sigma_m"] == pytest.approx(row["printed_sigma_m"], rel=0.25)
     assert row["mean_m"] == pytest.approx(row["printed_mean_m"], rel=0.25)
     assert row["verdict"] == row["printed_verdict"] == "stands"
-    assert next(statements([row])).startswith("significant: σ within a fifth of the print in ")
+    assert next(statements([row])).startswith("significant: σ is within a fifth of the printed value in ")
 
 
 def test_the_printed_rows_are_consistent():
@@ -128,9 +128,10 @@ def simulated_row(sigma_m):
 def test_a_row_in_time_is_near_the_print_within_a_fifth(sigma, near):
     (said,) = statements([simulated_row(sigma)])
     assert (
-        f"full: σ within a fifth of the print in {near} of 1 rows, mean in 1, verdict of 35 % the same in 1; " in said
+        f"full: σ is within a fifth of the printed value in {near} of 1 rows, the mean in 1; "
+        "the verdict at 35 % is the same in 1; " in said
     )
-    assert said.endswith("roll 2.84 to 2.84 times the print")
+    assert said.endswith("roll is 2.84 to 2.84 times the printed value")
 
 
 def test_a_row_in_time_is_made_of_displacements_at_the_fender_less_the_clearance():
