@@ -87,6 +87,7 @@ def prepare(monkeypatch):
                                 | (weather or {}))  # fmt: skip
         plan = Plan(given, Settings(**settings or {}))
         reader = SimpleNamespace(viscous=viscous, floating=lambda: "floating", links=links, rigid=12,
+                                 ring=None, bodies=(),
                                  between=SimpleNamespace(forget=lambda: ASKED.append("forgotten")))  # fmt: skip
         water = SimpleNamespace(words=("surge", "sway"), omega="omega")
         db = SimpleNamespace(bodies_reader=water, modes=modes, reader="own",
@@ -149,7 +150,7 @@ def test_a_body_is_made_of_its_lines_berth_damping_and_waves_once_for_all_seeds(
     parts, more = made_of()
     assert parts[0] is reader and parts[1].line_names == ("a", "b") and parts[2] is None
     assert more == {"memory": None, "damping": 5.0, "quadratic": 7.0, "berth": "berth", "spring": "spring",
-                    "motions": "motions", "waves": None, "linearised_in": "waves"}  # fmt: skip
+                    "motions": "motions", "waves": None, "linearised_in": "waves", "turned": False}  # fmt: skip
     assert ("names", given.settings, ("a", "b")) in ASKED and ("anchors", ("a", "b")) in ASKED
     assert ("moving", body, "chosen") in ASKED and not any(one[0] == "floats" for one in ASKED)
     assert ("start", "sides", body, given.settings) in ASKED and ASKED[-2:] == ["stiffness", "forgotten"]
