@@ -360,3 +360,6 @@ def test_drift_by_pressure_that_is_off_on_panels_too_large_for_the_waves_is_told
     (said,) = report.failures(SimpleNamespace(forces=forces), db)
     assert said.startswith("FAILS: mean drift by pressure differs") and "6 % of the largest, limit 5 %" in said
     assert says in said
+    db.attributes = {"imported": "wamit: a.1"}  # it has no scene
+    (said,) = report.failures(SimpleNamespace(forces=forces), db)
+    assert says.replace("in the scene", "in the mesh, and import it (--mesh)") in said
