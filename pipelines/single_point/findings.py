@@ -10,11 +10,17 @@ from hakobune.mooring.single_point.in_time import pulls, used_in
 from ..common.quantities import force
 
 HELP = "give a stronger type or more lines"
+STEADY = (
+    "left out: pulls by waves and gusts; tensions are those of steady loads and smaller than the largest ones in the "
+    "sea: [slewing] runs the body in time, with the waves where --database is given"
+)
 
 
 def findings(found):
     """Findings of a `result.Found`, one line each"""
     best, water = found.best, found.point.loads.water
+    if found.study.waves is not None and found.run is None:
+        yield STEADY
     if water.turning and water.speed > 0:
         drift = np.abs(np.arctan(np.tan(water.direction - best.heading)))
         if drift > FITTED * (1 + 1e-9):

@@ -28,10 +28,11 @@ def one(growth=-1e-3, heading=0.0, period=250.0, hawser=(1e5, 2e5), used=(0.3, n
     )  # fmt: skip
 
 
-def found(rest, turning=False, speed=0.0, direction=0.0):
+def found(rest, turning=False, speed=0.0, direction=0.0, waves=None, run=None):
     water = SimpleNamespace(turning=turning, speed=speed, direction=direction)
     point = SimpleNamespace(loads=SimpleNamespace(water=water), lengths=[30.0, 30.0], system=rest[0].point.system)
-    return SimpleNamespace(best=preferred(rest), rest=rest, point=point)
+    study = SimpleNamespace(waves=waves)
+    return SimpleNamespace(best=preferred(rest), rest=rest, point=point, study=study, run=run)
 
 
 def test_the_equilibrium_that_decays_fastest_is_preferred():
@@ -56,6 +57,13 @@ def test_headings_that_are_stable_are_counted():
     assert said.startswith("no heading is stable: the body slews")
     (said,) = findings(found([one(), one(heading=math.pi / 2), one(1e-3)]))
     assert said == "2 headings are stable (0°, 90°): the body comes to rest at the first of them that it reaches"
+
+
+def test_steady_tensions_in_waves_are_told_to_be_less_than_the_largest():
+    (said,) = findings(found([one()], waves="waves"))
+    assert said.startswith("left out: pulls by waves and gusts") and "[slewing]" in said
+    assert list(findings(found([one()], waves="waves", run="run"))) == []
+    assert list(findings(found([one()], run="run"))) == []
 
 
 @pytest.mark.parametrize("angle, told", [(59.9, False), (60.1, True), (119.0, True), (121.0, False)])
