@@ -81,12 +81,10 @@ def plan_of(study, omega, seeds=None, duration=None, folder=None, words=ONE_BODY
     _check_held(settings, motions_of(study, words), words)
     if study.harbour is not None:
         check_harbour(study.harbour.periods)
-    conditions = study.conditions()
-    waves, findings, more = (
-        conditions.waves,
-        (),
-        tuple(one.sea("simulation.sea", study.water.depth) for one in table.sea),
-    )
+    conditions, of_seas = study.conditions_and_warnings()
+    with heard() as of_more:
+        more = tuple(one.sea("simulation.sea", study.water.depth) for one in table.sea)
+    waves, findings = conditions.waves, ()
     regular = conditions.method == "regular_wave"
     if more and (regular or conditions.sea is None):
         raise StudyError("simulation.sea is a sea in addition to [waves], so it needs irregular [waves]")
@@ -117,7 +115,16 @@ def plan_of(study, omega, seeds=None, duration=None, folder=None, words=ONE_BODY
         energy = components.amplitude**2
         split = float(components.omega[np.searchsorted(np.cumsum(energy), LOWEST * energy.sum())])
         mean = 2 * np.pi * float(energy.sum() / (energy @ components.omega))
-    return Plan(weather, settings, _seeds(table, seeds), _kept(table), split, mean, findings, shapes=shapes)
+    return Plan(
+        weather,
+        settings,
+        _seeds(table, seeds),
+        _kept(table),
+        split,
+        mean,
+        (*of_seas, *of_more, *findings),
+        shapes=shapes,
+    )
 
 
 def level_of_pairs(study, seas, drift):
