@@ -80,9 +80,10 @@ def studied(study, db):
         raise StudyError("the study has no lines; give at least one [[spreads]] or [[lines]], or use hakobune simulate")
     anchors = study.anchors_on(system.line_names)
     berth, body = study.berth_of(db, hull) if db.bodies else None, linked(db.bodies_reader, study.hinges, db)
-    result = multi_point(db, system, hull, study.conditions(), study.allowable, berth, body)
+    conditions, of_seas = study.conditions_and_warnings()
+    result = multi_point(db, system, hull, conditions, study.allowable, berth, body)
     found = anchor_findings(system.line_names, anchors, *_at_anchors(result))
-    return replace(result, warnings=(*study.remarks(hull, db), *result.warnings, *found)), hull
+    return replace(result, warnings=(*study.remarks(hull, db), *of_seas, *result.warnings, *found)), hull
 
 
 def _at_anchors(made):

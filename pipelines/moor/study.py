@@ -28,6 +28,7 @@ from ..common.typed import typed
 from ..common.weather.seas import WavesTable, mean_wave, sea_with_swell
 from ..common.weather.streams import CurrentTable, WindTable, current_of, no_box, superstructures, wind_of, with_files
 from ..common.weather.water import DepthTable, check_solved_depth
+from ..results.heard import heard
 from ..site.link import SiteLink, read_study_at_site
 from .anchors import AnchorTable, anchors_of
 from .lines_file import with_lines
@@ -75,6 +76,16 @@ class Study(Table):
     allowable: float = 0.4
 
     def conditions(self):
+        """The `Conditions` of the study, without the warnings on its seas"""
+        return self.conditions_and_warnings()[0]
+
+    def conditions_and_warnings(self):
+        """The `Conditions` of the study, and warnings on its seas, one line each.  Raises StudyError."""
+        with heard() as said:
+            made = self._conditions()
+        return made, tuple(said)
+
+    def _conditions(self):
         """Conditions in SI units"""
         wind, current, waves = wind_of(self.wind), current_of(self.current), self.waves
         if waves is None:

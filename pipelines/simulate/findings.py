@@ -12,6 +12,7 @@ SMALL = 50.0  # m, length of a hull that is none of the report's floaters
 FAR, NOTABLE = 2.0, 0.5  # factor on the spectral σ of slow motion; fraction of the σ of motion with the waves
 NOTHING = 1e-5  # slow motion over the hull length, or rad, that counts as zero
 LONG, SHALLOW, DEEP = 10.0, 20.0, 40.0  # slowest periods in a run; m, SR179 report (1982), section 5.5.3
+FREE = 1000.0  # s, natural period at a berth from which ropes and fenders do not hold the body
 PLANE = ("surge", "sway", "yaw")
 
 
@@ -46,7 +47,8 @@ def findings(file):
     periods = np.asarray(file.attrs.get("moored_period", [np.nan] * 3), float)
     moored_periods = {name: T for name, T in zip(PLANE, periods, strict=True) if not np.isnan(T)}
     wave_period = float(file.attrs["mean_period"])
-    slow = max((value for value in moored_periods.values() if np.isfinite(value)), default=0.0)
+    at_berth = [T for T in np.ravel(file.attrs.get("natural_period", ())) if T < FREE]
+    slow = max((value for value in [*moored_periods.values(), *at_berth] if np.isfinite(value)), default=0.0)
     duration = float(file.attrs["duration"])
     yield from rare_findings(file)
     yield from slow_findings(file)

@@ -81,8 +81,9 @@ def plan_of(study, omega, seeds=None, duration=None, folder=None, words=ONE_BODY
     _check_held(settings, motions_of(study, words), words)
     if study.harbour is not None:
         check_harbour(study.harbour.periods)
-    conditions, depth = study.conditions(), study.water.depth
-    seas = _seas(study, table, conditions)
+    (conditions, of_seas), depth = study.conditions_and_warnings(), study.water.depth
+    with heard() as of_more:
+        seas = _seas(study, table, conditions)
     waves = None if seas else conditions.waves
     names = _names(len(seas) - len(table.sea), len(table.sea)) if len(seas) > 1 else ("",) * len(seas)
     found = (line for one, name in zip(seas, names, strict=True) for line in _outside(one.spectrum, omega, name))
@@ -107,7 +108,7 @@ def plan_of(study, omega, seeds=None, duration=None, folder=None, words=ONE_BODY
     if components is not None:
         energy = components.amplitude**2
         mean = 2 * np.pi * float(energy.sum() / (energy @ components.omega))
-    split, findings = _split(weather, omega), tuple(findings)
+    split, findings = _split(weather, omega), (*of_seas, *of_more, *findings)
     return Plan(weather, settings, _seeds(table, seeds), _kept(table), split, mean, findings, shapes=shapes)
 
 

@@ -42,7 +42,7 @@ SECTION = {"name": "left", "beam": 30.0, "draft": 6.0, "y": -16.5}
     ({"omegas": [0.5, 0.5]}, "omegas has 2 values; allowed: 1 to 1000, rising"),
     ({"damping": 11.0}, "damping is 11; allowed: 0 to 10"), ({"damping": -0.1}, "damping is -0.1; allowed: 0 to 10"),
     ({"water": {"depth": -12.0}}, "water.depth is -12; allowed: above 0"),
-    ({"water": {"depth": 12.0, "density": 0.0}}, "water.density is 0; allowed: above 0"),
+    ({"water": {"depth": 12.0, "density": 0.0}}, "water.density is 0; allowed: 900 to 1300"),
     ({"water": {"depth": 12.0, "gravity": float("nan")}}, "water.gravity is nan; allowed: above 0"),
     ({"omegas": [0.0, 0.5]}, "omegas is 0; allowed: above 0"),
     ({"sections": [SECTION, SECTION], "hinges": []}, "sections have the name 'left'"),

@@ -67,6 +67,18 @@ def test_a_run_shorter_than_ten_of_the_slowest_periods_is_told_with_how_uncertai
         assert "a run of 990 s covers 9.9 of the slowest natural periods (100 s), recommended 10" in said[0]
 
 
+@pytest.mark.parametrize("duration, periods, told", [
+    (20.0, [48.0, 12.0, 11.0], "a run of 20 s covers 0.42 of the slowest natural periods (48 s), recommended 10"),
+    (481.0, [48.0, 12.0, 11.0], None), (481.0, [np.inf, 5e4, 48.0], None), (20.0, [np.nan] * 3, None),
+])  # fmt: skip
+def test_a_run_at_a_berth_is_as_long_as_its_ropes_and_fenders_ask(quiet, duration, periods, told):
+    file = made_up(duration)
+    file.attrs["natural_period"] = np.array(periods)
+    said = [line for line in findings.findings(file) if "covers" in line]
+    assert len(said) == (told is not None)
+    assert not told or said[0].startswith(told)
+
+
 @pytest.mark.parametrize("depth, words", [
     (20.0, "in up to 20 m of water use the simulation"), (20.1, "between 20 and 40 m of water use the larger of "
     "the two"),
