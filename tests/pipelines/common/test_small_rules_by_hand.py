@@ -9,7 +9,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from hakobune.pipelines.common.quantities import StudyError
+from hakobune.pipelines.common.quantities import StudyError, water_depth
 from hakobune.pipelines.fender import result as fender
 from hakobune.pipelines.line_dynamics import result as line_dynamics
 from hakobune.pipelines.lines import flags
@@ -334,3 +334,12 @@ def test_numbers_that_are_not_known_are_told_of_their_motion_and_frequency(monke
     values[2, 0, 1] = np.inf
     assert {name: one.tolist() for name, one in gaps._unknown(db, "a").items()} == {"Surge": [1], "Heave": [2]}
     assert gaps._unknown(Stored(a=np.zeros((3, 2, 2))), "a") == {}
+
+
+def test_water_may_be_deeper_than_the_deepest_trench_by_a_tenth_but_not_more():
+    """10 935 m of the Challenger Deep and 12 000 m"""
+    for depth in (1e-3, 10_935.0, 12_000.0):
+        assert water_depth("depth", depth) == depth
+    for depth in (0.0, 12_001.0, math.nan):
+        with pytest.raises(StudyError, match=r"depth is .*; allowed: above 0, at most 12000, the deepest sea"):
+            water_depth("depth", depth)
