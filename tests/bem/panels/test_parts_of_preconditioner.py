@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from scipy.sparse import csr_matrix
 
+from hakobune.bem.panels.compressed import preconditioner
 from hakobune.bem.panels.compressed.preconditioner import Preconditioner, _cell_functions
 
 CELLS, STARTS = [slice(0, 3), slice(3, 5), slice(5, 9)], [0, 2, 3, 6]  # of nine nodes, six functions
@@ -89,3 +90,17 @@ def test_a_cell_a_thousandth_as_wide_as_long_varies_along_its_length_alone(width
     linear = np.column_stack([np.ones(8), nodes[:, 0]])
     assert P @ (R @ linear) == pytest.approx(linear, rel=1e-5)
     assert (P @ (R @ nodes[:, 1]))[4:] == pytest.approx(nodes[4:, 1], abs=1e-5)
+
+
+def test_every_function_has_the_side_and_the_diagonal_of_its_own_cell(monkeypatch):
+    """Of the hull −1 and of the lid 1, and a diagonal that differs from cell to cell"""
+    P, R = by_cells(np.random.default_rng(3))
+    monkeypatch.setattr(preconditioner, "_cell_functions", lambda tree: (P, R, CELLS, np.array(STARTS)))
+    monkeypatch.setattr(preconditioner, "_leaf_inverses", lambda equations: "inverses")
+    monkeypatch.setattr(Preconditioner, "_reduced", lambda self, equations, spans, starts: "reduced")
+    side, diagonal = np.ones((N, 1)), np.repeat([0.1, 0.2, 0.3], [3, 2, 4])[:, None]
+    side[:5] = -1.0
+    made = Preconditioner(SimpleNamespace(tree=None, standing={}, side=side, diagonal=diagonal))
+    assert made.side.ravel().tolist() == [-1, -1, -1, 1, 1, 1]
+    assert made.diagonal.tolist() == [0.1, 0.1, 0.2, 0.3, 0.3, 0.3]
+    assert (made.by_image, made.inverses, made.factors) == ("reduced", "inverses", {})
