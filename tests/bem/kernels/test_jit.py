@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from hakobune import bem
-from hakobune.bem.kernels import kept
+from hakobune.bem.kernels import jit, kept
 from hakobune.bem.kernels.jit import as_python, kernel
 from hakobune.bem.kernels.sources import Sources, imported
 
@@ -251,7 +251,7 @@ def test_a_long_kernel_is_kept_once_and_its_caller_always_fits_it(tmp_path):
 
 COMPILED_MEANWHILE = """
 import shutil
-from hakobune.bem.kernels import kept
+from hakobune.bem.kernels import jit, kept
 def waited(file):
     shutil.copytree({kept!r}, {cache!r}, dirs_exist_ok=True)
 kept.claimed, kept.Kept.save_overload = waited, None  # nothing is compiled

@@ -348,19 +348,20 @@ def test_water_may_be_deeper_than_the_deepest_trench_by_a_tenth_but_not_more():
             water_depth("depth", depth)
 
 
-class Row(msgspec.Struct, forbid_unknown_fields=True):
+class Row(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     length: float
 
 
 class Rows(msgspec.Struct, forbid_unknown_fields=True):
     row: Row
+    row_too: Row = Row(1.0)
     other: Row | None = None
     rows: list[Row] | None = None
 
 
 @pytest.mark.parametrize(("more", "said"), [
-    ({"other": [{"length": 1.0}]}, ""), ({"other": [1.0]}, ""), ({"rows": [{"length": 1.0}, {"width": 2.0}]},
-    "; also unknown: rows[1].width"),
+    ({"other": [{"width": 1.0}]}, ""), ({"other": [1.0]}, ""), ({"row_too": [1.0]}, ""),
+    ({"rows": [{"length": 1.0}, {"width": 2.0}]}, "; also unknown: rows[1].width"),
 ])  # fmt: skip
 def test_a_list_in_place_of_a_table_is_no_further_unknown_key(more, said):
     """The unknown key is told, and those of lists where lists belong"""
