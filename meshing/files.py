@@ -137,10 +137,9 @@ def wetted(mesh):
 
 def _on_positive_side(mesh):
     """The same hull as its half x ≥ 0, y ≥ 0, if the file stores the other half"""
-    size = float(np.ptp(mesh.points, axis=0).max())
     for axis in mesh.symmetry:
         side = mesh.points[:, "xy".index(axis)]
-        if side.max() <= SAME_POINT * size and side.min() < 0:
+        if side.max() <= 0 and side.min() < 0:  # `_as_meant` moved points near the plane into it
             points = mesh.points.copy()
             points[:, "xy".index(axis)] *= -1
             mesh = replace(mesh, points=points, corners=mesh.corners[:, ::-1])

@@ -10,10 +10,7 @@ class YamlFault(ValueError):
 
 
 def parse(text):
-    """Dictionaries, lists and scalars of a text, in YAML 1.2 unless the text declares 1.1.  Raises YamlFault.
-
-    In YAML 1.1 a number without a dot, 12e3, is read as text.
-    """
+    """Dictionaries, lists and scalars of a text, in YAML 1.2 unless the text declares 1.1.  Raises YamlFault."""
     from warnings import catch_warnings, simplefilter
 
     from ruamel.yaml import YAML

@@ -127,13 +127,11 @@ def _allowed(keys):
 
 def _unknown(value, hint, path=""):
     """(path with key, key, allowed keys) of every unknown key, in the order of the file"""
-    parts = typing.get_args(hint)
+    parts, is_table = typing.get_args(hint), isinstance(value, dict)
     if isinstance(value, list) and typing.get_origin(hint) in (list, tuple):
         for i, one in enumerate(value):
             yield from _unknown(one, parts[0], f"{path}[{i}]")
-    elif not isinstance(value, dict):
-        return
-    elif isinstance(hint, type) and issubclass(hint, msgspec.Struct):
+    elif is_table and isinstance(hint, type) and issubclass(hint, msgspec.Struct):
         hints = typing.get_type_hints(hint)
         known = {field.encode_name: hints[field.name] for field in msgspec.structs.fields(hint)}
         for key, one in value.items():
@@ -142,10 +140,10 @@ def _unknown(value, hint, path=""):
                 yield from _unknown(one, known[key], name)
             else:
                 yield name, key, list(known)
-    elif typing.get_origin(hint) is dict:
+    elif is_table and typing.get_origin(hint) is dict:
         for key, one in value.items():
             yield from _unknown(one, parts[1], f"{path}.{key}")
-    else:
+    elif isinstance(value, NESTED):
         for part in parts:  # of a union
             yield from _unknown(value, part, path)
 

@@ -276,3 +276,17 @@ def test_wall_times_of_one_step_add_up():
     first = run.wall_time["solve"]
     run._timed("solve", 0.0)
     assert run.wall_time["solve"] > 1.9 * first > 0
+
+
+def test_the_drift_of_each_body_is_given_as_it_floats_and_held_and_held_alone_if_nothing_floats():
+    class Parted(Made):
+        def drift_of_each(self, moving):
+            return f"of each, {moving}"
+
+    both = {"body_drift_force", "body_drift_force_fixed"}
+    found = Parted(want=both).result()
+    assert [found[name] for name in sorted(both)] == ["of each, True", "of each, False"]
+    held = Parted(want=both, free=False).result()
+    assert held["body_drift_force_fixed"] == "of each, False" and "body_drift_force" not in held
+    for name in both:
+        assert both & set(Parted(want={name}).result()) == {name}

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from hakobune.bem.modes import PARITY, class_of, displacing, normal_velocities, reference_change, with_net_flux
+from hakobune.bem.modes import PARITY, Mode, class_of, displacing, normal_velocities, reference_change, with_net_flux
 from hakobune.bem.problem import Problem, check_gap
 from hakobune.meshing.panels import PanelMesh
 from hakobune.meshing.shapes import box, buoy
@@ -74,3 +74,22 @@ def test_water_thinner_than_three_hundred_thousandths_of_the_draft_is_refused():
     check_gap(10.0, 10.0 + 3.05e-4)
     with pytest.raises(ValueError, match=r"depth − draft is 0.000295 m; allowed: from 0.0003 m, 3e-05 of the draft"):
         check_gap(10.0, 10.0 + 2.95e-4)
+
+
+@pytest.mark.parametrize("hull, moves", [
+    (buoy(10, 5, panels=300), [True] * 5 + [False]),
+    (buoy(10, 20, panels=300, bottom=False), [True, True, False, True, True, False]),
+])  # fmt: skip
+def test_shapes_that_bend_move_water_after_the_motions_of_a_rigid_hull(hull, moves):
+    assert displacing(hull, ("bending", "twist")).tolist() == [*moves, True, True]
+
+
+@pytest.mark.parametrize("off, sign", [(0.95e-4, 1), (1.05e-4, 0)])
+def test_a_shape_is_even_within_one_part_in_ten_thousand_of_its_largest_displacement(off, sign):
+    """1 m upwards at x = 1 m and that much less at x = −1 m"""
+
+    class Lopsided:
+        def displacement(self, points):
+            return np.stack([0 * points[:, 0], 0 * points[:, 0], np.where(points[:, 0] < 0, 1 - off, 1.0)], axis=1)
+
+    assert Mode("bent", shape=Lopsided()).parity(np.array([[1.0, 2.0, -1.0], [-1.0, 2.0, -1.0]])) == (sign, 1)

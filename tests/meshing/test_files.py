@@ -473,6 +473,8 @@ def test_any_of_several_counts_is_held_against_the_size_of_the_file(tmp_path):
         ("side.nemoh", "2 2\n", "line 1 is neither '2 0' nor '2 1';"),
         ("few.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n", "line 3: 2 nodes; a panel has 3 or 4"),
         ("zero.pnl", "1 3 1 2\n", "symmetry 1 2; allowed: 0 or 1 each"),
+        ("ninth.pnl", "1 3 0 0\n1 0 0 -1\n2 1 0 -1\n3 1 1 -1\n1 3 1 2 9\n", "ninth.pnl, line 5: there is no point 9; "
+            "the file has 3"),
     ],
 )  # fmt: skip
 def test_more_that_cannot_be_read_is_named(tmp_path, name, text, words):

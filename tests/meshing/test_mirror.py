@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from hakobune.meshing.mirror import folded, healed
-from hakobune.meshing.panels import PanelMesh
+from hakobune.meshing.panels import PanelMesh, joined
 from hakobune.meshing.shapes import box, buoy
 
 
@@ -79,3 +79,15 @@ def test_points_off_by_less_than_the_tolerance_are_healed():
     assert found.volume == pytest.approx(120.0, rel=1e-5)
     down = whole.rotated(np.pi, "x")  # drawn with z down: the same box above the water
     assert down.points[:, 2].min() == pytest.approx(0.0, abs=1e-12) and down.volume == pytest.approx(120.0)
+
+
+def test_plates_that_lie_in_the_plane_of_symmetry_are_on_no_side_of_it():
+    """A thin skeg below the keel, each of its sides a thousandth of a millimetre off the plane y = 0"""
+    hull = box(100, 50, 10, panels=200).whole()
+    corners = np.array([[0, -10], [0, -12], [20, -12], [20, -10], [-20, -12], [-20, -10]], float)
+    sides = [np.insert(corners, 1, y, axis=1) for y in (1e-6, -1e-6)]
+    panels = np.array([[0, 1, 2, 3], [5, 4, 1, 0]])
+    skeg = PanelMesh(np.concatenate(sides), np.concatenate([panels, panels[:, ::-1] + 6]))
+    assert folded(joined([hull, skeg])).symmetry == "x"
+    apart = PanelMesh(skeg.points * [1, 1e3, 1], skeg.corners)  # by a millimetre there are two sides
+    assert folded(joined([hull, apart])).symmetry == "xy"

@@ -191,3 +191,14 @@ def test_a_cut_close_to_an_edge_leaves_no_sliver():
     assert joined([sliver, wall]).clipped().areas == pytest.approx([2.0])
     strip = one((-1, 0, -1e-6), (1, 0, -1e-6), (0, 0, 1))
     assert joined([strip, wall]).clipped().areas.sum() == pytest.approx(2.0 + 2e-6, abs=1e-9)
+
+
+def test_a_bottom_of_panels_of_its_own_is_a_bottom_also_where_it_is_not_quite_level():
+    """A box of 4 x 2 x 1 m whose bottom is one panel below walls of two: within a millionth of the draft it closes
+    them, and nothing is added to its volume; without it the foot of the walls is closed, to the same volume"""
+    rim = np.array([(2, 1), (0, 1), (-2, 1), (-2, -1), (0, -1), (2, -1)], float)
+    walls = [one((*a, 0), (*b, 0), (*b, -1), (*a, -1)) for a, b in zip(np.roll(rim, -1, axis=0), rim, strict=True)]
+    bottom = one((2, 1, -1), (2, -1, -1), (-2, -1, -1), (-2, 1, -1 - 5e-7))
+    closed = joined([*walls, bottom])
+    assert closed.foot is None and closed.volume == pytest.approx(8.0, rel=1e-6)
+    assert joined(walls).foot is not None and joined(walls).volume == pytest.approx(8.0)

@@ -258,3 +258,11 @@ def test_rings_that_touch_twice_are_parted_where_each_turns_back_sharply():
         start, end = edges[order].T
         found = [{*start[ring].tolist(), *end[ring].tolist()} for ring in _divided(x, start, end)]
         assert sorted(map(sorted, found)) == [[0, 1, 2, 3], [0, 1, 4, 5]]
+    for number in np.random.default_rng(1).permutation(np.tile(np.arange(6), (5, 1)), axis=1):  # of each point
+        places = np.empty_like(x)
+        places[number] = x
+        start, end = number[edges].T
+        found = [{*start[ring].tolist(), *end[ring].tolist()} for ring in _divided(places, start, end)]
+        assert sorted(map(sorted, found)) == sorted(
+            sorted(number[ring].tolist()) for ring in ([0, 1, 2, 3], [0, 1, 4, 5])
+        )

@@ -1,6 +1,7 @@
 """Text files of other programs."""
 
 import gzip
+import io
 import os
 
 import pytest
@@ -50,3 +51,19 @@ def test_what_is_packed_in_a_file_is_read_up_to_its_limit_and_refused_beyond(tmp
 def test_rows_of_a_table_are_its_lines_without_remarks_and_blanks():
     text = "# made by hand\n\n  \nname,value\n\t\n  # a remark\na,1\n   \nb,2 # not one\n"
     assert list(csv_rows(text)) == [{"name": "a", "value": "1"}, {"name": "b", "value": "2 # not one"}]
+
+
+def test_no_more_of_a_packed_file_is_unpacked_than_shows_that_it_is_too_large(monkeypatch, tmp_path):
+    """A file of a few kilobytes may hold gigabytes"""
+    asked = []
+
+    class Endless(io.BytesIO):
+        def read(self, count=-1):
+            asked.append(count)
+            return b"x" * count
+
+    monkeypatch.setattr(gzip, "open", lambda path: Endless())
+    (tmp_path / "a.txt.gz").write_bytes(b"few")
+    with pytest.raises(ValueError, match=r"a\.txt\.gz has more than 3 MB unpacked; allowed: up to that"):
+        read_text(tmp_path / "a.txt.gz", largest=3)
+    assert asked == [3_000_001]

@@ -7,8 +7,8 @@ import numpy as np
 from ..influence import FAR
 
 LEAF = 16  # panels of a leaf at most
-# a block has low rank if the clusters are as far apart as SEPARATION of the larger one's diagonal, also from the images
-# in surface and bed, and beyond the distance at which panels are integrated by their nodes alone
+# a block has low rank if the clusters are as far apart as SEPARATION of the larger one's diagonal, and beyond the
+# distance at which panels are integrated by their nodes alone
 SEPARATION = 0.7
 
 
@@ -59,16 +59,16 @@ class Clusters:
         found = np.flatnonzero(self.children[:, 0] < 0)
         return found[np.argsort(self.first[found])]
 
-    def pairs(self, images, depth):
+    def pairs(self, images):
         """Return (far, near) pairs of blocks, each (·, 3) of target, source and image, which cover all pairs of panels
 
-        Target and source of a near block are leaves.  images : (i, 2) ±1 of the sources; depth : m
+        Target and source of a near block are leaves.  images : (i, 2) ±1 of the sources
         """
         far, near = [], []
         left = np.array([(t, s, m) for t in self.roots for s in self.roots for m in range(len(images))])
         while len(left):
             t, s, m = left.T
-            apart = self._apart(t, s, images[m], depth)
+            apart = self._apart(t, s, images[m])
             far.append(left[apart])
             left = left[~apart]
             t, s, _ = left.T
@@ -80,20 +80,16 @@ class Clusters:
             left = _children(left, split_t, split_s, self.children)
         return tuple(np.concatenate(parts) for parts in (far, near))
 
-    def _apart(self, t, s, image, depth):
-        """Whether blocks are of low rank, for targets t, sources s (b,) and their images (b, 2); shape (b,)"""
+    def _apart(self, t, s, image):
+        """Whether blocks are of low rank, for targets t, sources s (b,) and their images (b, 2); shape (b,)
+
+        Images in surface and bed, on the other side of both blocks, are never nearer than the source.
+        """
         low, high = self.low[s].copy(), self.high[s].copy()
         for axis in (0, 1):
             turned = image[:, axis] < 0
             low[turned, axis], high[turned, axis] = -self.high[s[turned], axis], -self.low[s[turned], axis]
-        distance = np.full(len(t), np.inf)
-        for mirror in (None, 0.0, -2 * depth):
-            if mirror is not None and np.isinf(mirror):
-                continue
-            z = (low[:, 2], high[:, 2]) if mirror is None else (mirror - high[:, 2], mirror - low[:, 2])
-            box_low, box_high = (np.column_stack([part[:, :2], end]) for part, end in zip((low, high), z, strict=True))
-            gap = np.maximum(np.maximum(self.low[t] - box_high, box_low - self.high[t]), 0.0)
-            distance = np.minimum(distance, np.linalg.norm(gap, axis=1))
+        distance = np.linalg.norm(np.maximum(np.maximum(self.low[t] - high, low - self.high[t]), 0.0), axis=1)
         diagonals = np.linalg.norm(self.high - self.low, axis=1)
         return (distance > SEPARATION * np.maximum(diagonals[t], diagonals[s])) & (distance > FAR * self.size[s])
 

@@ -43,7 +43,7 @@ class Tree:
         self.quadrature = g.quadrature._make(a[order] for a in g.quadrature)
         self.hull = self.nodes < g.hull
         self.per_panel = per_panel
-        self.far, self.near = self.clusters.pairs(g.images, g.depth)
+        self.far, self.near = self.clusters.pairs(g.images)
         counts = per_panel * (self.clusters.end - self.clusters.first)
         few = counts[self.near[:, 0]] @ counts[self.near[:, 1]] <= MOST_KEPT
         self.kept = [None] * len(self.clusters.leaves) if few else None

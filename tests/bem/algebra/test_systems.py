@@ -84,3 +84,17 @@ def test_steps_in_single_precision_go_on_until_rounding_is_left():
     values = np.linalg.svd(A)
     nearly = A - values[1][-1] * (1 - 1e-9) * np.outer(values[0][:, -1], values[2][-1])
     assert not _refined(nearly, U, V, b)[1] < 1e-10
+
+
+def test_a_matrix_that_single_precision_refines_is_not_factored_once_more(monkeypatch):
+    rng, sizes = np.random.default_rng(7), []
+    A = rng.standard_normal((1, WORTH_REFINING, WORTH_REFINING)) / WORTH_REFINING**0.5 + 2 * np.eye(WORTH_REFINING)
+    U, V = rng.standard_normal((2, 1, WORTH_REFINING, 3)) / WORTH_REFINING**0.5
+
+    def solve(matrix, side):
+        sizes.append(len(matrix))
+        return np.linalg.solve(matrix, side)
+
+    monkeypatch.setattr("hakobune.bem.algebra.systems._solved", solve)
+    _, left = solved_beside_few((A, U, V, np.ones((1, WORTH_REFINING, 1), complex)), (1,))
+    assert left < 1e-11 and set(sizes) == {3}

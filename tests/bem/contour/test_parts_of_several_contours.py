@@ -154,6 +154,8 @@ def test_a_sender_has_nodes_for_its_orders_and_points_inside_for_its_waves():
     orders = int(np.ceil(3 * np.log(10) / np.arccosh(1 + 0.1 / 3)))
     assert len(close.contour.x) == len(CIRCLE.contour(0.0, orders, 1e-3).x) > len(far.contour.x)
     assert len(sender(CIRCLE, 3, 8.0, 40.0, 3.0, 1.0).inside.x) == 8 + 6 and len(far.inside.x) == 8
+    counts = [len(sender(CIRCLE, 3, 8.0, 40.0, digits, 1.0).contour.x) for digits in (3.0, 6.0)]
+    assert counts == [len(CIRCLE.contour(8.0, 7, small).x) for small in (1e-3, 1e-6)] and counts[1] > counts[0]
     box = sender(RECTANGLE, (2, 2), 8.0, 40.0, 3.0, 1.0)
     assert len(box.inside.x) == int(8 + 2 * np.hypot(4, 2)) and box.smallest == 3.0
     assert np.all(np.abs(box.inside.x) < 2) and np.all(np.abs(box.inside.y) < 1)

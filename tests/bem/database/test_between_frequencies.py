@@ -125,3 +125,10 @@ def test_added_mass_and_damping_are_fitted_as_one_impedance():
     fit = known._interpolant("impedance")
     deviation = fit.deviation(known._abscissa(at))[0].reshape(6, 6)
     assert known.error(at, "radiation_damping")[0] == pytest.approx(deviation / np.sqrt(2))
+
+
+def test_added_mass_is_given_within_and_beyond_the_band_at_once():
+    """A(0) + [A(ω₁) − A(0)] (ω/ω₁)² and A(∞) + [A(ω_n) − A(∞)] (ω_n/ω)² beside stored values, in any order"""
+    known = between({"added_mass": A}, {"added_mass_zero": ZERO, "added_mass_infinity": INFINITY})
+    wanted = [INFINITY + (A[-1] - INFINITY) * 0.16, A[1], ZERO + (A[0] - ZERO) * 0.25, A[4]]
+    assert known.value([3.0, 0.6, 0.2, 1.2], "added_mass") == pytest.approx(np.array(wanted))

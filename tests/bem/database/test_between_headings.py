@@ -198,3 +198,12 @@ def test_a_body_is_turned_into_itself_where_both_horizontal_motions_are_alike():
     wrong = alike.copy()
     wrong[1, 3] = 0.7
     assert not is_turned((wrong,), np.zeros(3))
+
+
+def test_beside_a_stored_heading_no_variance_is_left():
+    """Of a value known up to the nugget ν, κ − κ (κ + ν)⁻¹ κ = ν κ / (κ + ν) < 2ν: what is known has no error"""
+    made = ring(np.arange(0, 360, 30.0) * DEG, THETA, "")
+    at = AtHeadings(made, np.array([60 * DEG + 2e-9, 75 * DEG]), np.array([0.1]), HALF, NONE)
+    assert at.place.tolist() == [-1, -1]
+    beside, between = at.deviation(of_plane_wave(made.headings)[None], 5)[0]
+    assert not beside.any() and np.all(between > 0)

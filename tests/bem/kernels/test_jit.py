@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from hakobune import bem
-from hakobune.bem.kernels import kept
+from hakobune.bem.kernels import jit, kept
 from hakobune.bem.kernels.jit import as_python, kernel
 from hakobune.bem.kernels.sources import Sources, imported
 
@@ -251,7 +251,7 @@ def test_a_long_kernel_is_kept_once_and_its_caller_always_fits_it(tmp_path):
 
 COMPILED_MEANWHILE = """
 import shutil
-from hakobune.bem.kernels import kept
+from hakobune.bem.kernels import jit, kept
 def waited(file):
     shutil.copytree({kept!r}, {cache!r}, dirs_exist_ok=True)
 kept.claimed, kept.Kept.save_overload = waited, None  # nothing is compiled
@@ -329,3 +329,15 @@ def test_a_kernel_runs_as_python_where_asked_and_compiled_where_python_refuses()
         assert kernel()(part_of.function)(2, 8) == 0.375  # still within the first
     after = kernel()(part_of.function)
     assert after(2.0, 4.0) == 0.75 and after._entry is not None
+
+
+@pytest.mark.parametrize(("given", "folder"), [
+    ({}, "home/.cache/hakobune"), ({"XDG_CACHE_HOME": "/xdg"}, "/xdg/hakobune"),
+    ({"XDG_CACHE_HOME": "/xdg", "HAKOBUNE_CACHE": "/own"}, "/own"), ({"HAKOBUNE_CACHE": "/own"}, "/own"),
+])  # fmt: skip
+def test_kernels_are_kept_in_the_cache_of_the_user_unless_a_folder_is_named(monkeypatch, tmp_path, given, folder):
+    for name in ("XDG_CACHE_HOME", "HAKOBUNE_CACHE"):
+        monkeypatch.delenv(name, raising=False)
+    for name, value in (given | {"HOME": str(tmp_path / "home")}).items():
+        monkeypatch.setenv(name, value)
+    assert jit._base() == tmp_path / folder

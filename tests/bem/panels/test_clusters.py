@@ -25,12 +25,11 @@ def two(gap, size=1.0, z=-50.0, count=4):
     return Clusters.of(corners, normals, np.full(2 * count, size), 2 * count)
 
 
-@pytest.mark.parametrize("depth", [np.inf, 200.0])
-def test_clusters_are_apart_by_seven_tenths_of_the_larger_diagonal_and_five_panels(depth):
+def test_clusters_are_apart_by_seven_tenths_of_the_larger_diagonal_and_five_panels():
     image = np.ones((1, 2))
     for count, gap, apart in ((4, 4.9, False), (4, 5.1, True), (8, 5.55, False), (8, 5.75, True)):
         found = two(gap, count=count)  # of eight 0.7 √65 = 5.64
-        assert bool(found._apart(np.array([0]), np.array([1]), image, depth)[0]) == apart, (count, gap)
+        assert bool(found._apart(np.array([0]), np.array([1]), image)[0]) == apart, (count, gap)
 
 
 def test_a_mirrored_source_is_as_far_as_its_image():
@@ -38,12 +37,12 @@ def test_a_mirrored_source_is_as_far_as_its_image():
     low, high = found.low.copy(), found.high.copy()
     low[1, :2], high[1, :2] = [-14.0, -3.0], [-10.0, -2.0]
     other = Clusters(found.order, found.first, found.end, found.children, low, high, found.size, found.roots)
-    assert other._apart(np.array([0]), np.array([1]), np.array([[1.0, 1.0]]), np.inf)[0]
-    assert other._apart(np.array([0]), np.array([1]), np.array([[-1.0, -1.0]]), np.inf)[0]  # 6 m on the other side
+    assert other._apart(np.array([0]), np.array([1]), np.array([[1.0, 1.0]]))[0]
+    assert other._apart(np.array([0]), np.array([1]), np.array([[-1.0, -1.0]]))[0]  # 6 m on the other side
     low[1, 0], high[1, 0] = -12.8, -8.8
     near = Clusters(found.order, found.first, found.end, found.children, low, high, found.size, found.roots)
-    assert near._apart(np.array([0]), np.array([1]), np.array([[1.0, -1.0]]), np.inf)[0]
-    assert not near._apart(np.array([0]), np.array([1]), np.array([[-1.0, -1.0]]), np.inf)[0]  # 4.8 m
+    assert near._apart(np.array([0]), np.array([1]), np.array([[1.0, -1.0]]))[0]
+    assert not near._apart(np.array([0]), np.array([1]), np.array([[-1.0, -1.0]]))[0]  # 4.8 m
 
 
 def test_trees_hold_every_panel_once_in_leaves_of_sixteen_and_have_roots_by_what_they_look_at():
@@ -63,7 +62,7 @@ def test_trees_hold_every_panel_once_in_leaves_of_sixteen_and_have_roots_by_what
         assert made.size[c] == sizes[own].max()
         assert made.low[c] == pytest.approx(corners[own].min(axis=(0, 1)))
         assert made.high[c] == pytest.approx(corners[own].max(axis=(0, 1)))
-    far, near = made.pairs(np.array([[1, 1], [-1, 1]]), np.inf)
+    far, near = made.pairs(np.array([[1, 1], [-1, 1]]))
     count = np.zeros((70, 70, 2), int)
     for t, s, m in np.concatenate([far, near]):
         count[np.ix_(made.order[made.first[t] : made.end[t]], made.order[made.first[s] : made.end[s]], [m])] += 1

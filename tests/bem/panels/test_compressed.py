@@ -106,7 +106,7 @@ def test_blocks_grow_like_n_log_n():
     for panels in (1250, 5000, 20_000):
         mesh = box(1000, 200, 10, panels=panels)
         c = Clusters.of(mesh.flat_vertices, mesh.normals, mesh.sizes, len(mesh))
-        far, near = c.pairs(np.array(mesh.reflections(), float), 20.0)
+        far, near = c.pairs(np.array(mesh.reflections(), float))
         count = c.end - c.first
         entries = 16 * (count[near[:, 0]] * count[near[:, 1]]).sum() + 32 * (count[far[:, 0]] + count[far[:, 1]]).sum()
         per_panel.append(entries / len(mesh))

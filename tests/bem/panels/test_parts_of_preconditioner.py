@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from scipy.sparse import csr_matrix
 
-from hakobune.bem.panels.compressed.preconditioner import Preconditioner
+from hakobune.bem.panels.compressed import preconditioner
+from hakobune.bem.panels.compressed.preconditioner import Preconditioner, _cell_functions
 
 CELLS, STARTS = [slice(0, 3), slice(3, 5), slice(5, 9)], [0, 2, 3, 6]  # of nine nodes, six functions
 N, F, IMAGES = 9, 6, 2
@@ -73,3 +74,33 @@ def test_what_is_smooth_is_solved_by_the_class_of_its_signs_and_the_rest_leaf_by
         wanted = P @ np.linalg.solve(matrix + np.diag(one.diagonal), smooth) + leaves
         assert found[:, p] == pytest.approx(wanted, rel=1e-4, abs=1e-5 * np.abs(wanted).max())
     assert len(one.factors) == 2
+
+
+@pytest.mark.parametrize("width, functions", [(0.9e-3, 2), (1.1e-3, 3)])
+def test_a_cell_a_thousandth_as_wide_as_long_varies_along_its_length_alone(width, functions):
+    """1, x and y at the corners of a rectangle are orthogonal, of sizes as 1, 1 and its width over its length; of
+    a second cell, a square, there are three.  R P = 1, and P R keeps what is linear on a cell."""
+    corners = np.array([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)], float)
+    nodes = np.concatenate([corners * [20.0, 20.0 * width, 1.0] + [3.0, 5.0, -2.0], corners + [50.0, 0.0, -2.0]])
+    tree = SimpleNamespace(nodes=nodes, cells=lambda most: [slice(0, 4), slice(4, 8)],
+                           elements=SimpleNamespace(nodes=nodes, weights=np.repeat([2.0, 0.5], 4)))  # fmt: skip
+    P, R, spans, starts = _cell_functions(tree)
+    assert starts.tolist() == [0, functions, functions + 3] and len(spans) == 2
+    assert (R @ P).toarray() == pytest.approx(np.eye(functions + 3), abs=1e-6)
+    linear = np.column_stack([np.ones(8), nodes[:, 0]])
+    assert P @ (R @ linear) == pytest.approx(linear, rel=1e-5)
+    assert (P @ (R @ nodes[:, 1]))[4:] == pytest.approx(nodes[4:, 1], abs=1e-5)
+
+
+def test_every_function_has_the_side_and_the_diagonal_of_its_own_cell(monkeypatch):
+    """Of the hull −1 and of the lid 1, and a diagonal that differs from cell to cell"""
+    P, R = by_cells(np.random.default_rng(3))
+    monkeypatch.setattr(preconditioner, "_cell_functions", lambda tree: (P, R, CELLS, np.array(STARTS)))
+    monkeypatch.setattr(preconditioner, "_leaf_inverses", lambda equations: "inverses")
+    monkeypatch.setattr(Preconditioner, "_reduced", lambda self, equations, spans, starts: "reduced")
+    side, diagonal = np.ones((N, 1)), np.repeat([0.1, 0.2, 0.3], [3, 2, 4])[:, None]
+    side[:5] = -1.0
+    made = Preconditioner(SimpleNamespace(tree=None, standing={}, side=side, diagonal=diagonal))
+    assert made.side.ravel().tolist() == [-1, -1, -1, 1, 1, 1]
+    assert made.diagonal.tolist() == [0.1, 0.1, 0.2, 0.3, 0.3, 0.3]
+    assert (made.by_image, made.inverses, made.factors) == ("reduced", "inverses", {})

@@ -236,6 +236,7 @@ def test_the_best_of_what_was_tried_is_told(monkeypatch):
         ValueError, match=r"the memory of sway has an error of 0\.2 with the best system that was tried, and the"
     ) as one:
         fit_now(np.arange(1.0, 5), wanted, np.ones(1), (1,), 0.01, none, ("surge", "sway"))
+    assert str(one.value).startswith("the memory of sway") and str(one.value).endswith("to a smaller tolerance")
     assert one.value.within == pytest.approx(0.2 / 8)  # beyond eight times a tolerance no modes are moved
     offs, many = iter([0.5, 0.2, 0.3]), np.ones((4, 4, 4), complex)
     with pytest.raises(fewest_states.FitError) as one:

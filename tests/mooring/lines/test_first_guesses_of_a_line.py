@@ -59,3 +59,8 @@ def test_buoys_in_the_surface_are_sought_softly_and_friction_by_shares():
     assert [way.friction for way, _ in tries[4:7]] == pytest.approx([0.25, 0.1, 0.0]) and len(tries) == 7
     _, deep, _ = ways(StaticLine((Segment(LENGTH, 900.0),), (PointLoad(100.0, -1e4),)), friction=0.0)
     assert len(deep) == 3
+
+
+@pytest.mark.parametrize("weight", [0.09, 900.0, 9e6])
+def test_a_line_is_slack_below_the_same_share_of_its_weight_however_heavy_it_is(weight):
+    assert StaticLine((Segment(LENGTH, weight),))._data.least == pytest.approx(1e-11 * weight * LENGTH, rel=1e-12)

@@ -558,3 +558,13 @@ def test_dashes_before_the_first_section_are_free_text(first):
 def test_a_first_heading_that_is_nearly_one_is_refused(first):
     with pytest.raises(FormatError, match=f"line 1, section {first}: is not a section"):
         parse_moordyn(VERSION_2.replace(VERSION_2.splitlines()[0], f"--- {first} ---"))
+
+
+def test_numbers_of_an_older_yaml_are_read_without_a_warning():
+    """Of 1.1 a number without a dot is a number, of which the reader of YAML warns; one with a leading zero is octal"""
+    import ruamel.yaml  # noqa: F401 : its own filters go first
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert parse_yaml("%YAML 1.1\n---\na: 12e3\nb: 017\n") == {"a": 12000.0, "b": 15}
+        assert parse_yaml("a: 12e3\nb: 017\n") == {"a": 12000.0, "b": 17}

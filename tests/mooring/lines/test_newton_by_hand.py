@@ -169,3 +169,40 @@ def test_a_line_that_is_not_taut_is_solved_at_one_place_and_from_its_heap(monkey
         one = Places(monkeypatch, left=left)
         assert one() == 1 and one.begun == [begun]
         assert one.judged[0][3] == (left == newton.HEAP_AT_ANCHOR)
+
+
+@pytest.mark.parametrize("target", [25.0, math.nan])
+@pytest.mark.parametrize("begins, at, V, ends, left", [
+    (100.0, (1, 0, 0), 6e4, 17.5, 7e3),  # 60 − 36 − 8 − 3 kN are 9 kN above H tan β, or 22.5 m
+    (35.0, (0, -1, 0), 12e3, 15.0, 8e3),  # below joint and sinker, 8 kN above it
+])  # fmt: skip
+def test_a_span_ends_at_a_place_or_parallel_to_a_facet_with_the_slopes_of_differences(
+    target, begins, at, V, ends, left
+):
+    """Down a line of 900 over 400 N/m, past a joint at 60 and 3 kN at 40 m, to 25 m or to where V = H tan β;
+    slopes by H and V where it begins, its end and its begin"""
+    equations = plain("mooring.lines.multi_segment.equations")
+    line = SimpleNamespace(
+        bed=np.array([[0.0, -100.0, math.atan(0.2)]]), segments=np.array([[0.0, 400.0], [60.0, 900.0]]), surface=1e3,
+        loads=np.array([[40.0, 3e3, 4e3]]), first_row=np.array([0, 1, 2]),
+        strain_table=np.array([[0.0, 1.0, 1e-6], [0.0, 1.0, 2e-6]]),
+    )  # fmt: skip
+    to_facet, given, rows = math.isnan(target), np.array([2e4, V, 25.0, begins]), [equations.H, equations.V]
+
+    def marched(H, V, end, begin):
+        e = equations.empty_equations(2, np.zeros(1, np.int64))  # with four columns of derivatives
+        e.q[equations.H], e.q[equations.V], e.q[equations.S] = H, V, begin
+        e.g[[*rows, equations.S], [0, 1, 3]] = 1.0
+        e.at[:] = at
+        to = (math.nan, -1) if to_facet else (end, 2)
+        equations.march_span(line, e, 0, np.int64(-1), *to, np.zeros((9, 11)))
+        return e.q, e.g
+
+    q, g = marched(*given)
+    assert q[equations.S] == pytest.approx(ends if to_facet else 25.0)
+    assert q[equations.V] == pytest.approx(4e3 if to_facet else left)
+    for column, step in enumerate((1.0, 1.0, 1e-3, 1e-3)):
+        moved = step * np.eye(4)[column]
+        slope = (marched(*(given + moved))[0] - marched(*(given - moved))[0]) / (2 * step)
+        for row in (equations.X, equations.Z, equations.V, equations.S):
+            assert g[row, column] == pytest.approx(slope[row], rel=1e-5, abs=1e-9), (row, column)

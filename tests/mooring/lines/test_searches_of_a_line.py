@@ -222,3 +222,30 @@ def test_a_line_that_is_not_found_is_sought_the_other_way_with_softer_buoys_less
     assert line.StaticLine._further_tries(one, buoys)[3][0].soft == 0.1
     one._steep = False
     assert len(line.StaticLine._further_tries(one, buoys)) == 3 + count
+
+
+def test_every_position_that_is_lost_is_sought_again_and_the_last_gives_the_shape():
+    """Of five the second and fourth are found by a first further try, the last by another; the others stand"""
+    asked, ways = [], [("exact", 1e-6), ("other", 1e-2), ("never", 0.0)]
+    answers = {("exact", 1.0): 11.0, ("exact", 3.0): 13.0, ("other", 4.0): 14.0}
+
+    def once(way, x, z, tolerances):
+        asked.append((way, *x, *z, tolerances))
+        found = answers.get((way, float(x[0])))
+        state = LOST if found is None else SOLVED
+        return found, state, f"pieces by {way}", f"loads by {way}"
+
+    def solve_positions(data, x, z, guess, capacity, begin):
+        return np.arange(5.0), np.array([SOLVED, LOST, SLACK, LOST, LOST]), "pieces", "loads"
+
+    data = SimpleNamespace(lowest_buoy=0, loads=(), kept=())
+    one = SimpleNamespace(_like_a_uniform_line=lambda x, z: 1.0, _capacity=lambda given: 9, _mirrored=None,
+                          _once=once, _further_tries=lambda given: ways)  # fmt: skip
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(search, "solve_positions", solve_positions)
+        patch.setattr(line, "_search", lambda: search)
+        found, status, pieces, loads = line.StaticLine._solve(one, data, np.arange(5.0), np.arange(5.0) + 50)
+    assert found.tolist() == [0.0, 11.0, 2.0, 13.0, 14.0]
+    assert status.tolist() == [SOLVED, SOLVED, SLACK, SOLVED, SOLVED]
+    assert (pieces, loads) == ("pieces by other", "loads by other")
+    assert asked == [("exact", k, k + 50.0, 1e-6) for k in (1.0, 3.0, 4.0)] + [("other", 4.0, 54.0, 1e-2)]

@@ -363,3 +363,42 @@ def test_streams_on_several_bodies_have_the_table_of_each():
     one.table[:], two.table[:] = 1.0, 2.0
     both = streams.on_all([one, two])
     assert both.table.shape == (3, streams.RING + 3, 6) and both.table[:, 0, 0].tolist() == [1.0, 2.0, 2.0]
+
+
+@pytest.mark.parametrize("order", [(-1, 1), (1, -1)])
+def test_several_contacts_are_those_of_each_alone_one_on_the_quay_and_one_between_bodies(order, monkeypatch):
+    """Pressed, rubbed, then all turned: what has rubbed on the other body turns with it, on the quay it does not"""
+    at = {-1: (4.0, 9.0, 1.0), 1: (-15.0, 10.0, 1.5)}
+    each = [contact(monkeypatch, False, other, at[other], offset=9.0) for other in order]
+    rows, bent = np.concatenate([made.numbers for made, _ in each]), np.zeros((2, 2, 0, 3))
+    table = SimpleNamespace(marks=np.tile(each[0][0].table.marks, (2, 1)))
+    both = contacts.Contacts(table, rows, np.zeros(2, int), np.array(order), PLACE, bent)
+    each.append((both, contacts.contact_work(both)))
+    places = np.zeros((3, 2, 6))
+    places[1:, 0, 0], places[1:, 1, 1], places[2, :, 5] = 0.01, 0.003, (0.3, 0.25)
+    for poses in places:
+        one, other, together = (loads(*pair, poses) for pair in each)
+        assert together == pytest.approx(one + other, rel=1e-9, abs=1e-6) and one.any() and other.any()
+        for _, work in each:
+            contacts.settle(work)
+
+
+@pytest.mark.parametrize("met", [True, False])
+def test_lines_fenders_and_ropes_push_each_shape_and_do_their_work_on_its_body(met):
+    """Shapes 1 and 3 of two groups, the first of body 1, the second of body 0: force times rate of the shape"""
+    y, shapes = np.random.default_rng(8).normal(size=2 * equation.BLOCK + 6 + 2 * equation.OF_SHAPES), [1, 9]
+    push = np.array([[2.0, -3.0], [5.0, 7.0], [11.0, 13.0]])  # of lines, fenders, ropes
+    body = SimpleNamespace(heading=np.zeros(2), shapes=SimpleNamespace(place=np.array(shapes), owner=np.array([1, 0])))
+    made = SimpleNamespace(body=body, line_work=SimpleNamespace(push=push[0]), work=SimpleNamespace(force=np.zeros(24)),
+                           contact_work=SimpleNamespace(push=push[1:]))  # fmt: skip
+    rate = np.zeros(len(y))
+    equation.of_moorings_on_shapes(made, y, rate, met)
+    own = y[2 * equation.BLOCK + 6 :].reshape(2, 2, 6)[:, 1]  # rates of the amplitudes
+    wanted, works = np.zeros(24), np.zeros((2, len(equation.WORKS)))
+    kinds = [equation.BY_LINES, equation.BY_FENDERS, equation.BY_ROPES]
+    for k, (shape, owner) in enumerate(zip(shapes, (1, 0), strict=True)):
+        for kind, pushed in zip(kinds[: 3 if met else 1], push[:, k], strict=False):
+            wanted[12 + shape] += pushed
+            works[owner, kind] += pushed * own.ravel()[shape]
+    assert made.work.force == pytest.approx(wanted)
+    assert equation.blocks(rate, 2)[:, equation.FIRST_WORK :] == pytest.approx(works)

@@ -629,3 +629,17 @@ def test_a_run_that_ends_names_time_place_part_and_the_way_out(state, changes, w
     said = str(error)
     assert isinstance(error, Overload) == ("beyond its table, which ends at 0.3" in said or "would part" in said)
     assert said.startswith("at 100 s after the ramp, the body 5 m from its place: ") and words in said
+
+
+def test_a_run_of_several_bodies_that_ends_names_the_place_of_each_that_moves():
+    """Of a ship 5 m and a barge 13 m from their places beside a quay that is fixed"""
+    bodies = [SimpleNamespace(name=name, fixed=name == "quay") for name in ("ship", "quay", "barge")]
+    moored = SimpleNamespace(system=SimpleNamespace(line_names=[]), buoy=None, reader=SimpleNamespace(bodies=bodies))
+    scene = SimpleNamespace(line_work=SimpleNamespace(whole=np.ones(0), tension=np.zeros((0, 2))))
+    places = np.zeros((2, BLOCK))
+    places[:, :2] = (3.0, -4.0), (5.0, 12.0)
+    clock = SimpleNamespace(now=np.array([25.0]), y=places.ravel(), scale=np.ones((2, 12)))
+    said = str(stopped(integrator.NOT_FINITE, clock, SimpleNamespace(ramp=30.0), scene, moored, None, None))
+    assert said.startswith(
+        "at -5 s after the ramp, ship 5 m from its place, barge 13 m from its place: the motion is not finite"
+    )

@@ -399,3 +399,26 @@ def test_a_trial_runs_with_static_and_with_moving_lines_and_keeps_what_fails(mon
 def test_what_drives_a_trial_varies_in_time(given, drives):
     weather = SimpleNamespace(**dict(seas=(), forces=(), regular=None, components=None, gusts=None, wind="w") | given)
     assert trial._drives(weather) == drives
+
+
+@pytest.mark.parametrize("owners", [(), (1, 1, 0)])
+def test_without_waves_there_is_room_for_each_body_and_each_group_of_shapes(owners, monkeypatch):
+    """Of two bodies and their groups, each a row of every table, all empty, and calm water"""
+    groups = Groups(np.array(owners, np.int64), np.zeros(0, np.int64))
+    stand_ins = dict(
+        wave_components=lambda *given: None, groups_of=lambda reader: groups, moving_of=lambda *given: None,
+        streams=lambda *given: ("wind", None, "drag", ("said",)), _coarse=lambda *given: (), _of_lost=lambda given: (),
+        body_lines=lambda *given: "lines", with_shapes=lambda lines, reader: lines, line_work=lambda lines: "pulls",
+        body_of=lambda *given: "body", contact_work=lambda arrays: "pressed", expected_motion=lambda *given: "expected",
+    )  # fmt: skip
+    for name, stand_in in stand_ins.items():
+        monkeypatch.setattr(run, name, stand_in)
+    moored = SimpleNamespace(reader=SimpleNamespace(axes_at_rest=np.zeros((2, 6))), system=None, tables=None,
+                             berth=SimpleNamespace(arrays="contacts"))  # fmt: skip
+    settings = SimpleNamespace(ramp=1.0, duration=2.0, dynamic_water="still", lines_lost=(), slow_drift="newman")
+    begun = run._begun(moored, SimpleNamespace(on_hull=None), settings, 0)
+    table, count = begun.waves.table, 2 + len(owners)
+    assert (len(table.force), len(table.omega), begun.waves.mean_drift) == (count, 0, False)
+    assert begun.scene.work.window.shape[0] == count and begun.scene.work.force.shape == (6 * count,)
+    assert (begun.scene.body, begun.scene.lines, begun.scene.contacts) == ("body", "lines", "contacts")
+    assert begun.findings == ("said",) and begun.expected == "expected" and begun.moving is None

@@ -522,3 +522,13 @@ def test_hawsers_of_a_buoy_push_the_first_body_and_their_power_is_its_work(monke
     wanted = np.zeros(BLOCK + 6)
     wanted[equation.FIRST_WORK + equation.BY_HAWSERS], wanted[BLOCK:] = 91.0, 7.0
     assert rate.tolist() == wanted.tolist()
+
+
+def test_a_stiffness_is_symmetric_if_every_pair_of_its_entries_is():
+    K = np.random.default_rng(4).normal(size=(5, 5))
+    K += K.T + 9 * np.eye(5)
+    assert steps.symmetric(K) and steps.symmetric(np.zeros((0, 0)))
+    for i, j in zip(*np.tril_indices(5, -1), strict=True):
+        other = K.copy()
+        other[i, j] += 2e-14 * (K[i, i] + K[j, j])
+        assert not steps.symmetric(other), (i, j)

@@ -185,3 +185,17 @@ def test_a_run_without_waves_has_windows_without_components(window, bodies, coun
     table = wave_loads.no_waves(window, bodies)
     assert table.step == pytest.approx(window / count) and table.window == window and len(table.omega) == 0
     assert table.force.shape == (bodies, 0, HEADINGS, 16) and table.center.shape == table.arm.shape == (bodies, 2)
+
+
+@pytest.mark.parametrize("turns", [0, 2, -1])
+def test_halfway_between_two_headings_the_three_on_either_side_count(turns):
+    """Lagrange's weights of six points in their middle: 3, −25, 150, 150, −25, 3 over 256, here of a force and its
+    imaginary part, and nothing of any other heading"""
+    ring = np.zeros((1, HEADINGS, 12))
+    ring[0, :, 0], ring[0, :, 8] = np.arange(HEADINGS) == 0, 1.0
+    weights = [0, 3, -25, 150, 150, -25, 3, 0]
+    for k, weight in enumerate(weights):
+        place = turns * HEADINGS + 3.5 - k  # of the heading 0, k-th of eight about the place
+        forces = wave_loads.WaveForces(np.ones(1), ring, None)
+        found = wave_loads.forces_towards(forces, place * 2 * np.pi / HEADINGS)
+        assert found[0, 0] == pytest.approx(weight / 256, abs=1e-11) and found[0, 2] == pytest.approx(1j)

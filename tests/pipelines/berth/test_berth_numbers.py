@@ -130,6 +130,8 @@ def test_a_makers_table_lies_beside_the_study_wherever_the_command_is_called(tmp
     [
         (1.021, 20.0, ["the body of a.h5 displaces 1000 t, but the ship has 1021 t; the ship's mass is used"]),
         (1.019, 20.0, []), (0.981, 19.7, []), (1.0, None, []),
+        (1.0, 19.62, []),  # 1.94 %
+        (1.0, 19.59, ["the memory of a.h5 is valid for a water depth of 20 m, but depth is 19.59 m"]),  # 2.09 %
         (1.0, 19.5, ["the memory of a.h5 is valid for a water depth of 20 m, but depth is 19.5 m"]),
     ],
 )  # fmt: skip

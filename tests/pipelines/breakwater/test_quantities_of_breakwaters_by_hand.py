@@ -160,3 +160,21 @@ def test_a_row_of_units_has_heights_behind_it_and_the_largest_tension_of_each_li
     made, axes = quantities.lee_of(None, SimpleNamespace(lee=lee))
     assert made["lee.behind"].table.startswith("behind 1 unit of 25 m") and "lee.largest" not in made
     assert quantities.lee_of(None, SimpleNamespace(lee=None)) == ({}, {})
+
+
+def test_tensions_are_those_of_holdings_that_have_them_at_every_period():
+    """Afloat without lines; held; held, with no solution at the second of two periods"""
+    ends = {"free": [np.nan, np.nan], "held": [3.0, 4.0j], "partly": [5.0, np.nan]}
+    curves = [
+        SimpleNamespace(name=name, response=SimpleNamespace(front=np.array(front), back=2 * np.array(front),
+                        **dict.fromkeys(quantities.PARTS, np.array([k, 1j]))))
+        for k, (name, front) in enumerate(ends.items())
+    ]  # fmt: skip
+    asked = SimpleNamespace(waves=SimpleNamespace(period=np.array([5.0, 6.0])))
+    made, axes = quantities.curves_of(asked, SimpleNamespace(curves=curves))
+    assert axes["holding"].values.tolist() == list(ends) and axes["held"].values.tolist() == ["held"]
+    assert made["front.tension"].values.tolist() == [[3.0], [4.0]] and made["back.tension"].axes == ("period", "held")
+    assert made["back.tension"].values.tolist() == [[6.0], [8.0]]
+    assert made["sway"].values.tolist() == [[0.0, 1.0, 2.0], [1.0, 1.0, 1.0]]
+    made, axes = quantities.curves_of(asked, SimpleNamespace(curves=curves[::2]))
+    assert "held" not in axes and not any("tension" in name for name in made)

@@ -2,14 +2,17 @@
 what a method cannot, flags in SI, bodies beside each other."""
 
 import math
+import re
 import warnings
 from pathlib import Path
 from types import SimpleNamespace
 
+import msgspec
 import numpy as np
 import pytest
 
-from hakobune.pipelines.common.quantities import StudyError
+from hakobune.pipelines.common.quantities import StudyError, water_depth
+from hakobune.pipelines.common.typed import typed
 from hakobune.pipelines.fender import result as fender
 from hakobune.pipelines.line_dynamics import result as line_dynamics
 from hakobune.pipelines.lines import flags
@@ -334,3 +337,43 @@ def test_numbers_that_are_not_known_are_told_of_their_motion_and_frequency(monke
     values[2, 0, 1] = np.inf
     assert {name: one.tolist() for name, one in gaps._unknown(db, "a").items()} == {"Surge": [1], "Heave": [2]}
     assert gaps._unknown(Stored(a=np.zeros((3, 2, 2))), "a") == {}
+
+
+def test_water_may_be_deeper_than_the_deepest_trench_by_a_tenth_but_not_more():
+    """10 935 m of the Challenger Deep and 12 000 m"""
+    for depth in (1e-3, 10_935.0, 12_000.0):
+        assert water_depth("depth", depth) == depth
+    for depth in (0.0, 12_001.0, math.nan):
+        with pytest.raises(StudyError, match=r"depth is .*; allowed: above 0, at most 12000, the deepest sea"):
+            water_depth("depth", depth)
+
+
+class Row(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+    length: float
+
+
+class Rows(msgspec.Struct, forbid_unknown_fields=True):
+    row: Row
+    row_too: Row = Row(1.0)
+    other: Row | None = None
+    rows: list[Row] | None = None
+
+
+@pytest.mark.parametrize(("more", "said"), [
+    ({"other": [{"width": 1.0}]}, ""), ({"other": [1.0]}, ""), ({"row_too": [1.0]}, ""),
+    ({"rows": [{"length": 1.0}, {"width": 2.0}]}, "; also unknown: rows[1].width"),
+])  # fmt: skip
+def test_a_list_in_place_of_a_table_is_no_further_unknown_key(more, said):
+    """The unknown key is told, and those of lists where lists belong"""
+    with pytest.raises(
+        StudyError, match=re.escape("row.lenght is unknown, length may be meant; allowed: length")
+    ) as no:
+        typed({"row": {"length": 1.0, "lenght": 2.0}, **more}, Rows, StudyError)
+    assert str(no.value).endswith(f"(hakobune keys explains them){said}")
+
+
+def test_a_misprint_in_tables_that_may_be_left_out_is_named():
+    with pytest.raises(StudyError, match=r"rows\[1\]\.lenght is unknown, length may be meant; allowed: length"):
+        typed({"row": {"length": 1.0}, "rows": [{"length": 1.0}, {"length": 2.0, "lenght": 2.0}]}, Rows, StudyError)
+    with pytest.raises(StudyError, match=r"^other\.lenght is unknown, length may be meant; allowed: length"):
+        typed({"row": {"length": 1.0}, "other": {"lenght": 2.0}, "rows": None}, Rows, StudyError)

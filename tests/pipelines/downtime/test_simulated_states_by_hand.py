@@ -1,6 +1,7 @@
 """How simulated states of an hour are made, kept and put together, with bodies and runs that are made up."""
 
 import math
+import os
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -374,3 +375,12 @@ def test_a_sea_of_a_hindcast_has_one_period(given, says):
     with pytest.raises(StudyError) as refused:
         _system("h", WavesColumns("H", **given, direction_from="d"), 20.0)
     assert says in str(refused.value)
+
+
+def test_a_state_is_on_the_disk_before_the_next_is_simulated(tmp_path, monkeypatch):
+    """The file is whole at the moment when the system is asked to write it out"""
+    synced = []
+    monkeypatch.setattr(states_file.os, "fsync", lambda number: synced.append(os.fstat(number).st_size))
+    for count, hour in enumerate((7, 9), 1):
+        states_file.append(tmp_path / "s.jsonl", {"hour": hour})
+        assert synced[-1] == (tmp_path / "s.jsonl").stat().st_size and len(synced) == count

@@ -10,7 +10,7 @@ from hakobune.bem import DOFS
 from hakobune.mooring.response.points import KeelPoint, Point, keel_name, relative_name
 from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.common.resonances import resonance_lines, underdamped
-from hakobune.pipelines.response.findings import failures, notes, sea_in_words, system_in_words, turned
+from hakobune.pipelines.response.findings import _gaps_in_years, failures, notes, sea_in_words, system_in_words, turned
 from hakobune.pipelines.response.result import of_climate, of_moored, response, without_rounding
 from hakobune.pipelines.results.quantity import Quantity
 
@@ -202,3 +202,14 @@ def test_a_climate_is_without_a_current_and_without_lines_before_any_file_is_ope
     with pytest.raises(StudyError) as error:
         response(study, "not_there.h5", moored)
     assert str(error.value) == f"{told}; allowed: with [sea]"
+
+
+def test_every_point_with_a_clearance_has_its_air_gap_in_years():
+    """Level of 100 years: twice that of a year, of 2, 1 and 0.5 m; the second has no clearance, a keel is no deck"""
+    deck = [Point("bow", (0, 0, 5), 6.0), Point("mast", (0, 0, 50)), Point("stern", (0, 0, 4), 1.5)]
+    level = {"bow relative elevation": 2.0, "mast relative elevation": 1.0, "stern relative elevation": 0.5}
+    result = SimpleNamespace(points=[*deck, KeelPoint("keel", (0, 0, -5), 1.0)], missed=None,
+                             long_term=lambda name: Term(level[name]))  # fmt: skip
+    bow, stern = _gaps_in_years(result, 100.0)
+    assert bow.startswith("air gap at bow: 2 of 6 m are left by the rise reached once in 100 years; water reaches the")
+    assert stern.startswith("air gap at stern: 0.5 of 1.5 m are left by the rise reached once in 100 years")

@@ -183,3 +183,21 @@ def test_a_file_of_version_1_names_the_command_that_makes_it_again(tmp_path):
         file.attrs["schema"] = "hakobune mooring study 1"
     with pytest.raises(VersionError, match="hakobune moor STUDY --database DATABASE"):
         read(tmp_path / "old.h5", "moor")
+
+
+def test_a_file_of_version_1_that_cannot_be_opened_is_told_as_that(tmp_path):
+    """Cut short, and without a seal: the attribute is still there among its bytes"""
+    (tmp_path / "cut.h5").write_bytes(b"\x89HDF\r\n\x1a\nschema hakobune mooring study 1\0")
+    with pytest.raises(VersionError, match=r"is a file of mooring study of schema version 1, and this program reads"):
+        read(tmp_path / "cut.h5", "moor")
+
+
+def test_quantities_are_equal_if_their_values_and_all_their_words_are():
+    one = Quantity([1.0, np.nan], ("line",), "N", "largest", "lines")
+    assert one == Quantity([1.0, np.nan], ("line",), "N", "largest", "lines") and one != [1.0, np.nan]
+    for values in ([1.0, 2.0], [1.5, np.nan], [np.nan, 1.0]):
+        assert one != Quantity(values, ("line",), "N", "largest", "lines")
+    for words in (("leg", "N", "largest", "lines"), ("line", "kN", "largest", "lines"), ("line", "N", "l", "lines"),
+                  ("line", "N", "largest", "")):  # fmt: skip
+        assert one != Quantity([1.0, np.nan], words[:1], *words[1:])
+    assert Quantity(["a", "b"], ("line",)) != Quantity(["a", "c"], ("line",)) == Quantity(["a", "c"], ("line",))

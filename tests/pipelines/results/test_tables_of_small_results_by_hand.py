@@ -279,8 +279,8 @@ def test_measured_values_are_columns_by_name_and_blanks_are_not_known(tmp_path):
     ("amplitudes", "duration", "count"), [(None, 36000.0, 500), ("random", 36000.0, 11460), ("random", 60.0, 500)]
 )
 def test_random_amplitudes_need_a_component_for_each_frequency_of_the_record(amplitudes, duration, count):
-    """2 rad/s over 36 000 s are 11 459.2 frequencies of 2π/36 000"""
-    spectrum = SimpleNamespace(quantile=lambda share: 2.0)
+    """2 rad/s, below which 999 thousandths of the energy are, over 36 000 s are 11 459.2 frequencies of 2π/36 000"""
+    spectrum = SimpleNamespace(quantile={0.999: 2.0}.__getitem__)
     assert sea._number_of_components(spectrum, SimpleNamespace(amplitudes=amplitudes), duration) == count
 
 

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from hakobune.pipelines.cli import main
+from hakobune.pipelines.sea.report import is_spectrum
 from hakobune.pipelines.sea.result import _point
 
 
@@ -92,3 +93,12 @@ def test_a_table_of_several_spectra_is_read_at_its_time(tmp_path, capsys):
     assert "has 2 rows; choose one with time" in capsys.readouterr().err
     assert main(["sea", "--height", "3", "--mean-period", "8", "--time", "2026"]) == 2
     assert "--time is given without --table" in capsys.readouterr().err
+
+
+def test_a_spectrum_written_here_is_known_by_its_first_line_and_its_columns(tmp_path):
+    said, columns = "# JONSWAP; 4 sqrt(m0) 2 m, Tp 8 s\n", "omega_rad_s,density_m2_s_rad"
+    for first, names, ours in ((said, columns, True), (said, columns + ",low_m2_s_rad,high_m2_s_rad", True),
+                               (said, "time_s,elevation_m", False), (said, "", False),
+                               ("# measured\n", columns, False)):  # fmt: skip
+        (tmp_path / "a.csv").write_text(f"{first}{names}\n0.5,1\n")
+        assert is_spectrum(tmp_path / "a.csv") == ours
