@@ -562,7 +562,7 @@ def test_long_commands_end_likewise(command, place, capsys, monkeypatch):
 
 
 def test_the_table_of_the_guide_and_these_tests_have_every_command():
-    table = GUIDE.read_text(encoding="utf-8").split("| command | 1 where")[1]
+    table = GUIDE.read_text(encoding="utf-8").split("| command | status 1 if")[1]
     rows = [row.split("|")[1:4] for row in table.splitlines() if row.startswith("| `")]
     assert sorted(re.findall(r"`([\w-]+)`", " ".join(row[0] for row in rows))) == sorted(COMMANDS)
     assert {*CASES, *PATCHED} == {*COMMANDS}

@@ -209,6 +209,10 @@ def made(time, height=None, columns=None):
     return hindcast.made(time, [(height, np.full(len(time), 8.0), np.zeros(len(time)))], columns or {}, "f.csv")
 
 
+SEASONS = (
+    "the record has nothing of February, March, April, May, June, July, August, September, October, November: hours a "
+    "year, and all shares, are those of the other months, as if the whole year were like them; give whole years"
+)
 TIME = np.datetime64("2015-12-31T12:00", "s") + np.timedelta64(1, "h") * np.arange(30)
 
 
@@ -218,7 +222,7 @@ def test_a_record_knows_its_step_years_months_and_gaps():
                                                                                    *range(21, 30)]  # fmt: skip
     assert found.year.tolist() == [2015] * 10 + [2016] * 17 and found.month.tolist() == [12] * 10 + [1] * 17
     assert found.said == ("3 of 30 steps are missing, in 2 gaps, the longest of 2 h after 2015-12-31T14:00:00: they "
-                          "are excluded from all shares, and weather windows end there",)  # fmt: skip
+                          "are excluded from all shares, and weather windows end there", SEASONS)  # fmt: skip
     assert repr(found) == "<Hindcast 27 rows of 1 h, 2015-12-31T12:00:00 to 2016-01-01T17:00:00>"
 
 
@@ -246,7 +250,7 @@ def test_waves_that_come_every_third_hour_leave_the_rows_between():
     found = made(time, height, {"wind": (np.arange(75.0), "speed")})
     assert found.step == 3 * 3600.0 and np.array_equal(found.time, time[1::3])
     assert found.columns["wind"].tolist() == [*range(1, 75, 3)] and found.height.tolist() == [1.5] * 25
-    assert found.said == ("waves come every 3 h; the 50 rows in between are not used",)
+    assert found.said == ("waves come every 3 h; the 50 rows in between are not used", SEASONS)
 
 
 def test_heights_of_systems_add_as_squares_and_the_main_one_is_the_higher_in_its_hour():
@@ -261,7 +265,7 @@ def test_heights_of_systems_add_as_squares_and_the_main_one_is_the_higher_in_its
 def test_a_share_of_rows_without_waves_is_told():
     height = np.full(30, 1.0)
     height[[4, 9, 11]] = np.nan
-    assert made(TIME, height).said == ("10 % of the rows have no waves; they are excluded from all shares",)
+    assert made(TIME, height).said == ("10 % of the rows have no waves; they are excluded from all shares", SEASONS)
 
 
 # ------------------------------------------------------------------ largest of years

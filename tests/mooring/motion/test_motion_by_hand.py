@@ -521,7 +521,7 @@ def test_coefficients_of_waves_that_damp_slow_motion_twice_too_much_are_told(con
     said = list(slow_damping.findings(moored, body, 4.1, True, True))
     assert len(said) == told
     if told:
-        assert "waves of 4.1 rad/s do: surge 24.2 for 12 % of critical at 3.14 s, in addition to the drag" in said[0]
+        assert "gives slow motion the damping at 4.1 rad/s: surge 24.2 for 12 % of critical at 3.14 s, in" in said[0]
 
 
 def test_a_body_that_turns_is_pressed_by_the_momentum_of_its_mass_wherever_its_centre_is():

@@ -59,7 +59,7 @@ def test_a_free_body_in_a_sea_has_its_hinges_and_sharp_peaks_are_warned_of(way):
 def test_a_climate_is_solved_for_its_years(way):
     way.read.sea, way.read.climate = None, SimpleNamespace(years=50.0)
     _, _, _, _, noted, *_ = result.response("s.toml", "a.h5")
-    assert way.asked["of_climate"] == (way.found, 50.0, 50.0) and way.asked["failures"][2] == 50.0
+    assert way.asked["of_climate"] == (way.found, 50.0, 50.0, ("own",)) and way.asked["failures"][2] == 50.0
     assert way.asked["notes"] == (way.found, 50.0) and "solved_in_sea" not in way.asked
     assert "check_effort" not in way.asked and noted == ("noted", "peak broad")
 

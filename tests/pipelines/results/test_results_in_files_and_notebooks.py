@@ -37,12 +37,6 @@ def test_records_of_an_axis_are_a_table_with_units_in_its_head(result, tmp_path)
     assert [list(map(float, line.split(","))) for line in lines[2:]] == [[0, 1, 1, 2], [0.1, 1.5, 3, 4], [0.2, 2, 5, 6]]
 
 
-def test_records_of_another_axis_have_no_unit_where_their_labels_have_none(tmp_path):
-    made = {"a": Quantity(np.array([1.0, 2.0]), ("step",), "", "a", record=True)}
-    records.write_records(Result("x", made, labels("step", [1, 2])), tmp_path / "r.csv", "step")
-    assert (tmp_path / "r.csv").read_text().splitlines()[1:] == ["step,a", "1.0,1.0", "2.0,2.0"]
-
-
 @pytest.mark.parametrize("name, whole", [("r.h5", True), ("r.HDF5", True), ("r.csv", False)])
 def test_a_name_of_hdf5_has_the_whole_result(result, tmp_path, monkeypatch, name, whole):
     wrote = []

@@ -81,7 +81,7 @@ def checked(monkeypatch):
     def call(complete=True, passed=True, repair=False, omega=(0.4, 0.5), damaged=False):
         printed, told = [], []
         one = SimpleNamespace(name="energy", largest=0.034, omega=0.51234, exceeding=1, limit=0.02, passed=passed)
-        db = SimpleNamespace(omega=omega, complete=complete, rows=np.array([True, True, complete]))
+        db = SimpleNamespace(omega=omega, complete=complete, attributes={}, rows=np.array([True, True, complete]))
 
         def opened(path):
             if damaged:

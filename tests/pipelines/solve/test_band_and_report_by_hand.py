@@ -285,7 +285,7 @@ def of_check(monkeypatch, complete=True, omega=OMEGA, **parts):
     """Status and lines of `check` of a database whose parts are set by hand"""
     found = {"_findings": [], "_scene_findings": [], "_broken": [], "checked": [], "resonances_of": []}
     found |= {name: value for name, value in parts.items() if name != "gaps"}
-    db = SimpleNamespace(omega=omega, complete=complete, rows=np.array([True, True, complete]))
+    db = SimpleNamespace(omega=omega, complete=complete, attributes={}, rows=np.array([True, True, complete]))
     for name, value in found.items():
         monkeypatch.setattr(checking, name, lambda db, value=value: value)
     monkeypatch.setattr(checking, "open_database", lambda path: db)
