@@ -215,7 +215,8 @@ def test_what_one_body_is_moored_by_is_looked_at_and_the_mooring_is_told_with_it
     study = SimpleNamespace(
         quay=quay, hinges="hinges", allowable=0.5, without_berth=excluded.append, hulls_of=lambda db: "hull",
         system_of=lambda db, hull: system, anchors_on=lambda names: [f"anchor of {name}" for name in names],
-        berth_of=lambda db, hull: "berth", conditions=lambda: "conditions", remarks=lambda hull, db: ("remark",),
+        berth_of=lambda db, hull: "berth", remarks=lambda hull, db: ("remark",),
+        conditions_and_warnings=lambda: ("conditions", ("steep",)),
     )  # fmt: skip
 
     @dataclass(frozen=True)
@@ -235,7 +236,7 @@ def test_what_one_body_is_moored_by_is_looked_at_and_the_mooring_is_told_with_it
     berth = "berth" if bodies else None
     assert given == [(db, system, "hull", "conditions", 0.5, berth, ("reader", "hinges"))]
     anchors = ["anchor of bow", "anchor of stern"]
-    assert made.warnings == ("remark", "warned", (("bow", "stern"), anchors, "along", [5.0, -3.0]))
+    assert made.warnings == ("remark", "steep", "warned", (("bow", "stern"), anchors, "along", [5.0, -3.0]))
     study.system_of = lambda db, hull: None
     with pytest.raises(
         StudyError, match=re.escape("the study has no lines; give at least one [[spreads]] or [[lines]]")
