@@ -28,6 +28,10 @@ from .study import ResponseStudy, make_response_study, read_response_study
 
 if TYPE_CHECKING:
     from hakobune.bem.database import Database
+    from hakobune.bem.database.reader import Reader
+    from hakobune.mooring.response.climate import Climate
+    from hakobune.mooring.response.sea_state import SeaState
+    from hakobune.mooring.studies.slow_motion import SlowMotion
 
 KIND = "response"
 MOTIONS, DRIFT, AIR, KEEL = "responses, amplitudes", "drift of the waves", "air gap", "water under the keel"
@@ -94,13 +98,13 @@ class Solved(NamedTuple):
     """found : SeaState or Climate; body : Reader of what moves; stiffness : (n, n) SI of water and lines; warnings,
     failures, notes : one line each; slow : `SlowMotion` on lines, None without them"""
 
-    found: object
-    body: object
-    stiffness: np.ndarray
-    warnings: tuple
-    failures: tuple = ()
-    notes: tuple = ()
-    slow: object = None
+    found: SeaState | Climate
+    body: Reader
+    stiffness: np.ndarray | None
+    warnings: tuple[str, ...]
+    failures: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+    slow: SlowMotion | None = None
 
 
 def _solved(read, body, db, points, place, moored):
