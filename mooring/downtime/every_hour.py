@@ -44,9 +44,8 @@ FINE = 0.015  # relative frequency step: a fifth of the narrow side of a JONSWAP
 class Shape(NamedTuple):
     """A family of spectra of one shape, and its spreading
 
-    family : name in `environment.spectra.FAMILIES`, or "tma"; kind : kind of its period, such as "peak_period";
-    gamma : or
-        None
+    family : name in `environment.spectra.FAMILIES`, or "tma"; kind : kind of its period, such as "peak_period"
+    gamma : peak enhancement, None for a family without it
     spreading : `environment.spreading.Spreading`, None for long crests; of Mitsuyasu's the peak is that of each hour
     depth : m, for TMA
     """

@@ -10,9 +10,8 @@ ROUNDING = 1e-9  # m, and share of a hull
 
 
 class Side(NamedTuple):
-    """name : name of a body; half : (2,) m, half of its length and beam; own : (2,) m, origin of the axes of the
-    body in
-    coordinates of its hull
+    """name : name of a body; half : (2,) m, half of its length and beam
+    own : (2,) m, origin of the axes of the body in coordinates of its hull
 
     moves : its number among moving bodies, below 0 for fixed ones; place : (3,) m, m, rad of its axes at rest
     """

@@ -81,10 +81,11 @@ def current_on(current, hull, density, depth):
         unit = lambda angle: hull_force(table, 1.0, angle, density)  # noqa: E731
         return StreamOnHull(unit, (_first(height, table.height, -0.5 * hull.draft),) * 2)
     if hull.is_round and table is None:
-        C = STILL if current is None or current.speed == 0 else ROUGH
+        rest = current is None or current.speed == 0
+        C, smooth = (STILL, 0.2) if rest else (ROUGH, 0.65)
         pull = 0.5 * density * C * hull.beam * hull.draft
         note = (
-            f"current force: C_D {C:g} of a rough cylinder on the round hull, where a smooth one has 0.65; give "
+            f"current force: C_D {C:g} of a rough cylinder on the round hull, where a smooth one has {smooth:g}; give "
             f"current coefficients for another"
         )
         return StreamOnHull(_along_stream(pull, pull), (_first(height, -0.5 * hull.draft),) * 2, (note,))

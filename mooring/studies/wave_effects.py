@@ -177,14 +177,17 @@ def _regular(reader, conditions, lacking=False):
     held = amplitude * np.abs(body.link_forces([w.omega], [w.direction], motions)[0, 0]) if body.links else None
     amplitudes = np.stack([_cleared(X[0]), _cleared(X[1])], axis=1).ravel() * amplitude
     amplitudes = np.append(amplitudes, amplitude * np.abs(motions[0, 0, body.rigid :]))
-    if carrier is None or lacking:
-        return WaveEffects(_cleared(drift), amplitudes, None, (NO_DRIFT,) * lacking, held=held)
-    warnings = tuple(check_blocked(carrier, w, body.depth, body.gravity))
+    warnings = (NO_DRIFT,) * lacking
+    if carrier is None:
+        return WaveEffects(_cleared(drift), amplitudes, None, warnings, held=held)
+    warnings += tuple(check_blocked(carrier, w, body.depth, body.gravity))
     if body.lacks_motions:
         warnings += (
             "motions on the current are taken from still water, since the database lacks the coefficients to compute "
             "them; repeat the command that made the database, with --only motions,radiation",
         )
+    if lacking:
+        return WaveEffects(_cleared(drift), amplitudes, None, warnings, held=held)
     near = np.clip(w.omega * (1 + BESIDE * np.array([-1.0, 0.0, 1.0])), *body.between.span)
     _, coefficients, known = drift_on_current(body, np.unique(near), [w.direction])
     place = int(np.searchsorted(np.unique(near), w.omega))

@@ -175,6 +175,22 @@ def test_imported_files_without_drift_have_their_motions_and_say_what_is_left_ou
         wave_effects(others, Conditions(waves=waves, method="irregular"))
 
 
+def test_a_current_that_holds_waves_back_is_told_for_imported_files_without_drift_too(coarse, monkeypatch):
+    """The current changes the waves alike with and without drift, so the same words are due"""
+    from hakobune.mooring.studies import wave_effects as effects
+    from hakobune.mooring.studies.conditions import Conditions, Current, Waves
+
+    monkeypatch.setattr(effects, "check_blocked", lambda *_: ["held back"])
+    waves = Waves(2.0, 2 * np.pi / coarse.omega[3], 0.0)
+    conditions = Conditions(waves=waves, method="regular_wave", current=Current(0.3, np.pi))
+    reader = coarse.bodies_reader
+    others = SimpleNamespace(attributes={"imported": "wamit: a.1"}, bodies_reader=reader.without_drift())
+    whole = effects.wave_effects(coarse, conditions)["regular_wave"]
+    bare = effects.wave_effects(others, conditions)["regular_wave"]
+    assert "held back" in whole.warnings and bare.warnings[:2] == (effects.NO_DRIFT, "held back")
+    assert bare.amplitudes == pytest.approx(whole.amplitudes, rel=1e-9) and not bare.drift.any()
+
+
 def test_studies_read_the_same_numbers(coarse):
     """Multi-point mooring and irregular response, on and between stored waves, and periods with and without lines"""
     from hakobune.bem.database.natural_periods import natural_periods

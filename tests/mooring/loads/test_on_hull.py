@@ -63,10 +63,17 @@ def test_streams_pull_a_round_hull_along_themselves_alike_from_all_sides(degrees
     hull = ExposedBox(16.0, 16.0, 6.0, 4.0, is_round=True)
     water = current_on(Current(1.0, 0.0), hull, 1000.0, 24.0)
     assert water.unit(angle) == pytest.approx(500.0 * 1.05 * 16 * 6 * along, rel=1e-12)
-    assert len(water.notes) == 1 and "1.05" in water.notes[0] and water.height == (-3.0, -3.0)
+    assert (
+        len(water.notes) == 1
+        and "1.05" in water.notes[0]
+        and "has 0.65;" in water.notes[0]
+        and water.height == (-3.0, -3.0)
+    )
     for none in (None, Current(0.0, 0.0)):  # water at rest: KC below 2
         C_pi = 1.5 - 0.024 * (12 / 1.05 - 10)  # DNV-RP-C205, section 6.7: wake factor C_π − 1
-        still = current_on(none, hull, 1000.0, 24.0).unit(angle)
+        rest = current_on(none, hull, 1000.0, 24.0)
+        still = rest.unit(angle)
+        assert "C_D 0.5 " in rest.notes[0] and "smooth one has 0.2;" in rest.notes[0]
         assert still == pytest.approx(500.0 * 1.05 * (C_pi - 1) * 16 * 6 * along, rel=0.03)
     air = wind_on(Wind(1.0, 0.0, density=1.2), hull)
     assert air.unit(angle) == pytest.approx(0.6 * 0.5 * 16 * 4 * along, rel=1e-12) and air.height == (2.0, 2.0)
