@@ -103,5 +103,7 @@ def _own_frequencies(eigenvalues, places=()):
         there = excess(np.full(len(own), place))
         first = (there < 0) & (place < high) & (start > 0)
         high, below = np.where(first, place, high), np.where(first, there, below)
+    back = high <= low  # the first root lies below the first guess
+    low, above = np.where(back, 0.0, low), np.where(back, np.sqrt(np.maximum(start, 0)), above)
     w = zeros(excess, low, above, high, below)
     return np.where(start > 0, w, -np.sqrt(np.maximum(-start, 0)))

@@ -540,3 +540,19 @@ def test_added_mass_follows_its_damping_by_the_principal_value():
         parts.append(2 / np.pi * (np.trapezoid(rows, short) + np.interp(at, short, b) * rest))
     slope = np.polyfit(a[inner], parts, 1)[0]
     assert laws._follows(short, a, b) == pytest.approx(slope)
+
+
+def test_pairs_that_differ_are_told_with_the_share_of_their_size():
+    A = spread(4, 4, 4, 900, 900, 900)
+    A[0, 0, 4], A[0, 4, 0] = 20.0, -4.0  # 24 of √(4 · 900)
+    (line,) = laws._reciprocity(a_set(added_mass=A))
+    assert line == (
+        "A_15 and A_51 differ by 40 % of their size; either rotations and translations have different units or points, "
+        "or there are too few panels"
+    )
+
+
+def test_a_set_without_a_frequency_at_which_all_is_finite_cannot_be_judged():
+    A, B = spread(*[1.0] * 6, n=2), spread(*[1.0] * 6, n=2)
+    A[0, 0, 0] = B[1, 3, 3] = np.nan
+    assert laws.doubts(a_set(omega=(1.0, 2.0), added_mass=A, radiation_damping=B)) == ([], [])
