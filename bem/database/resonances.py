@@ -163,8 +163,6 @@ def _roots(body):
     omega = np.interp(np.arange((len(knots) - 1) * STEPS + 1) / STEPS, knots, body.omega)
     excess = _excess(body, omega)
     i, j = np.nonzero((excess[:-1] > 0) & (excess[1:] <= 0) | (excess[:-1] < 0) & (excess[1:] >= 0))
-    if not len(i):
-        return
     found = zeros(lambda w: _excess(body, w)[range(len(j)), j], omega[i], excess[i, j], omega[i + 1], excess[i + 1, j])
     _, vectors, M = _modes(body, found)
     energies = np.abs(vectors.swapaxes(1, 2) * (M @ vectors).swapaxes(1, 2))

@@ -7,11 +7,12 @@ import pytest
 
 from hakobune.bem import DOFS
 from hakobune.bem.checks import check, damping_error, radiated_energy, scattered_energy, share_left
-from hakobune.bem.free_body import free_body, needed
+from hakobune.bem.free_body import free_body, motions, needed
 from hakobune.bem.frequency import FrequencyRun, solve_frequency
 from hakobune.bem.kochin import angles, folded
 from hakobune.bem.methods.panel_problem import PanelProblem, prepare
 from hakobune.bem.problem import Problem
+from hakobune.bem.viscous import Quadratic, Viscous
 from hakobune.meshing.lid import lid
 from hakobune.meshing.shapes import box, buoy
 
@@ -290,3 +291,26 @@ def test_the_drift_of_each_body_is_given_as_it_floats_and_held_and_held_alone_if
     assert held["body_drift_force_fixed"] == "of each, False" and "body_drift_force" not in held
     for name in both:
         assert both & set(Parted(want={name}).result()) == {name}
+
+
+def test_without_errors_of_the_far_field_drift_has_no_estimate():
+    found = Made(kochin_errors=None).estimated_errors()
+    assert set(found) == {"added_mass", "radiation_damping", "excitation_force", "rao"}
+    assert not {"drift_force", "drift_force_fixed"} & set(Made(want={"rao"}).estimated_errors())
+
+
+def test_motions_that_damp_themselves_have_the_damping_of_their_amplitude():
+    """(−ω²(M + A) − iω(B + N) + C) X = F with N = (8/3π) ω a |X| N₂ of waves of a metres; the motions, not N"""
+    M, C, F = 3e6, 2e6, 5e5 + 2e5j
+    law = Viscous({"Heave": Quadratic(4e5)}, 1.5)
+    inertia, stiffness = np.diag([1.0] * 6) * M, np.diag([1.0] * 6) * C
+    problem = SimpleNamespace(structural_damping=None, bodies=(), inertia_matrix=inertia, hydrostatic_stiffness=stiffness,
+                              viscous=law)  # fmt: skip
+    A, B, force = np.eye(6) * 1e6, np.eye(6) * 2e5, np.zeros((1, 6), complex)
+    force[0, 2] = F
+    X = motions(problem, 0.7, A, B, force)[0]
+    N = 8 / (3 * np.pi) * 0.7 * 1.5 * abs(X[2]) * 4e5
+    assert (-(0.49) * 4e6 - 0.7j * (2e5 + N) + C) * X[2] == pytest.approx(F)
+    assert X[[0, 1, 3, 4, 5]] == pytest.approx(np.zeros(5))
+    problem.viscous, problem.structural_damping = None, 3e5 * np.eye(6)
+    assert (-(0.49) * 4e6 - 0.7j * 5e5 + C) * motions(problem, 0.7, A, B, force)[0, 2] == pytest.approx(F)

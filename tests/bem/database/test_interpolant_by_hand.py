@@ -174,3 +174,44 @@ def test_the_next_place_is_where_most_is_unknown_or_else_the_farthest(monkeypatc
         assert interpolant.chosen(known, places, 1) == [first]
     monkeypatch.setattr(interpolant, "unknown", lambda x, y: np.zeros(3))
     assert interpolant.chosen(known, places, 3) == [2, 1, 0]
+
+
+@pytest.mark.parametrize("pole, residue, errors, kept", [
+    (1.2 - 0.29j, 1.0, {0: 1.0, 1: 0.09}, 1), (1.2 - 0.31j, 1.0, {0: 1.0, 1: 0.0}, 0),
+    (0.49 - 0.1j, 1.0, {0: 1.0, 1: 0.0}, 0), (0.51 - 0.1j, 1.0, {0: 1.0, 1: 0.0}, 1),
+    (1.99 - 0.1j, 1.0, {0: 1.0, 1: 0.0}, 1), (2.01 - 0.1j, 1.0, {0: 1.0, 1: 0.0}, 0),
+    (1.2 - 0.1j, 1.0, {0: 1.0, 1: 0.11}, 0), (1.25 - 0.05j, 0.0101 * np.hypot(0.05, 0.05), {0: 1.0, 1: 0.0}, 1),
+    (1.25 - 0.05j, 0.0099 * np.hypot(0.05, 0.05), {0: 1.0, 1: 0.0}, 0),
+])  # fmt: skip
+def test_a_pole_is_believed_that_is_sharp_inside_seen_and_foretells_nodes_left_out(
+    monkeypatch, pole, residue, errors, kept
+):
+    """Imaginary part below 0.3, between the nodes, a hundredth at the nearest of them, ten times less squared error"""
+    from hakobune.bem.database import interpolant
+
+    x = Abscissa(*[np.array([0.5, 1.0, 1.2, 1.6, 2.0])] * 2)
+    monkeypatch.setattr(interpolant, "poles", lambda s, f: (np.array([pole]), np.array([[residue, 0.1 * residue]])))
+    monkeypatch.setattr(interpolant, "_left_out", lambda x, f, more: np.array([5.0, errors[len(more)]]))
+    found = interpolant.ringing_of(x, np.ones((5, 2)))
+    assert len(found) == kept and (not kept or found[0] == pole)
+
+
+def test_poles_are_tried_from_the_one_that_shows_most_each_beside_those_that_are_believed(monkeypatch):
+    """Their width is on one side, whatever the sign found; eight at most"""
+    from hakobune.bem.database import interpolant
+
+    x, tried = Abscissa(*[np.linspace(0.0, 10.0, 11)] * 2), []
+    found = np.arange(1.0, 10.0) + 0.1j
+    sizes = np.array([5, 9, 1, 8, 2, 7, 3, 6, 4.0])
+
+    def left_out(x, f, more):
+        tried.append(list(more))
+        return np.array([0.05 ** len(more) if 4.0 - 0.1j not in more else 9.0])
+
+    monkeypatch.setattr(interpolant, "poles", lambda s, f: (found, sizes[:, None] * np.ones((1, 2))))
+    monkeypatch.setattr(interpolant, "_left_out", left_out)
+    kept = interpolant.ringing_of(x, np.ones((11, 2)))
+    order = [2, 4, 6, 8, 1, 9, 7, 5]
+    assert [one[-1] for one in tried[1:]] == [k - 0.1j for k in order] and tried[0] == []
+    assert kept.tolist() == [k - 0.1j for k in order if k != 4]
+    assert tried[3] == [2 - 0.1j, 6 - 0.1j]

@@ -117,6 +117,7 @@ def test_drift_that_does_not_change_with_frequency_is_the_same_between_in_the_or
         (lambda: made(inertia=None).motions([0.5]), "the database has no inertia of the body; give --gyration"),
         (lambda: made(stiffness=None).floating(), "the database has no inertia of the body"),
         (lambda: natural_periods(made(inertia=None)), "natural periods need the inertia of the body; give --gyration"),
+        (lambda: natural_periods(made(stiffness=None)), "natural periods need the inertia of the body; give --gyr"),
         (lambda: made().restrained(damping=np.inf * np.ones((6, 6))), r"damping matrix .* allowed: \(6, 6\), finite"),
         (lambda: made().at(0.5, "pressure", [0.0]), "pressure is available at stored headings only"),
         (lambda: made().drift([0.5]), "kochin_radiation, kochin_diffraction must be stored for drift_force"),

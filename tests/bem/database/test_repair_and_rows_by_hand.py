@@ -251,3 +251,21 @@ def test_a_shape_of_a_body_that_stands_elsewhere_and_heads_elsewhere_moves_as_it
 
 def test_angles_of_kochin_functions_are_those_of_the_file(path):
     assert open_database(path)["theta"] == pytest.approx(THETA)
+
+
+def test_the_body_of_each_of_several_has_a_row_for_each_but_its_matrices(tmp_path):
+    """Forces of all by motions of all that move; the rest one value or one point for each body"""
+    whole = header()
+    mesh = whole.mesh
+    several = replace(mesh.whole(), body=np.arange(len(mesh.whole().corners)) % 2)
+    body = {"mass": np.array([3.0, 4.0]), "center_of_mass": np.eye(3)[:2], "inertia_matrix": np.ones((12, 12))}
+    given = header(mesh=several, lid=None, bodies=(Body("a"), Body("b")), body=body)
+    create(tmp_path / "two.h5", given, OMEGAS, HEADINGS, ("added_mass",))
+    with h5py.File(tmp_path / "two.h5") as file:
+        for name, axes in (("mass", ["/body"]), ("center_of_mass", ["/body", "/xyz"]),
+                           ("inertia_matrix", ["/influenced_dof", "/radiating_dof"])):  # fmt: skip
+            assert [scale.name for dim in file[name].dims for scale in dim.values()] == axes
+            assert np.array_equal(file[name][()], body[name])
+        assert file["mass"].attrs["units"] == "kg" and file["center_of_mass"].attrs["units"] == "m"
+        assert [name.decode() for name in file["body"][()]] == ["a", "b"]
+    assert open_database(tmp_path / "two.h5").bodies == given.bodies

@@ -62,6 +62,12 @@ def test_a_sample_has_the_waves_nearest_to_four_tenths_and_twelve_tenths_and_fiv
     assert np.degrees(found.wave_direction) == pytest.approx([0, 90, 180, 240, 330])
     assert found.get("excitation_force")[0, :, 0].tolist() == [0, 3, 6, 8, 11]
     assert set(found.body) == {"hydrostatic_stiffness"}
+    for sizes, place in (
+        ((0.3, 1.08, 1.4), 1), ((0.3, 1.0, 1.4), 2), ((0.36, 0.467, 1.2), 0), ((0.33, 0.467, 1.2), 1),
+    ):  # fmt: skip
+        near = sample(a_set(np.array(sizes) / 8), HULL)  # by the ratio, of kL of 0.4 and 1.2
+        assert np.sqrt(G * sizes[place] / 8) in near.omega.tolist()
+        assert len(near.omega) == 2
     assert len(sample(a_set((0.07,)), HULL).omega) == 1 and len(sample(a_set(headings=()), HULL).wave_direction) == 0
 
 

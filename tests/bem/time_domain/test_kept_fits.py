@@ -85,3 +85,8 @@ def test_a_kept_array_is_the_one_that_was_made_and_of_the_same_question(tmp_path
     for file in (tmp_path / "fits").glob("*.npz"):
         file.write_bytes(b"PK")
     assert np.array_equal(kept_array(__file__, make, *ASKED, "x"), made[2]) and len(made) == 3
+
+
+def test_a_search_in_vain_says_how_near_it_came():
+    fault = NoFit(np.float32(0.25))
+    assert str(fault) == "0.25" and fault.args == (0.25,) and type(fault.best) is float

@@ -99,3 +99,48 @@ def test_steps_that_make_a_miss_larger_are_damped_until_they_do_not():
     far = np.array([[-1.2, 1.0]])
     found = _least_squares(Valley(), far, 1e-9)
     assert found == pytest.approx(np.ones((1, 2)), abs=1e-6)
+
+
+@pytest.mark.parametrize("motions", [2, 3])
+def test_inputs_turn_across_themselves_and_alike_in_conjugate_modes(motions):
+    """Unit vectors at right angles to b_k and to each other; those of conjugate modes are conjugate, so that the
+    system stays real"""
+    one = system(motions)
+    across = np.array(_across(one))
+    assert across.shape == (motions - 1, len(one.rate), motions)
+    for k, b in enumerate(one.input):
+        own = across[:, k]
+        assert np.abs(own @ b.conj()).max() < 1e-12
+        assert own @ own.conj().T == pytest.approx(np.eye(motions - 1), abs=1e-12)
+    assert np.array_equal(across[:, 7:], across[:, 3:7].conj())
+    step = 0.1 * np.random.default_rng(8).standard_normal(len(_slopes(one, S, list(across))))
+    turned = _shifted(one, step)
+    assert transfer(turned, S.conj()) == pytest.approx(transfer(turned, S).conj())
+
+
+def test_a_decay_changes_by_half_at_most_and_becomes_no_slower_than_the_slowest():
+    """exp(±0.7) in a step; what is slower already stays"""
+    one = system(1)
+    for size in (5.0, -5.0):
+        step = np.zeros(len(_slopes(one, S, [])))
+        step[:7] = size
+        assert _shifted(one, step).rate.real[:7] / one.rate.real[:7] == pytest.approx(
+            np.exp(np.clip(size, -0.7, 0.7)) * np.ones(7)
+        )
+    slowest = 0.9 * -one.rate.real.max()
+    step = np.zeros(len(_slopes(one, S, [])))
+    step[:7] = -0.7
+    assert -_shifted(one, step, slowest).rate.real.max() == pytest.approx(slowest)
+    assert -_shifted(one, step, 100.0).rate.real[:7] == pytest.approx(-one.rate.real[:7])
+
+
+def test_a_system_stays_passive_and_real_and_its_size_is_in_its_losses():
+    """|b_k| = √(2 decay) after any step; H turns with the angle of turns over |λ|"""
+    one = system(2)
+    rng = np.random.default_rng(4)
+    step = 0.2 * rng.standard_normal(len(_slopes(one, S, _across(one))))
+    there = _shifted(one, step)
+    assert np.linalg.norm(there.input, axis=1) == pytest.approx(np.sqrt(-2 * there.rate.real))
+    old = one.rate[3:7]
+    assert there.rate[3:7].imag == pytest.approx(old.imag + step[7:11] * np.abs(old))
+    assert np.array_equal(there.rate[7:], there.rate[3:7].conj())

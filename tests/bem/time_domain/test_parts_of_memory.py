@@ -286,3 +286,31 @@ def test_more_states_are_not_tried_where_six_fits_in_a_row_came_no_nearer(monkey
     with pytest.raises(fewest_states.FitError, match=r"an error of 0\.2 with the best"):
         fit_now(np.arange(1.0, 5), wanted, np.ones(1), (0,), 0.03, np.zeros((4, 1)), ("surge",))
     assert tried == 2 * list(range(30, 34 + fewest_states.PATIENCE))
+
+
+def test_what_is_fitted_is_the_conjugate_transform_in_units_of_each_motion(monkeypatch):
+    """exp(iωt) of the fit for exp(−iωt) of the database; weights grow with the number of motions and what they answer,
+    up to eight times, and for more than three motions not at all"""
+    heard = []
+
+    class Done(Exception):
+        pass
+
+    def taken(s, wanted, poles, weight):
+        heard.append((s, wanted, poles, weight))
+        raise Done
+
+    monkeypatch.setattr(fewest_states, "fitted", taken)
+    omega, size = np.array([0.5, 1.0]), np.array([2.0, 5.0])
+    wanted = np.array([[[1 + 2j, 3j], [3j, 4 - 1j]], [[2.0, 1], [1, 5j]]])
+    answered = np.array([[0.1, 1.0], [3.0, 0.3]])
+    with pytest.raises(Done):
+        fit_now(omega, wanted, size, (0, 1), 0.01, answered, "ab")
+    s, given, poles, weight = heard[0]
+    assert s == pytest.approx(1j * omega) and poles == 32
+    assert given == pytest.approx(wanted.conj() / [[4.0, 10], [10, 25]])
+    nearer = np.sqrt(np.clip(2.0 * 2 * answered, 1.0, 8.0))
+    assert weight == pytest.approx(nearer[:, :, None] * nearer[:, None])
+    with pytest.raises(Done):
+        fit_now(omega, np.ones((2, 4, 4)), np.ones(4), (0, 1, 2, 3), 0.01, np.full((2, 4), 9.0), "abcd")
+    assert np.array_equal(heard[1][3], np.ones((2, 4, 4)))

@@ -75,3 +75,16 @@ def test_states_that_are_left_out_of_balance_follow_the_others_at_once():
         for s in S[::60]:
             ours = found.C @ np.linalg.solve(s * np.eye(n) - found.A, found.B)
             assert ours == pytest.approx(less[2] @ np.linalg.solve(s * np.eye(n) - less[0], less[1]), rel=1e-5)
+
+
+def test_poles_that_one_entry_lacks_are_found_from_the_others():
+    """Common poles follow from the equations of all entries together, whichever comes first"""
+    first, other = np.array([-0.2 + 1.1j, -0.5 + 2.3j])
+    H = np.zeros((300, 2, 2), complex)
+    for (i, j), p in (((0, 0), first), ((1, 1), other), ((0, 1), other), ((1, 0), other)):
+        H[:, i, j] = 1 / (S - p) + 1 / (S - p.conj())
+    system, off = fitted(S, H, 8, np.ones(H.shape))
+    assert off < 1e-6
+    found = np.linalg.eigvals(system.A)
+    for p in (first, other):
+        assert np.abs(found - p).min() < 1e-6

@@ -5,6 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from hakobune.bem.time_domain import whole_axis as module
 from hakobune.bem.time_domain.whole_axis import _above, _below, _unseen, monopole_damping, whole_axis, without_negative
 
 OMEGA = np.linspace(0.2, 2.0, 400)
@@ -106,7 +107,7 @@ def test_damping_that_rises_and_falls_beyond_the_band_is_found_from_the_added_ma
     above = 2.0 * np.geomspace(1, 30, 600)[1:]
     axis_omega = np.concatenate([[1e-4], omega, above])
     damping = np.zeros((len(axis_omega), 6, 6))
-    damping[:, 2, 2] = 1e-9
+    damping[1:, 2, 2] = 1e-9  # none at rest
     x = 2.0 / above
     hidden = 5e4 * (x**3 - x**5)
     infinite = np.zeros((6, 6))
@@ -126,3 +127,31 @@ def test_damping_that_rises_and_falls_beyond_the_band_is_found_from_the_added_ma
     assert more[:, 2, 2].max() == pytest.approx(hidden.max(), rel=0.3)
     more[:, 2, 2] = 0.0
     assert not more.any()
+
+
+def test_damping_that_is_found_beyond_the_band_is_added_there_and_gives_no_energy(monkeypatch):
+    B, A = damped(4.0, 5.0), np.ones((len(OMEGA), 6, 6))
+    more = np.zeros((599, 6, 6))
+    more[:, 0, 0], more[5, 0, 0], more[:, 2, 2] = 7.0, -1e9, 3.0
+    monkeypatch.setattr(module, "_unseen", lambda omega, added, axis, above: (more, "limit"))
+    axis = whole_axis(OMEGA, A, B, np.zeros((6, 6)))
+    below, above = _below(OMEGA, B, None), _above(OMEGA, B)
+    np.testing.assert_array_equal(axis.omega, np.concatenate([below[0], OMEGA, above[0]]))
+    np.testing.assert_array_equal(axis.damping[: len(below[0]) + len(OMEGA)], np.concatenate([below[1], B]))
+    high = axis.damping[len(below[0]) + len(OMEGA) :]
+    np.testing.assert_allclose(np.delete(high, 5, 0), np.delete(above[1] + more, 5, 0))
+    assert abs(high[5, 0, 0]) < 1e-12 and np.linalg.eigvalsh(high[5]).min() > -1e-9
+    assert axis.added_mass_infinity == "limit"
+
+
+def test_a_source_that_makes_more_waves_than_were_found_leaves_the_rest_its_own_power():
+    """Rest −ω² of a fifth of the source: its slope gives the power 2, as of one above 0"""
+    source = monopole_damping(np.array([0, 0, 200.0, 0, 0, 0]), 1025.0, 20.0, 9.80665)
+    rest = -0.2 * source(OMEGA[:1])[0, 2, 2]
+    damping = source(OMEGA)
+    damping[:, 2, 2] += rest * (OMEGA / OMEGA[0]) ** 2
+    axis, found = _below(OMEGA, damping, source)
+    power = OMEGA[0] * ((OMEGA[1] / OMEGA[0]) ** 2 - 1) / (OMEGA[1] - OMEGA[0])
+    np.testing.assert_allclose(
+        found[:, 2, 2], source(axis)[:, 2, 2] + rest * (axis / OMEGA[0]) ** power, rtol=1e-9, atol=1e-9
+    )

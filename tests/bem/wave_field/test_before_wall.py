@@ -134,6 +134,13 @@ def test_more_frequencies_go_where_radiation_changes_by_more_than_a_seventh_of_i
     assert module._between(omega, rows) == pytest.approx([0.65])  # 0.16; 0.14 is less, and the last is close enough
     for last, asked in ((0.50012, [0.50006]), (0.50009, [])):  # close enough is 2e-4 of the frequency, 1e-4 rad/s here
         assert module._between(np.array([0.5, last]), rows[::3]) == pytest.approx(asked)
+    for much in (1e-3, 1e3):  # whatever the unit: of the largest of each motion, couplings by the root of both
+        scaled = [row | {"radiation_damping": much * row["radiation_damping"]} for row in rows]
+        assert module._between(omega, scaled) == pytest.approx([0.65])
+    coupled = [{"added_mass": np.zeros((6, 6)), "radiation_damping": np.diag([4.0, 9.0, 1, 1, 1, 1])} for _ in range(2)]
+    for change, asked in ((0.91, [0.55]), (0.89, [])):  # 0.15 · √(4 · 9)
+        coupled[1]["radiation_damping"][0, 1] = change
+        assert module._between(omega[:2], coupled) == pytest.approx(asked)
     mass = [{"added_mass": np.diag([a] * 6), "radiation_damping": np.zeros((6, 6))} for a in (2.0, 1.0, 1.0, 1.0)]
     assert module._between(omega, mass) == pytest.approx([0.55])
 
@@ -172,3 +179,13 @@ def test_a_wall_needs_what_sends_waves(opened):
         before_wall(replace(body, mesh=None), WALL)
     with pytest.raises(WallError, match=r"a wall at y = 15 m intersects the hull; allowed: below -15 or above 15 m"):
         before_wall(body, 15.0)
+
+
+def test_where_there_is_no_room_for_all_the_largest_changes_go_first(monkeypatch):
+    """Up to 400 in all, here 5 and 6"""
+    omega = np.array([0.5, 0.6, 0.7, 0.8])
+    rows = [{"added_mass": np.zeros((6, 6)), "radiation_damping": b * np.eye(6)} for b in (1.0, 0.8, 0.3, 0.0)]
+    assert module.MOST == 400 and module._between(omega, rows) == pytest.approx([0.55, 0.65, 0.75])
+    for most, asked in ((6, [0.65, 0.75]), (5, [0.65]), (4, []), (3, [])):
+        monkeypatch.setattr(module, "MOST", most)
+        assert module._between(omega, rows) == pytest.approx(asked)

@@ -1,0 +1,177 @@
+"""Units and rows of a vessel type as OrcaFlex may write them: pounds, feet, tonnes-force, limits, keys left out."""
+
+import numpy as np
+import pytest
+from test_limits_of_laws import a_set
+
+from hakobune.bem.formats import orcaflex
+from hakobune.bem.formats.orcaflex import FORCES, LENGTHS, MASSES, Units
+
+POUND, GRAVITY = 0.45359237, 9.80665  # kg, m/s²: the international pound and standard gravity, by definition
+FOOT = 0.3048  # m
+
+
+def test_units_are_those_of_the_international_yard_and_pound():
+    assert {"m": 1.0, "km": 1000.0, "mm": 0.001, "cm": 0.01, "ft": FOOT, "in": FOOT / 12} == pytest.approx(LENGTHS)
+    kip = 1000 * POUND
+    slug = POUND * GRAVITY / FOOT
+    assert {"te": 1000.0, "t": 1000.0, "kg": 1.0, "kip": kip, "kips": kip, "klb": kip, "lb": POUND,
+            "slug": slug} == pytest.approx(MASSES, rel=1e-7)  # fmt: skip
+    force = kip * GRAVITY
+    assert {"kN": 1000.0, "N": 1.0, "MN": 1e6, "te": 1000 * GRAVITY, "tef": 1000 * GRAVITY, "kgf": GRAVITY, "kip": force,
+            "kips": force, "klbf": force, "lbf": POUND * GRAVITY} == pytest.approx(FORCES, rel=1e-12)  # fmt: skip
+
+
+@pytest.mark.parametrize("general, units", [
+    ({}, (1.0, 1000.0, 1000.0)), ({"UnitsSystem": "SI"}, (1.0, 1000.0, 1000.0)),
+    ({"UnitsSystem": "US"}, (FOOT, 1000 * POUND, 1000 * POUND * GRAVITY)),
+    ({"UnitsSystem": "User"}, (1.0, 1000.0, 1000.0)),
+    ({"UnitsSystem": "User", "LengthUnits": "ft", "MassUnits": "kg", "ForceUnits": False}, (FOOT, 1.0, 1.0)),
+    ({"UnitsSystem": "User", "ForceUnits": "MN"}, (1.0, 1000.0, 1e6)),
+])  # fmt: skip
+def test_units_of_a_model_are_those_of_its_system(general, units):
+    assert orcaflex._units(general, "a.yml") == pytest.approx(units)
+
+
+MATRIX = np.arange(1.0, 37).reshape(6, 6)
+ARMS = np.array([0, 0, 0, 1, 1, 1])
+
+
+def rows(*ats):
+    """Matrices of row n are n times the first"""
+    return [
+        {"AMDPeriodOrFrequency": at, orcaflex.MASS_COLUMNS: ((n + 1) * MATRIX).tolist(),
+         orcaflex.DAMPING_COLUMNS: (-(n + 1) * MATRIX).tolist()}
+        for n, at in enumerate(ats)
+    ]  # fmt: skip
+
+
+def test_rows_of_added_mass_come_in_any_order_with_the_limits_among_them():
+    """kg, kg m, kg m² of kilopounds and feet; damping over a second: force over length, times arms"""
+    draught = {"FrequencyDependentAddedMassAndDamping": rows(0.9, "Infinity", 0.5, 0.0)}
+    found = orcaflex._read_matrices(draught, lambda x: x, Units(2.0, 3.0, 5.0))
+    arms = 2.0 ** (ARMS + ARMS[:, None])
+    assert found["omega"].tolist() == [0.5, 0.9]
+    assert found["added_mass"] == pytest.approx(np.array([3 * MATRIX, MATRIX]) * 3 * arms)
+    assert found["radiation_damping"] == pytest.approx(-np.array([3 * MATRIX, MATRIX]) * 2.5 * arms)
+    assert found["added_mass_infinity"] == pytest.approx(2 * MATRIX * 3 * arms)
+    assert found["added_mass_zero"] == pytest.approx(4 * MATRIX * 3 * arms)
+    bare = orcaflex._read_matrices({"FrequencyDependentAddedMassAndDamping": rows(0.9)}, lambda x: x, Units(1, 1, 1))
+    assert set(bare) == {"omega", "added_mass", "radiation_damping"}
+
+
+def test_periods_of_a_model_are_frequencies_with_infinity_for_zero():
+    period, hertz = orcaflex.TO_OMEGA["period (s)"], orcaflex.TO_OMEGA["frequency (Hz)"]
+    assert period([4.0, 0.0]).tolist() == [np.pi / 2, np.inf] and hertz(0.25) == pytest.approx(np.pi / 2)
+    assert orcaflex.TO_OMEGA["frequency (rad/s)"](0.7) == 0.7
+
+
+@pytest.mark.parametrize("buoyancy", [{}, {"CentreOfBuoyancy": None}, {"CentreOfBuoyancy": [None, None, None]},
+                                      {"CentreOfBuoyancy": [1.0, None, 2.0]}])  # fmt: skip
+def test_a_body_without_a_centre_of_buoyancy_or_a_volume_has_none(buoyancy):
+    found = orcaflex._read_body(buoyancy | {"DisplacedVolume": None}, np.zeros(3), 10.0, Units(2.0, 3.0, 5.0))
+    assert found == {}
+
+
+def test_a_body_has_its_mass_and_stiffness_about_the_reference_origin():
+    """M = m, m × arm, I + m (r² − r rᵀ); C = K − m g (z_G − z_R) in roll and pitch"""
+    tensor, K = np.diag([4.0, 5, 6]), np.array([[7.0, 1, 2], [1, 8, 3], [2, 3, 9]])
+    draught = {"Mass": 11.0, orcaflex.INERTIA_COLUMNS: tensor.tolist(), "CentreOfGravity": [1.0, 2, 3],
+               "CentreOfMass": [1.5, -0.5, 2], orcaflex.STIFFNESS_COLUMNS: K.tolist(), "DisplacedVolume": 13.0,
+               "CentreOfBuoyancy": [0.5, 0, -1]}  # fmt: skip
+    about = np.array([1.0, 3.0, -2.0])
+    found = orcaflex._read_body(draught, about, 10.0, Units(2.0, 3.0, 5.0))
+    center, mass = np.array([3.0, -1, 4]), 33.0
+    r = center - about
+    assert found["mass"] == mass and found["center_of_mass"] == pytest.approx(center)
+    assert found["displaced_volume"] == 8 * 13.0 and found["center_of_buoyancy"] == pytest.approx([1.0, 0, -2])
+    M = found["inertia_matrix"]
+    for velocity in np.eye(6):
+        v, w = velocity[:3], velocity[3:]
+        of_center = v + np.cross(w, r)
+        momentum = mass * of_center
+        spin = 3 * 4.0 * (tensor @ w) + np.cross(r, momentum)
+        assert M @ velocity == pytest.approx(np.concatenate([momentum, spin]))
+    C = np.zeros((6, 6))
+    C[2:5, 2:5] = 2.5 * K * 2.0 ** (ARMS[2:5] + ARMS[2:5, None])
+    C[3, 3] -= mass * 10 * r[2]
+    C[4, 4] -= mass * 10 * r[2]
+    assert found["hydrostatic_stiffness"] == pytest.approx(C)
+    for key in ("Mass", orcaflex.INERTIA_COLUMNS):
+        less = {name: value for name, value in draught.items() if name != key}
+        bare = orcaflex._read_body(less, about, 10.0, Units(2.0, 3.0, 5.0))
+        assert not {"mass", "inertia_matrix", "center_of_mass"} & set(bare)
+        if key == "Mass":
+            assert bare["hydrostatic_stiffness"][3, 3] == pytest.approx(2.5 * 8 * 4)
+
+
+@pytest.mark.parametrize("said, lag", [
+    ({}, lambda p: np.radians(p)), ({"RAOPhaseConvention": "leads"}, lambda p: -np.radians(p)),
+    ({"RAOPhaseUnitsConvention": "radians"}, lambda p: p),
+    ({"RAOPhaseRelativeToConvention": "trough"}, lambda p: np.radians(p) + np.pi),
+    ({"RAOPhaseRelativeToConvention": "zero down-crossing"}, lambda p: np.radians(p) + np.pi / 2),
+    ({"RAOPhaseRelativeToConvention": "zero up-crossing"}, lambda p: np.radians(p) + 1.5 * np.pi),
+])  # fmt: skip
+def test_responses_lag_the_crest_by_their_phase(said, lag):
+    """Rows of frequency, then amplitude and phase of each motion; headings in degrees, in any order"""
+    vessel = {"RAOPhaseUnitsConvention": "degrees", "RAOPhaseConvention": "lags",
+              "RAOPhaseRelativeToConvention": "crest"} | said  # fmt: skip
+    group, X = {"RAOs": []}, {}
+    for heading in (90.0, 0.0):
+        table = []
+        for omega in (0.8, 0.4):
+            amplitude, phase = np.arange(1.0, 7) * omega + heading, np.arange(6.0) * 0.3 + omega
+            table.append([omega, *np.column_stack([amplitude, phase]).ravel()])
+            X[omega, heading] = amplitude * np.exp(1j * lag(phase))
+        group["RAOs"].append({"RAODirection": heading, orcaflex.RAO_COLUMNS: table})
+    omega, headings, found = orcaflex._read_responses(group, vessel, "a.yml", lambda x: x)
+    assert omega.tolist() == [0.4, 0.8] and headings == pytest.approx([0.0, np.pi / 2])
+    for i, w in enumerate((0.4, 0.8)):
+        for j, b in enumerate((0.0, 90.0)):
+            assert found[i, j] == pytest.approx(X[w, b])
+
+
+def test_responses_are_in_force_over_length_or_in_degrees_and_metres():
+    turns = np.array([1, 1, 1, 2, 2, 2])
+    assert orcaflex._response_unit("LoadRAOs", {}, Units(2.0, 3.0, 5.0)) == pytest.approx(2.5 * turns)
+    for said, turn in (("degrees", np.pi / 180), ("radians", 1.0)):
+        found = orcaflex._response_unit("DisplacementRAOs", {"RAOResponseUnits": said}, Units(2.0, 3.0, 5.0))
+        assert found == pytest.approx([1.0] * 3 + [turn / 2] * 3)
+
+
+def test_a_crest_at_another_point_is_told_by_its_phase_at_the_origin():
+    """exp(ik·P); where PhaseOrigin is left out it is RAOOrigin"""
+    group = {"PhaseOrigin": [None, 3.0, None], "RAOOrigin": [2.0, 5.0, 7.0]}
+    k, headings = np.array([0.1, 0.4]), np.array([0.3, 2.0])
+    expected = [[np.exp(1j * one * (2 * np.cos(b) + 3 * np.sin(b))) for b in headings] for one in k]
+    assert orcaflex._crest(group, k, headings)[..., 0] == pytest.approx(np.array(expected))
+
+
+def test_what_is_written_is_told_about_the_centre_of_mass_and_without_the_weight():
+    """I = I_R − m (r² − r rᵀ), K = C + m g (z_G − z_R)"""
+    mass, r = 3.0, np.array([1.0, 2, -0.5])
+    own = np.diag([4.0, 5, 6])
+    about_R = np.zeros((6, 6))
+    about_R[3:, 3:] = own + mass * (r @ r * np.eye(3) - np.outer(r, r))
+    values = a_set(added_mass=np.zeros((1, 6, 6)), body={"inertia_matrix": about_R, "mass": mass, "center_of_mass": r})
+    assert orcaflex._about_center(values)[3:, 3:] == pytest.approx(own)
+    weight = orcaflex._weight(values)
+    assert weight[3, 3] == weight[4, 4] == pytest.approx(mass * 10.0 * -0.5) and np.count_nonzero(weight) == 2
+    assert not orcaflex._weight(a_set(added_mass=np.zeros((1, 6, 6)), body={"mass": 3.0})).any()
+
+
+def test_matrices_are_written_symmetric_in_tonnes_with_the_limit_first():
+    A, B = np.array([1e3 * MATRIX, 2e3 * MATRIX]), np.array([3e3 * MATRIX, 4e3 * MATRIX])
+    infinity = 5e3 * MATRIX
+    values = a_set(omega=(0.5, 0.9), added_mass=A, radiation_damping=B, added_mass_infinity=infinity)
+    lines = list(orcaflex._matrices(values))
+    assert [line for line in lines if line.startswith("- AMD")] == [
+        "- AMDPeriodOrFrequency: Infinity", "- AMDPeriodOrFrequency: 0.5", "- AMDPeriodOrFrequency: 0.9",
+    ]  # fmt: skip
+    tables = np.array([[float(x) for x in line.strip(" -[]").split(",")] for line in lines if "[" in line])
+    even = 0.5 * (MATRIX + MATRIX.T)
+    assert tables.reshape(3, 2, 6, 6) == pytest.approx(
+        np.array([[5 * even, 0 * even], [1 * even, 3 * even], [2 * even, 4 * even]])
+    )
+    values.quantities["added_mass_infinity"][2, 2] = np.inf
+    assert "Infinity" not in " ".join(orcaflex._matrices(values))

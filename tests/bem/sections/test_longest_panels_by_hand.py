@@ -1,0 +1,103 @@
+"""How long panels of a section may be, so that sections of a few frequencies share them."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from exact.water_waves import wavenumber
+
+from hakobune.bem.sections import any_section, bending, side_by_side
+from hakobune.bem.sections.outline import Edge, rectangle
+
+
+class Asked(Exception):
+    pass
+
+
+@pytest.mark.parametrize("omega", [0.3, 0.9, 1.7, 2.4])
+@pytest.mark.parametrize("module, ask", [
+    (any_section, lambda w: any_section.section_flow(rectangle(10.0, 6.0).wetted(3.0), 12.0, w, 9.81, 1e-3)),
+    (side_by_side, lambda w: side_by_side.flow_of([(rectangle(10.0, 6.0).wetted(3.0), 0.0)], 12.0, w, 0.0, 9.81, 1e-3)),
+    (bending, lambda w: bending.bending_strip(10.0, 1e6, 50.0, 12.0, w, gravity=9.81, tolerance=1e-3)),
+])  # fmt: skip
+def test_the_longest_panel_is_the_power_of_two_below_four_radians_of_the_wave(monkeypatch, omega, module, ask):
+    heard = []
+
+    def shape(edges, depth, longest, tolerance):
+        heard.append((depth, longest, tolerance))
+        raise Asked
+
+    monkeypatch.setattr(module, "shape", shape)
+    with pytest.raises(Asked):
+        ask(omega)
+    k = wavenumber(omega, 12.0, 9.81)
+    ((depth, longest, tolerance),) = heard
+    assert (depth, tolerance) == (12.0, 1e-3)
+    assert np.log2(longest) == pytest.approx(round(np.log2(longest))) and longest <= 4 / k < 2 * longest
+
+
+def test_motions_of_sections_side_by_side_know_their_own_section(monkeypatch):
+    """By the middle of the gap between two, whatever their sides"""
+    sections = [(rectangle(4.0, 6.0).wetted(3.0), -6.0), (rectangle(2.0, 6.0).wetted(3.0), 1.0),
+                (rectangle(2.0, 6.0).wetted(3.0), 5.0)]  # fmt: skip
+    points = np.array([-8.0 - 1j, -4.0, -2.1, -1.9, 0.0, 2.9, 3.1 - 2j, 6.0])  # gaps from −4 to 0 and from 2 to 4
+    made = SimpleNamespace(points=np.append(points, 99.0), normals=np.append(1j * points, 0.0),
+                           body=np.append(np.ones(8, bool), False))  # fmt: skip
+    monkeypatch.setattr(side_by_side, "shape", lambda *given: made)
+    monkeypatch.setattr(side_by_side, "AnyFlow", lambda *given: given)
+    *rest, found = side_by_side.flow_of(
+        sections, 12.0, 1.0, 0.05, 9.81, 1e-3, lambda p, n, owner: (p.tolist(), n.tolist(), owner.tolist())
+    )
+    assert rest == [made, 1.0, 9.81, 0.05]
+    assert found == (points.tolist(), (1j * points).tolist(), [0, 0, 0, 1, 1, 1, 2, 2])
+
+
+ARC = Edge(-2 + 0j, 2 + 0j, 1.0)  # half a circle of 2 m, turning left
+
+
+@pytest.mark.parametrize("edge, first, last, longest, cuts", [
+    (Edge(0j, 8 + 0j), 0, 0, 8.1, [0, 1]), (Edge(0j, 8 + 0j), 0, 0, 8.0, [0, 1]),
+    (Edge(0j, 8 + 0j), 0, 0, 7.9, [0, 0.5, 1]), (Edge(0j, 8 + 0j), 0, 0, 2.0, [0, 0.25, 0.5, 0.75, 1]),
+    (Edge(0j, 8 + 0j), 2, 0, 8.0, [0, 1 / 16, 1 / 4, 1]), (Edge(0j, 8 + 0j), 0, 2, 8.0, [0, 3 / 4, 15 / 16, 1]),
+    (Edge(0j, 8 + 0j), 2, 1, 8.0, [0, 1 / 8, 1 / 2, 1]), (Edge(0j, 8 + 0j), 1, 2, 8.0, [0, 1 / 2, 7 / 8, 1]),
+    (Edge(0j, 8 + 0j), 1, 0, 3.0, [0, 1 / 4, 5 / 8, 1]),
+    (ARC, 0, 0, 99.0, [0, 1 / 3, 2 / 3, 1]), (ARC, 0, 0, 1.6, [0, 0.25, 0.5, 0.75, 1]),
+])  # fmt: skip
+def test_panels_shrink_four_times_each_towards_corners_and_span_a_sixth_of_a_circle_at_most(
+    edge, first, last, longest, cuts
+):
+    """Towards both ends they meet in the middle"""
+    found = any_section._panels(edge, first, last, longest)
+    ends = [complex(edge.at(u)) for u in cuts]
+    assert [one.start for one in found] == pytest.approx(ends[:-1])
+    assert [one.end for one in found] == pytest.approx(ends[1:])
+    for one in found:
+        assert one.angle == pytest.approx(edge.angle * one.length / edge.length)
+
+
+@pytest.mark.parametrize("turn, tolerance, levels, exponent", [
+    (np.pi / 2, 1e-5, 5, 2 / 3), (-np.pi / 2, 1e-5, 3, 2.0), (np.pi / 2, 1e-3, 3, 2 / 3), (0.9e-3, 1e-5, 0, 1.0),
+    (-0.9e-3, 1e-5, 0, 1.0), (np.pi / 2, 0.19, 1, 2 / 3),
+])  # fmt: skip
+def test_a_corner_has_as_many_panels_as_its_flow_needs(turn, tolerance, levels, exponent):
+    """φ ~ d^(π/β): ln(0.2/tolerance) over (1 + π/β) ln 4, β of the water on the right, of a half plane none"""
+    chain = [Edge(0j, 1 + 0j), Edge(1 + 0j, 1 + np.exp(1j * turn))]
+    found = any_section._levels(chain, 0, tolerance)
+    assert found[0] == levels and found[1] == pytest.approx(exponent)
+    if levels > 1:
+        assert levels == np.ceil(np.log(0.2 / tolerance) / ((1 + exponent) * np.log(4)))
+
+
+def test_a_section_of_too_many_panels_is_refused(monkeypatch):
+    wetted = rectangle(10.0, 6.0).wetted(3.0)
+    chain = [Edge(-17 - 12j, -17 + 0j), Edge(-17 + 0j, -5 + 0j), *wetted.edges, Edge(5 + 0j, 17 + 0j),
+             Edge(17 + 0j, 17 - 12j)]  # fmt: skip
+    parts = any_section._split(chain, 12.0, 4.0, 1e-4)
+    count = sum(map(len, parts))
+    assert len(parts) == len(chain)
+    assert [len(part) for part in parts] == [len(part) for part in parts[::-1]]  # of a symmetric section
+    monkeypatch.setattr(any_section, "MOST_PANELS", count)
+    any_section._split(chain, 12.0, 4.0, 1e-4)
+    monkeypatch.setattr(any_section, "MOST_PANELS", count - 1)
+    with pytest.raises(ValueError, match=rf"the section needs {count} panels at this frequency; allowed: {count - 1};"):
+        any_section._split(chain, 12.0, 4.0, 1e-4)
