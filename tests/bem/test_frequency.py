@@ -304,8 +304,8 @@ def test_motions_that_damp_themselves_have_the_damping_of_their_amplitude():
     M, C, F = 3e6, 2e6, 5e5 + 2e5j
     law = Viscous({"Heave": Quadratic(4e5)}, 1.5)
     inertia, stiffness = np.diag([1.0] * 6) * M, np.diag([1.0] * 6) * C
-    problem = SimpleNamespace(structural_damping=None, bodies=(), inertia_matrix=inertia, hydrostatic_stiffness=stiffness,
-                              viscous=law)  # fmt: skip
+    both = {"inertia_matrix": inertia, "hydrostatic_stiffness": stiffness}
+    problem = SimpleNamespace(structural_damping=None, bodies=(), viscous=law, **both)
     A, B, force = np.eye(6) * 1e6, np.eye(6) * 2e5, np.zeros((1, 6), complex)
     force[0, 2] = F
     X = motions(problem, 0.7, A, B, force)[0]

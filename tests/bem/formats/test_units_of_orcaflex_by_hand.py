@@ -12,14 +12,15 @@ FOOT = 0.3048  # m
 
 
 def test_units_are_those_of_the_international_yard_and_pound():
-    assert {"m": 1.0, "km": 1000.0, "mm": 0.001, "cm": 0.01, "ft": FOOT, "in": FOOT / 12} == pytest.approx(LENGTHS)
+    lengths = {"m": 1.0, "km": 1000.0, "mm": 0.001, "cm": 0.01, "ft": FOOT, "in": FOOT / 12}
+    assert pytest.approx(lengths) == LENGTHS
     kip = 1000 * POUND
     slug = POUND * GRAVITY / FOOT
-    assert {"te": 1000.0, "t": 1000.0, "kg": 1.0, "kip": kip, "kips": kip, "klb": kip, "lb": POUND,
-            "slug": slug} == pytest.approx(MASSES, rel=1e-7)  # fmt: skip
-    force = kip * GRAVITY
-    assert {"kN": 1000.0, "N": 1.0, "MN": 1e6, "te": 1000 * GRAVITY, "tef": 1000 * GRAVITY, "kgf": GRAVITY, "kip": force,
-            "kips": force, "klbf": force, "lbf": POUND * GRAVITY} == pytest.approx(FORCES, rel=1e-12)  # fmt: skip
+    masses = {"te": 1000.0, "t": 1000.0, "kg": 1.0, "lb": POUND, "slug": slug}
+    assert pytest.approx(masses | dict.fromkeys(("kip", "kips", "klb"), kip), rel=1e-7) == MASSES
+    tonne, kips = 1000 * GRAVITY, dict.fromkeys(("kip", "kips", "klbf"), kip * GRAVITY)
+    forces = {"kN": 1000.0, "N": 1.0, "MN": 1e6, "te": tonne, "tef": tonne, "kgf": GRAVITY, "lbf": POUND * GRAVITY}
+    assert pytest.approx(forces | kips, rel=1e-12) == FORCES
 
 
 @pytest.mark.parametrize("general, units", [
