@@ -144,7 +144,7 @@ def scaled(values, names, factor, rows=None):
     """Values with some quantities over a factor; `rows` (6,) is the power of the factor in each row"""
 
     def over(data):
-        size = factor if rows is None else np.sign(factor) * np.abs(factor) ** np.asarray(rows, float)
+        size = factor if rows is None else float(factor) ** np.asarray(rows, float)
         if rows is not None and data.shape[-2:] == (6, 6) and not np.iscomplexobj(data):
             size = np.outer(size, size)
         return data / size
@@ -256,7 +256,7 @@ def _about_factors(straight):
 
 def _about_moments(moments):
     for words, names in (("moments", FORCES), ("rows of rotations", FORCES + MATRICES)):
-        for factor in _apart(_factors([moments])):
+        for factor in (one for one in _apart(_factors([moments])) if one != -1):  # that is a sense of rotations
             yield Cause(f"{words} are {_said(factor)}", lambda one, n=names, f=factor: scaled(one, n, f, ROTATION))
 
 

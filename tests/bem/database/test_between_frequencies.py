@@ -132,3 +132,11 @@ def test_added_mass_is_given_within_and_beyond_the_band_at_once():
     known = between({"added_mass": A}, {"added_mass_zero": ZERO, "added_mass_infinity": INFINITY})
     wanted = [INFINITY + (A[-1] - INFINITY) * 0.16, A[1], ZERO + (A[0] - ZERO) * 0.25, A[4]]
     assert known.value([3.0, 0.6, 0.2, 1.2], "added_mass") == pytest.approx(np.array(wanted))
+
+
+def test_added_mass_without_damping_is_fitted_about_its_last_value():
+    """What does not change between frequencies does not change; a straight line is followed"""
+    same = between({"added_mass": mass(*[5.0] * 5)})
+    assert same.value([0.5, 1.13], "added_mass") == pytest.approx(mass(5.0, 5.0), rel=1e-9)
+    straight = between({"added_mass": mass(*(5.0 - OMEGA))})
+    assert straight.value([0.7], "added_mass") == pytest.approx(mass(4.3), rel=1e-3)

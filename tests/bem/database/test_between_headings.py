@@ -207,3 +207,11 @@ def test_beside_a_stored_heading_no_variance_is_left():
     assert at.place.tolist() == [-1, -1]
     beside, between = at.deviation(of_plane_wave(made.headings)[None], 5)[0]
     assert not beside.any() and np.all(between > 0)
+
+
+def test_one_heading_of_several_that_is_unknown_is_named():
+    made = ring(np.array([0.0, 40.0, 90.0, 135, 180, 225, 270, 315]) * DEG, THETA, "")
+    with pytest.raises(BetweenError, match="wave direction 60° does not lie between stored"):
+        made.inside(np.array([20.0, 60.0]) * DEG)
+    with pytest.raises(BetweenError, match="wave direction is nan; allowed: finite, rad"):
+        made.inside(np.array([20.0 * DEG, np.nan]))

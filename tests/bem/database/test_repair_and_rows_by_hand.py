@@ -10,9 +10,9 @@ from made_up_body import made_up_body
 from test_database import HEADINGS, NAMES, OMEGAS, THETA, fill, header
 
 from hakobune.bem.bodies.one_of_several import OneOfSeveral, each_body
-from hakobune.bem.database import create, extend, open_database, pending
+from hakobune.bem.database import create, extend, open_database, pending, writing
 from hakobune.bem.database.between_frequencies import Between
-from hakobune.bem.database.integrity import repair
+from hakobune.bem.database.integrity import DamagedError, repair
 from hakobune.bem.database.natural_periods import _own_frequencies
 from hakobune.bem.database.resonances import about
 from hakobune.bem.database.schema import CELL_AXES, CHECKS, ESTIMATES, QUANTITIES
@@ -269,3 +269,23 @@ def test_the_body_of_each_of_several_has_a_row_for_each_but_its_matrices(tmp_pat
         assert file["mass"].attrs["units"] == "kg" and file["center_of_mass"].attrs["units"] == "m"
         assert [name.decode() for name in file["body"][()]] == ["a", "b"]
     assert open_database(tmp_path / "two.h5").bodies == given.bodies
+
+
+def test_frequencies_that_are_damaged_are_counted_and_the_first_is_named(path):
+    for rows, words in (((1,), r"added_mass at ω = 0.8 rad/s has changed since"),
+                        ((1, 2), r"added_mass at ω = 0.8 rad/s and 1 others has changed since"),
+                        ((0, 1, 2), r"added_mass at ω = 0.4 rad/s and 2 others has changed since")):  # fmt: skip
+        with h5py.File(path, "r+") as file:
+            for row in rows:
+                file["added_mass"][row, 2, 2] = 1e9
+        with pytest.raises(DamagedError, match=words):
+            open_database(path)["added_mass"]
+
+
+def test_room_on_the_disk_is_asked_for_where_a_path_is_opened_not_an_open_file(path, monkeypatch):
+    asked = []
+    monkeypatch.setattr("hakobune.bem.database.rows.keep_room", asked.append)
+    with writing(path) as file:
+        assert asked == [path]
+        with writing(file) as same:
+            assert same is file and asked == [path]

@@ -6,7 +6,16 @@ import numpy as np
 import pytest
 from scipy.linalg import eigh
 
-from hakobune.bem.database.resonances import _places, about, by_motion, natural_modes, resonances, zeros
+from hakobune.bem.database.resonances import (
+    _places,
+    about,
+    by_motion,
+    natural_modes,
+    positive,
+    resonances,
+    zeros,
+)
+from hakobune.bem.viscous import Quadratic, Viscous
 
 
 def test_natural_modes_are_those_of_the_generalised_eigenvalue_problem():
@@ -169,3 +178,26 @@ def test_natural_frequencies_within_the_stored_ones_are_called_by_kinetic_energy
     assert differ > 0
     body.omega = np.linspace(1.5 * roots[2], 2 * roots[2], 9)
     assert list(_roots(body)) == []
+
+
+def test_inertia_that_gap_water_makes_negative_is_all_but_nothing():
+    """Eigenvalues below a thousand millionth of the largest become that; where all are positive nothing changes"""
+    Q = np.linalg.qr(np.random.default_rng(2).normal(size=(3, 3)))[0]
+    sound, gap = Q @ np.diag([1.0, 2, 5]) @ Q.T, Q @ np.diag([-3.0, 2, 5]) @ Q.T
+    assert positive(sound) is sound
+    found = positive(np.stack([sound, gap, 10 * gap]))
+    assert found[0] == pytest.approx(sound, abs=1e-12)
+    for one, size in ((found[1], 1.0), (found[2], 10.0)):
+        assert one == pytest.approx(size * Q @ np.diag([5e-9, 2, 5]) @ Q.T, abs=1e-12 * size)
+        assert np.linalg.eigvalsh(one)[0] == pytest.approx(5e-9 * size, rel=1e-4)
+
+
+def test_damping_that_grows_with_the_motion_counts_at_the_height_of_the_peak():
+    """ζ = (B + N)/2ω(M + A) with N of the amplitude in waves of 1.5 m; the motion is told as damped by its own"""
+    law = Quadratic(0.02)
+    body = OneMotion(0.05)
+    body.viscous = Viscous({"heave": law}, 1.5, body.words)
+    (found,) = resonances(body)
+    N = 8 / (3 * np.pi) * found.omega * 1.5 * found.peak * 0.02
+    assert found.damping == pytest.approx((4 * 0.05 + N) / (2 * 1.0 * 2.0), rel=1e-3) and found.viscous
+    assert N > 0.02

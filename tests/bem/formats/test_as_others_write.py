@@ -353,3 +353,34 @@ def test_orcaflex_is_told_a_mass_with_its_inertia_or_neither(values, tmp_path, l
     lines = [line.strip() for line in (tmp_path / "one.yml").read_text().splitlines()]
     assert any(line.startswith("Mass: ") for line in lines) is told
     assert any(line.startswith(orcaflex.INERTIA_COLUMNS) for line in lines) is told
+
+
+def test_a_potential_file_without_a_hull_is_in_metres(written):
+    """Depth 20, XBODY(3) −5; the hull that it names tells the unit where it is there"""
+    gdf = written.with_suffix(".gdf")
+    text = gdf.read_text()
+    gdf.unlink()
+    written.with_suffix(".pot").write_text("h\n20.0\n1 1\n-1\n0.6 0.4\n1\n0.0\n1\none.gdf\n0 1 -5 0\n")
+    found = wamit.inputs_of(written, {})
+    assert (found.depth, found.about, found.length, found.hull) == (20.0, (0.0, 1.0, -5.0), 1.0, "")
+    assert "water depth 20 m of box.pot" in found.said and "XBODY 0, 1, -5 m of box.pot" in found.said
+    gdf.with_name("one.gdf").write_text(text.replace("1.0 9.80665 ULEN", "10.0 32.174 ULEN"))
+    found = wamit.inputs_of(written, {})
+    assert found.depth == pytest.approx(20 * 0.3048) and found.about == pytest.approx((0, 0.3048, -5 * 0.3048))
+    assert found.length == pytest.approx(3.048) and found.hull == "one.gdf" and found.told and found.bodies == 1
+
+
+def test_a_kind_of_the_first_column_that_is_given_is_taken_with_wavenumbers_as_they_are(written):
+    """IPEROUT of a .cfg is not asked then; wavenumbers are not times ULEN"""
+    gdf = written.with_suffix(".gdf")
+    gdf.write_text(gdf.read_text().replace("1.0 9.80665 ULEN", "10.0 9.80665 ULEN"))
+    written.with_suffix(".cfg").write_text("IPEROUT = 3\n")
+    found = wamit.inputs_of(written, WATER)
+    assert (found.period_kind, found.wave_length) == ("deep wavenumber", 10.0)
+    found = wamit.inputs_of(written, WATER | {"period_kind": "wavenumber"})
+    assert (found.period_kind, found.wave_length, found.length) == ("wavenumber", 1.0, 10.0)
+    written.with_suffix(".cfg").write_text("IPEROUT = 5\n")
+    with pytest.raises(FormatError, match="IPEROUT is 5; allowed: 1, 2, 3, 4"):
+        wamit.inputs_of(written, WATER)
+    written.with_suffix(".cfg").unlink()
+    assert wamit.inputs_of(written, WATER).period_kind == "period" and not wamit.inputs_of(written, WATER).told

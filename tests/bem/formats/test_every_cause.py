@@ -194,3 +194,44 @@ def test_crests_within_a_fiftieth_of_half_the_hull_are_at_the_origin():
         texts = [one.text for one in causes._about_points(wrong, Hull())]
         crests = [text.partition(" m,")[0] for text in texts if "phase 0" in text]
         assert crests == ["phase 0 is a crest at (0.41, 0)"] * told
+
+
+@pytest.mark.parametrize("factor", [3.0, -3.0, np.pi / 180])
+def test_rows_of_rotations_may_have_a_factor_of_their_own(factor):
+    """Of forces alone moments; of the matrices too, rows and columns of rotations"""
+    size = np.array([1, 1, 1, factor, factor, factor])
+    wrong = changed(right(), FORCES, lambda X: X * size)
+    taken_back(wrong, f"moments are {factor:.4g} times as large")
+    assert [one.text.split(" are ")[0] for one in causes._about_moments(parts_of(wrong))][:2] == [
+        "moments", "rows of rotations",
+    ]  # fmt: skip
+    wrong = changed(wrong, MATRICES, lambda M: M * np.outer(size, size))
+    taken_back(wrong, f"rows of rotations are {factor:.4g} times as large")
+
+
+def parts_of(wrong):
+    return [part[..., 3:] for part in causes._compared(wrong, Hull())["excitation_force"]]
+
+
+def test_what_is_compared_counts_by_the_root_of_both_diagonals_and_by_the_largest_force():
+    """√(ii · jj) of our added mass and damping; each force by `sizes_of_forces`"""
+    from hakobune.bem.formats.judging.own_solution import sizes_of_forces
+
+    found = causes._compared(right(), Hull())
+    assert list(found) == ["added_mass", "radiation_damping", "excitation_force"]
+    for name in ("added_mass", "radiation_damping"):
+        file, own, size = found[name]
+        assert file == pytest.approx(own)
+        for n in range(2):
+            d = np.sqrt(np.diag(own[n]))
+            assert size[n] == pytest.approx(np.outer(d, d))
+    file, own, size = found["excitation_force"]
+    for n in range(2):
+        assert size[n] == pytest.approx(np.tile(sizes_of_forces(own[n], Hull()), (len(BETA), 1)))
+
+    class Still(Hull):
+        moves = np.array([True] * 5 + [False])
+
+    assert np.isinf(causes._compared(right(), Still())["added_mass"][2][:, 5]).all()
+    less = replace(right(), quantities={"added_mass": right().quantities["added_mass"]})
+    assert list(causes._compared(less, Hull())) == ["added_mass"]

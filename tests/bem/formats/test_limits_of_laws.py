@@ -1,5 +1,7 @@
 """Each number by which the laws of a set of another program judge, from both sides, on few numbers made by hand."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -372,6 +374,21 @@ def test_what_is_not_there_of_a_volume_widens_the_band_of_heave():
     assert laws._long_waves(heavy) == []
     for ratio, told in ((1.49, False), (1.51, True)):
         assert bool(laws._long_waves(long_wave(ratio, volume=0.0))) is told
+
+
+def test_the_added_mass_of_the_longest_wave_counts_whichever_row_it_is():
+    """C₃₃ − ω²(A₃₃ + ρV) of that wave: heave forces of the others say nothing"""
+    for rows in ([0, 1, 2], [2, 0, 1], [1, 2, 0]):
+        one = long_wave(1.0, A33=500.0)
+        omega, A = np.sqrt(G * np.array([0.1, 0.5, 0.9])), spread(1, 1, 500, 1, 1, 0, n=3)
+        A[1:, 2, 2] = 9e6
+        X = np.repeat(one.quantities["excitation_force"], 3, axis=0)
+        X[1:] *= 7
+        quantities = {"added_mass": A[rows], "radiation_damping": np.zeros((3, 6, 6)), "excitation_force": X[rows]}
+        assert laws._long_waves(replace(one, omega=omega[rows], quantities=quantities)) == []
+        quantities["excitation_force"] = 1.3 * quantities["excitation_force"]
+        (line,) = laws._long_waves(replace(one, omega=omega[rows], quantities=quantities))
+        assert "heave force of the longest wave is 1.3 times the value from C₃₃" in line
 
 
 def test_waves_that_are_not_long_tell_nothing():

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from exact.water_waves import wavenumber
 
-from hakobune.bem.sections import any_section, bending, side_by_side
+from hakobune.bem.sections import any_section, bending, keel_loss, side_by_side
 from hakobune.bem.sections.outline import Edge, rectangle
 
 
@@ -101,3 +101,26 @@ def test_a_section_of_too_many_panels_is_refused(monkeypatch):
     monkeypatch.setattr(any_section, "MOST_PANELS", count - 1)
     with pytest.raises(ValueError, match=rf"the section needs {count} panels at this frequency; allowed: {count - 1};"):
         any_section._split(chain, 12.0, 4.0, 1e-4)
+
+
+def test_sections_side_by_side_are_one_chain_with_the_water_between_them():
+    """Each moved to its place; from the left to the right, however many"""
+    square = rectangle(2.0, 2.0).wetted(1.0)
+    chain = side_by_side._chain([(square, -4.0), (square, 0.0), (square, 5.0)])
+    corners = [-5 + 0j, -5 - 1j, -3 - 1j, -3, -1, -1 - 1j, 1 - 1j, 1, 4, 4 - 1j, 6 - 1j, 6]
+    assert [edge.start for edge in chain] == pytest.approx(corners[:-1])
+    assert [edge.end for edge in chain] == pytest.approx(corners[1:])
+    with pytest.raises(ValueError, match=r"a section ends at y = 1 m, and the next begins at 0\.9 m; leave a gap"):
+        side_by_side._chain([(square, -4.0), (square, 0.0), (square, 1.9)])
+
+
+def test_a_resistance_under_the_keel_leaves_no_reciprocity():
+    """Haskind's relation does not hold with losses: nothing is told of it; the rest is there"""
+    flow = keel_loss.keel_flow(10.0, 4.0, 6.0, 0.7, tolerance=1e-4)
+    lost = flow.resisted(2.0)
+    assert np.isnan(lost.haskind).all() and lost.haskind.shape == (3,)
+    assert np.isfinite(lost.excitation).all() and np.isfinite(lost.drift)
+    free = flow.resisted(0.0)
+    for name in ("added_mass", "damping", "excitation", "radiated", "radiated_back", "reflection", "transmission"):
+        assert getattr(free, name) == pytest.approx(getattr(flow.section, name), rel=1e-9, abs=1e-9)
+    assert free.drift == pytest.approx(flow.section.drift, rel=1e-4)
