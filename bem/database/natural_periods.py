@@ -45,7 +45,7 @@ def natural_periods(body, coupled=True) -> NaturalPeriods:
     """
     if body.inertia is None or body.stiffness is None:
         raise ValueError("natural periods need the inertia of the body; give --gyration kxx,kyy,kzz and solve again")
-    kept = 1.0 if coupled else np.eye(len(body.inertia))
+    kept = 1 if coupled else np.eye(len(body.inertia))
     scale = float(np.sqrt(body.inertia[5, 5] / body.inertia[0, 0]))
     lengths = np.where(body.turning, scale, 1.0)
     unit, free = np.outer(lengths, lengths), None if body.free is None else lengths[:, None] * body.free

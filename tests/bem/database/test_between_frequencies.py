@@ -140,3 +140,31 @@ def test_added_mass_without_damping_is_fitted_about_its_last_value():
     assert same.value([0.5, 1.13], "added_mass") == pytest.approx(mass(5.0, 5.0), rel=1e-9)
     straight = between({"added_mass": mass(*(5.0 - OMEGA))})
     assert straight.value([0.7], "added_mass") == pytest.approx(mass(4.3), rel=1e-3)
+
+
+def test_water_that_rings_is_sought_in_motions_that_move_water(monkeypatch):
+    """B − iω [A − A(ω_n)] of each by itself; a motion whose largest is below 1e-8 of that of its kind is left out,
+    also where its mean is a larger share; twelve frequencies at least"""
+    from hakobune.bem.database import between_frequencies
+
+    heard = []
+    monkeypatch.setattr(between_frequencies, "ringing_of", lambda x, values: heard.append(values) or np.ones(1))
+    omega = np.linspace(0.4, 1.5, 12)
+    B, A = np.zeros((12, 6, 6)), np.zeros((12, 6, 6))
+    A[:, range(6), range(6)] = np.linspace(3, 1, 12)[:, None] * [1, 1, 1, 1, 1, 1e-9]
+    B[:, range(6), range(6)] = [0.5, 0.6, 0.7, 0.8, 0.9, 1e-9]
+    B[3, 2, 2] = 90.0
+    B[:, 1, 1], A[:, 1, 1] = 2e-8 * 90, 0.0
+    both = {"added_mass": A, "radiation_damping": B}
+
+    def known(count):
+        some = {name: data[:count] for name, data in both.items()}
+        return Between(omega[:count], some, 20.0, G, np.zeros(1), np.zeros(1), OUTLINE)
+
+    assert len(known(11).ringing) == 0 and not heard
+    assert known(12).ringing.tolist() == [1.0]
+    Z = B - 1j * omega[:, None, None] * (A - A[-1])
+    assert heard[0] == pytest.approx(np.einsum("nii->ni", Z)[:, [0, 1, 2, 3, 4]])
+    B[:, 1, 1] = 0.9e-8 * 90
+    known(12).ringing  # noqa: B018
+    assert heard[1].shape == (12, 4)

@@ -10,6 +10,7 @@ from hakobune.bem.time_domain.moving_poles import (
     _slopes,
     _steady,
     _steady_slopes,
+    _step,
     moved,
     real_basis,
     storage,
@@ -144,3 +145,32 @@ def test_a_system_stays_passive_and_real_and_its_size_is_in_its_losses():
     old = one.rate[3:7]
     assert there.rate[3:7].imag == pytest.approx(old.imag + step[7:11] * np.abs(old))
     assert np.array_equal(there.rate[7:], there.rate[3:7].conj())
+
+
+@pytest.mark.parametrize("motions, power", [(1, 4), (2, 8)])
+def test_a_step_goes_down_the_slope_of_the_power_sum_and_leaves_steady_motion_free(motions, power):
+    """Σ|e|ᵖ by differences over p; of a large damping the step is that slope over the damping and the diagonal
+    Σ |e|ᵖ⁻² [(p − 1) (∂|e|)² + (|e| ∂ arg e)²]; the last condition holds to first order"""
+    one, rng = system(motions), np.random.default_rng(9)
+    weight = rng.uniform(0.5, 2.0, (len(S), motions, motions))
+    wanted = transfer(one, S) + rng.normal(size=weight.shape) + 1j * rng.normal(size=weight.shape)
+    count, h = len(_slopes(one, S, _across(one))), 1e-6
+
+    def misses(step):
+        return (transfer(_shifted(one, step), S) - wanted) * weight
+
+    off = misses(np.zeros(count))
+    step = _step(one, S, off, weight, power)
+    by_difference, own = np.zeros(count), np.zeros(count)
+    for k, way in enumerate(np.eye(count) * h):
+        there, back = misses(way), misses(-way)
+        by_difference[k] = (np.sum(np.abs(there) ** power) - np.sum(np.abs(back) ** power)) / (2 * h * power)
+        slope = (there - back) / (2 * h) * off.conj() / np.abs(off)
+        own[k] = np.sum(np.abs(off) ** (power - 2) * ((power - 1) * slope.real**2 + slope.imag**2))
+    held = _steady_slopes(one, _across(one))
+    damping = 1e9
+    normal = 1e6 * own.mean() * (held @ held.T) + damping * np.diag(own)
+    assert step(damping) == pytest.approx(-np.linalg.solve(normal, by_difference), rel=1e-3, abs=1e-14)
+    least = step(1e-2)
+    assert np.abs(held.T @ least).max() < 1e-3 * np.abs(held).max() * np.abs(least).max()
+    assert by_difference @ least < 0

@@ -129,3 +129,17 @@ def test_rounds_end_at_the_tolerance():
     rough, fine = (_least_squares(one, Z, share * np.abs(H).max()) for share in (0.1, 1e-7))
     assert one.worst(rough) <= 0.1 * np.abs(H).max() and one.worst(fine) < one.worst(Z)
     assert np.array_equal(_least_squares(one, Z, 2 * one.worst(Z)), Z)
+
+
+def test_the_largest_miss_of_an_output_counts_over_all_entries_and_at_rest():
+    """|C (s − A)⁻¹ B − H| times its weight; at ω = 0 |C A⁻¹ B| times 300"""
+    weight = np.random.default_rng(8).uniform(1, 3, size=(30, 2, 2))
+    H = transfer(A, B, passive(), S)
+    H[7, 1, 0] += 0.3
+    modes = _modes(A, B)
+    one = _Problem(modes, S, H, weight)
+    found, miss = one.output()
+    a, b = ((modes.basis.conj().T * modes.rate) @ modes.basis).real, (modes.basis.conj().T @ modes.input).real
+    off = np.abs(transfer(a, b, found, S) - H) * weight
+    at_rest = 300.0 * np.abs(found @ np.linalg.solve(a, b))
+    assert miss == pytest.approx(max(off.max(), at_rest.max())) and miss > 3 * off.mean()
