@@ -19,7 +19,7 @@ from hakobune.bem.hinges import (
     told_of,
     travel_of,
 )
-from hakobune.bem.modes import Body
+from hakobune.bem.modes import Body, Mode
 
 ONE, TWO = Body("one", (1.0, 0.0, -2.0)), Body("two", (0.0, 0.5, -1.0), place=(10.0, 3.0), heading=np.pi / 2)
 
@@ -142,3 +142,39 @@ def test_loads_of_links_hold_what_is_left():
     assert found.shape == (2, 2, 6)
     assert found[:, 0, :3] == pytest.approx(mu[:, :3]) and found[:, 0, 3:] == pytest.approx(mu[:, 3:5] @ links[0].held)
     assert found[:, 1] == pytest.approx(mu[:, 5:])
+
+
+class Bent(Water):
+    """The same of bodies that bend: the second one's bow rises by its distance ahead, squared; a shape of both"""
+
+    words, rigid = ("",) * 14, 12
+
+    class Bow:
+        def displacement(self, points):
+            points = np.asarray(points, float)
+            none = np.zeros_like(points[..., 0])
+            return np.stack([none, none, points[..., 0] ** 2], axis=-1)
+
+    class Both:
+        def displacement(self, points):
+            points = np.asarray(points, float)
+            return np.stack([0 * points[..., 0], 2 * points[..., 0], 0 * points[..., 0]], axis=-1)
+
+    modes = (
+        Mode("bow", shape=Bow(), body=1, place=TWO.place, heading=TWO.heading),
+        Mode("both", shape=Both(), body=0, on=(0, 1)),
+    )
+    rotation_center = (0.0, 0.0, 0.0)
+
+
+def test_shapes_move_and_turn_the_point_of_a_joint_with_half_their_curl():
+    """At (4, 1, 0.5) of the scene, (−2, 6, 0.5) of the second, whose x runs along y of the scene: it rises by x² = 4
+    and turns about its own y by −x = 2, which is −x of the scene; both move together by 2x along y and turn by 1"""
+    rows = rows_of(Bent(), link("rigid"))
+    assert rows.shape == (6, 14) and rows[:, :12] == pytest.approx(rows_of(Water(), link("rigid")))
+    assert rows[:, 12] == pytest.approx([0, 0, 4.0, -2.0, 0, 0], abs=1e-6)
+    assert rows[:, 13] == pytest.approx(np.zeros(6), abs=1e-6)  # the same of both
+    alone = rows_of(Bent(), link("rigid", bodies=(SPACE, "one")))
+    assert alone[:, 12] == pytest.approx(np.zeros(6)) and alone[:, 13] == pytest.approx(
+        [0, 8.0, 0, 0, 0, 1.0], abs=1e-6
+    )

@@ -278,3 +278,44 @@ def test_drifts_of_bodies_add_up_to_a_tenth_of_the_largest_force_and_beside_damp
                 pytest.approx(0.102), OMEGA[0], pytest.approx(0.1))  # fmt: skip
             one.has_damping_lids = True
             assert not laws(one)
+
+
+@pytest.mark.parametrize("share, counts", [(1.05e-4, True), (0.95e-4, False)])
+def test_motions_that_move_no_water_break_no_law(share, counts):
+    """√|Z_ii| up to 1e-4 of the largest of their kind; sway beside surge, yaw beside pitch"""
+    from hakobune.bem.stored_laws import _radiation_laws
+
+    for i, j, own in ((1, 0, share), (5, 4, share)):
+        A = np.tile(np.diag([4.0, own**2 * 4, 1, 900, 2500, 900]), (2, 1, 1))
+        if i == 5:
+            A[:, [1, 5], [1, 5]] = [4.0, own**2 * 2500]
+        A[1, i, j] = 0.3 * np.sqrt(A[1, i, i] * A[1, j, j])
+        one = Made(values={"added_mass": A, "radiation_damping": 0 * A})
+        (name, defect, _), (energy, taken, _) = _radiation_laws(one, {"added_mass", "radiation_damping"})
+        assert (name, energy) == ("reciprocity", "damping takes energy out")
+        assert defect == pytest.approx([0.0, 0.3 * counts]) and taken == pytest.approx([0.0, 0.0])
+
+
+def test_damping_that_gives_energy_is_told_by_its_lowest_eigenvalue():
+    """Of B/ω over √|Z_ii Z_jj|, its even part: [[1, 2], [2, 1]] of two motions gives −1"""
+    from hakobune.bem.stored_laws import _radiation_laws
+
+    B = np.tile(np.eye(6), (2, 1, 1)) * OMEGA[:, None, None]
+    B[1, 0, 1], B[1, 1, 0] = 3 * OMEGA[1], 1 * OMEGA[1]
+    one = Made(values={"added_mass": 0 * B, "radiation_damping": B})
+    (_, defect, _), (_, given, _) = _radiation_laws(one, {"added_mass", "radiation_damping"})
+    assert given == pytest.approx([-1.0, 1.0]) and defect == pytest.approx([0.0, 2.0])
+
+
+def test_motions_of_which_a_part_is_not_known_are_not_judged(db):
+    """NaN at that frequency; the other is judged"""
+    from hakobune.bem.stored_laws import _motion_defect
+
+    changed(db, "rao", (1, 0, 2), 0.2)
+    off = _motion_defect(db)
+    assert off[0] < 1e-9 < off[1]
+    for name in ("added_mass", "radiation_damping", "excitation_force", "rao"):
+        spoiled = Made(**vars(db) | {"values": dict(db.values)})
+        changed(spoiled, name, (0, 0, 0), np.nan)
+        found = _motion_defect(spoiled)
+        assert np.isnan(found[0]) and found[1] == pytest.approx(off[1])

@@ -168,3 +168,45 @@ def test_water_that_rings_is_sought_in_motions_that_move_water(monkeypatch):
     B[:, 1, 1] = 0.9e-8 * 90
     known(12).ringing  # noqa: B018
     assert heard[1].shape == (12, 4)
+
+
+def test_waves_meet_a_hull_ahead_of_the_origin_by_its_farthest_point_against_them():
+    """max −x·e over the plan; of a Kochin function max x·(e_θ − e_β); of several bodies that of the body of each
+    motion, shapes after the rigid ones; nothing of the rest"""
+    ship, barge = OUTLINE, np.array([[90.0, 0.0], [110.0, 0.0], [100.0, 8.0]])
+    theta, headings = np.arange(8) * np.pi / 4, np.array([0.0, np.pi / 2, np.pi])
+    kochin = np.zeros((5, 6, 8), complex)
+    one = between({"excitation_force": kochin}, headings=headings)
+    two = Between(OMEGA, {"excitation_force": kochin}, 20.0, G, headings, theta, np.concatenate([ship, barge]),
+                  outlines=(ship, barge), shapes=(1, 0))  # fmt: skip
+    for name in ("excitation_force", "Froude_Krylov_force", "diffraction_force", "pressure"):
+        assert one._lead(name)[:, 0] == pytest.approx([30.0, 5.0, 30.0])
+    assert two._lead("excitation_force") == pytest.approx(
+        np.array([[30.0] * 6 + [-90] * 6 + [-90, 30], [5.0] * 6 + [0] * 6 + [0, 5], [30.0] * 6 + [110] * 6 + [110, 30]])
+    )
+    assert two._lead("pressure")[:, 0] == pytest.approx([30.0, 5.0, 110.0])  # of all together
+    r = np.sqrt(0.5)
+    sent = [30.0, 35 * r, 5, 35 * r, 30, 35 * r, 5, 35 * r]
+    assert one._lead("kochin_radiation") == pytest.approx(sent)
+    of_barge = [110.0, 110 * r, 8, -90 * r, -90, -90 * r, 0, 110 * r]
+    assert two._lead("kochin_radiation") == pytest.approx(np.array([sent] * 6 + [of_barge] * 6 + [of_barge, sent]))
+    scattered = one._lead("kochin_diffraction")
+    for i, b in enumerate(headings):
+        for j, t in enumerate(theta):
+            e = np.array([np.cos(t) - np.cos(b), np.sin(t) - np.sin(b)])
+            assert scattered[i, j] == pytest.approx(max(point @ e for point in OUTLINE))
+    assert one._lead("added_mass").tolist() == [0.0] and one.length == 60.0
+    assert two._owners == [0] * 6 + [1] * 6 + [1, 0]
+
+
+def test_what_is_unseen_of_drift_is_half_a_step_at_its_middle():
+    """½ |D_i+1 − D_i| 4s(1 − s)"""
+    drift = np.cumsum(np.arange(30.0)).reshape(5, 2, 3)
+    one = between({"drift_force": drift})
+    found = one._unseen(np.array([0.45, 0.7, 1.2]), "drift_force")
+    assert found[0] == pytest.approx(0.5 * (drift[1] - drift[0]) * 4 * 0.25 * 0.75)
+    assert found[1] == pytest.approx(0.5 * (drift[2] - drift[1])) and found[2] == pytest.approx(0 * drift[0])
+    whole, alone = (
+        between({name: drift}).error([0.7], name) for name in ("drift_force", "drift_force_fixed")
+    )  # fmt: skip
+    assert whole - alone == pytest.approx(found[1:2])

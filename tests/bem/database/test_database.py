@@ -254,6 +254,23 @@ def test_a_result_that_is_not_finite_is_not_marked(path):
     assert len(pending(path).rows) == len(OMEGAS)
 
 
+def test_one_number_that_is_infinite_or_of_another_shape_or_type_is_refused_with_its_place(path):
+    for value, words in ((np.inf, "excitation_force at omega = 0.4 rad/s is not finite"), (1.0, "")):
+        given = result(0.4, HEADINGS, NAMES)
+        given["excitation_force"][0, 3] = value
+        with writing(path) as file:
+            if words:
+                with pytest.raises(DatabaseError, match=words):
+                    append(file, 0.4, HEADINGS, given)
+            else:
+                append(file, 0.4, HEADINGS, given)
+    more = result(0.8, HEADINGS, NAMES)
+    for wrong, words in ((more["added_mass"][:5], r"added_mass at omega = 0\.8 rad/s has shape \(5, 6\); allowed: "),
+                         (1j * more["added_mass"], "added_mass at .* is complex, its type is real")):  # fmt: skip
+        with writing(path) as file, pytest.raises(DatabaseError, match=words):
+            append(file, 0.8, HEADINGS, more | {"added_mass": wrong})
+
+
 def test_limits_may_be_infinite_but_not_nan(path):
     with writing(path) as file:
         append_limit(file, "added_mass_infinity", np.full((6, 6), np.inf))

@@ -54,7 +54,7 @@ def test_the_family_has_every_reach_with_every_row_of_echoes_and_both_leads():
                 np.testing.assert_allclose(one.weights, weights / weights.sum())
     np.testing.assert_allclose(SPREAD.delays, np.arange(26) * 0.1, atol=1e-12)
     np.testing.assert_allclose(SPREAD.weights[1:] / SPREAD.weights[:-1], np.exp(-1 / 1.2))
-    assert SPREAD.weights.sum() == pytest.approx(1.0) and SPREAD.reach == 1.2
+    assert SPREAD.weights.sum() == pytest.approx(1.0) and (SPREAD.reach, SPREAD.nodes, SPREAD.lead) == (1.2, np.inf, 1)
 
 
 def kernel(member, x, y, reach):

@@ -198,3 +198,47 @@ def test_damping_that_grows_with_the_motion_takes_power_by_its_amplitude_in_the_
     X = np.array([[[0, 0, 0.4 + 0.3j, 0, 0, 0.1]]])
     expected = 0.5 * 0.49 * (1e3 * (0.25 + 0.01) + 8 / (3 * np.pi) * 0.7 * 1.5 * 0.5 * 2e4 * 0.25)
     assert far_field_drift._absorbed(body, np.array([0.7]), X)[0, 0] == pytest.approx(expected)
+
+
+def test_drift_is_known_where_it_is_stored_or_follows_from_the_far_field():
+    zero, radiated = np.zeros((5, 2, 3)), np.zeros((5, 6, 16))
+    both = {"kochin_radiation": radiated, "kochin_diffraction": np.zeros((5, 2, 16))}
+    for quantities, known, rebuilt in (
+        ({}, False, False), ({"drift_force": zero}, True, False), (both, True, True),
+        ({"kochin_radiation": radiated}, False, False), (both | {"drift_force": zero}, True, True),
+        ({"drift_force_fixed": zero}, False, False),
+    ):  # fmt: skip
+        body = made(quantities=quantities)
+        assert (body.knows_drift, body.rebuilds_drift) == (known, rebuilt)
+
+
+def test_periods_are_infinite_without_restoring_and_none_where_the_body_turns_over():
+    """Roll of −C grows; a frequency below a millionth of the largest, also of a growth, is none"""
+    same = {"added_mass": np.tile(np.diag([1, 1, 1, 10, 20, 30]) * 1e5, (5, 1, 1))}
+    for roll, surge, infinite in ((-60.0, 2.0e-11, False), (-60.0e6, 6.0e-7, True), (-60.0e6, 9.0e-6, False)):
+        found = natural_periods(made(quantities=same, stiffness=np.diag([surge, 0, 6.0, roll, 90, 0]) * 1e5))
+        period = dict(zip(found.names, found.period, strict=True))
+        assert np.isnan(period["Roll"]) and np.isinf(period["Sway"]) and np.isinf(period["Yaw"])
+        assert period["Heave"] == pytest.approx(2 * np.pi / np.sqrt(6 / 5), rel=1e-4)
+        assert period["Pitch"] == pytest.approx(2 * np.pi / np.sqrt(90 / 220), rel=1e-4)
+        own = 2 * np.pi / np.sqrt(surge / 5)
+        assert np.isinf(period["Surge"]) if infinite else period["Surge"] == pytest.approx(own, rel=1e-3)
+        assert found.scale == pytest.approx(np.sqrt(300 / 4))
+
+
+@pytest.mark.parametrize("is_round, kochin, others", [
+    (True, True, True), (False, True, False), (True, False, False), (False, False, False),
+])  # fmt: skip
+def test_drift_of_a_round_hull_follows_from_waves_of_other_headings_where_the_far_field_is_stored(
+    is_round, kochin, others
+):
+    both = {"kochin_radiation": np.zeros((5, 6, 16)), "kochin_diffraction": np.zeros((5, 2, 16))} if kochin else {}
+    body = made(quantities=both, is_round=is_round)
+    assert body._moving_ring.from_others is others and body.ring.from_others is others
+    assert body.ring.is_round is is_round
+    assert not body._moving_ring.is_round  # its inertia is not that of a body of revolution
+    turned = np.diag([4.0, 4, 4, 100, 100, 300]) * 1e5
+    same = replace(body, inertia=turned, stiffness=np.diag([0, 0, 6.0, 60, 60, 0]) * 1e5)
+    assert same._moving_ring.is_round is is_round
+    assert not replace(same, damping=np.diag([1.0, 0, 0, 0, 0, 0]))._moving_ring.is_round
+    assert not replace(same, rotation_center=np.array([0.1, 0, 0]))._moving_ring.is_round

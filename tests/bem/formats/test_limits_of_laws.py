@@ -573,3 +573,14 @@ def test_a_set_without_a_frequency_at_which_all_is_finite_cannot_be_judged():
     A, B = spread(*[1.0] * 6, n=2), spread(*[1.0] * 6, n=2)
     A[0, 0, 0] = B[1, 3, 3] = np.nan
     assert laws.doubts(a_set(omega=(1.0, 2.0), added_mass=A, radiation_damping=B)) == ([], [])
+
+
+def test_beside_other_bodies_surge_and_heave_both_have_to_tell_the_channel():
+    """With five ratios each; sway beside them changes nothing"""
+    omega = np.sqrt(G * np.linspace(0.1, 0.3, 5))
+    heave, surge = (1 / (5 * omega**2 / G), omega), (2 / (5 * omega**2 / G), omega)
+    for found, told in (({2: heave}, False), ({0: surge}, False), ({0: surge, 2: heave}, True),
+                        ({0: surge, 1: surge, 2: heave}, True), ({0: surge, 1: surge}, False),
+                        ({0: surge, 2: (heave[0][:4], omega[:4])}, False)):  # fmt: skip
+        said = laws._of_channel(a_set(omega=omega, others=1), found)
+        assert said == ("this is the damping in a channel 5 m wide, not in open water" if told else "")

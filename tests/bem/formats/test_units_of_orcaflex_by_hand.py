@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 from test_limits_of_laws import a_set
 
-from hakobune.bem.formats import orcaflex
+from hakobune.bem.formats import orcaflex, wamit_inputs
 from hakobune.bem.formats.orcaflex import FORCES, LENGTHS, MASSES, Units
+from hakobune.bem.formats.values import FormatError
 
 POUND, GRAVITY = 0.45359237, 9.80665  # kg, m/s²: the international pound and standard gravity, by definition
 FOOT = 0.3048  # m
@@ -176,3 +177,26 @@ def test_matrices_are_written_symmetric_in_tonnes_with_the_limit_first():
     )
     values.quantities["added_mass_infinity"][2, 2] = np.inf
     assert "Infinity" not in " ".join(orcaflex._matrices(values))
+
+
+def test_a_listing_of_wamit_tells_its_length_gravity_depth_and_points(tmp_path):
+    """NAME.out before its first period; a length and a point that are given come first"""
+    place = tmp_path / "box.out"
+    lines = ["Gravity:     9.80000        Length scale:   2.5", "Water depth:   30.0   Water density: 1.0",
+             "N=  1   one.gdf", "XBODY = 1.0 2.0 -3.0 0.0", "N=  2   two.gdf", "XBODY = 4.0 5.0 6.0 0.0"]  # fmt: skip
+    found = wamit_inputs.listed_inputs(place, lines, {"body": 2})
+    assert (found.length, found.wave_length, found.gravity, found.depth) == (2.5, 2.5, 9.8, 30.0)
+    assert (found.about, found.bodies, found.told, found.hull) == ((4.0, 5.0, 6.0), 2, True, "")
+    (tmp_path / "two.gdf").write_text("")
+    given = {"body": 2, "length_unit": 7.0, "rotation_center": (0, 0, 1), "water_depth": 11.0}
+    found = wamit_inputs.listed_inputs(place, lines, given)
+    assert (found.length, found.about, found.depth, found.hull) == (7.0, (0, 0, 1), 11.0, "two.gdf")
+    bare = wamit_inputs.listed_inputs(place, ["Gravity:  9.7", "Water depth: infinite"], {"body": 1})
+    assert (bare.length, bare.gravity, bare.depth, bare.about, bare.bodies) == (1.0, 9.7, np.inf, (0.0, 0.0, 0.0), 1)
+    none = wamit_inputs.listed_inputs(place, ["nothing"], {"body": 1, "gravity": 9.9})
+    assert (none.gravity, none.length, none.depth) == (9.9, 1.0, np.inf)
+    assert wamit_inputs.listed_inputs(place, ["nothing"], {"body": 1}).gravity == 9.80665
+    turned = [line.replace("6.0 0.0", "6.0 30.0") for line in lines]
+    assert wamit_inputs.listed_inputs(place, turned, {"body": 1}).about == (1.0, 2.0, -3.0)
+    with pytest.raises(FormatError, match="PHIBODY turns the body by 30°; allowed: 0"):
+        wamit_inputs.listed_inputs(place, turned, {"body": 2})

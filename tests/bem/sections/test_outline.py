@@ -137,3 +137,14 @@ def test_the_nearest_point_of_a_triangle_is_a_foot_on_a_side_or_a_corner(point, 
     """Corners (0, 0), (4, 0) and (0, 3): 3y + 4z = 12 of the long side"""
     sides = closed([0, 4, 3j])
     assert sides.distance(point) == pytest.approx(distance)
+
+
+@pytest.mark.parametrize("bulge, crosses", [(-0.49, False), (-0.51, True), (0.6, False)])
+def test_an_arc_crosses_where_it_sags_and_not_its_chord(bulge, crosses):
+    """Of a chord of 4 m by twice its bulge: 0.98 m and 1.02 m below a top 1 m above the bottom"""
+    points = np.array([-2, 2, 2 + 1j, -2 + 1j])
+    if crosses:
+        with pytest.raises(OutlineError, match="the outline crosses itself: edges 1 and 3 meet near"):
+            closed(points, (0, 0, bulge, 0))
+    else:
+        assert len(closed(points, (0, 0, bulge, 0)).edges) == 4

@@ -314,3 +314,10 @@ def test_what_is_fitted_is_the_conjugate_transform_in_units_of_each_motion(monke
     with pytest.raises(Done):
         fit_now(omega, np.ones((2, 4, 4)), np.ones(4), (0, 1, 2, 3), 0.01, np.full((2, 4), 9.0), "abcd")
     assert np.array_equal(heard[1][3], np.ones((2, 4, 4)))
+    heard.clear()
+    monkeypatch.setattr(fewest_states, "fitted", lambda *given: heard.append(given) or (None, 1.0))
+    with pytest.raises(fewest_states.FitError):
+        fit_now(omega, wanted, size, (0, 1), 0.01, answered, "ab")
+    assert [poles for _, _, poles, _ in heard] == [32, 48, 64] * 3
+    for one, power in zip(heard[::3], (1.0, 0.5, 0.0), strict=True):  # nearer less and less, and then not at all
+        assert one[3] == pytest.approx(weight**power)

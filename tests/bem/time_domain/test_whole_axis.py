@@ -71,7 +71,8 @@ def test_what_gives_energy_is_taken_out_and_the_rest_is_as_it_was():
     known[0, 1] = known[1, 0] = 0.1
     wrong = known.copy()
     wrong[0, 1] = wrong[1, 0] = 2 * 3.0
-    found = without_negative(np.stack([known, wrong]), known[None])
+    at_rest = np.stack([0 * known, known])  # nothing is damped at ω = 0
+    found = without_negative(np.stack([known, wrong]), at_rest)
     np.testing.assert_array_equal(found[0], known)
     np.testing.assert_allclose(found[1][:2, :2], np.diag([1, 3.0]) @ np.full((2, 2), 1.5) @ np.diag([1, 3.0]))
     assert found[1, 2, 2] == pytest.approx(1.0) and found[1, 5, 5] == 0.0
