@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from hakobune.bem import DOFS
+from hakobune.bem import DOFS, ESTIMATE, INTERPOLATED
 from hakobune.bem.checks import check, damping_error, radiated_energy, scattered_energy, share_left
 from hakobune.bem.free_body import free_body, motions, needed
 from hakobune.bem.frequency import FrequencyRun, solve_frequency
@@ -314,3 +314,18 @@ def test_motions_that_damp_themselves_have_the_damping_of_their_amplitude():
     assert X[[0, 1, 3, 4, 5]] == pytest.approx(np.zeros(5))
     problem.viscous, problem.structural_damping = None, 3e5 * np.eye(6)
     assert (-(0.49) * 4e6 - 0.7j * 5e5 + C) * motions(problem, 0.7, A, B, force)[0, 2] == pytest.approx(F)
+
+
+def test_the_time_of_estimates_is_what_is_beside_the_steps_of_the_run(monkeypatch):
+    """From 100 s on a clock that ticks by 1 s: 7 s before the result, of which steps took 3, and 1 s after it"""
+    run = Made()
+    run.wall_time = {"solve": 2.0, "table": 1.0}
+    ticks = iter([100.0, 107.0, 120.0, 121.0])
+    monkeypatch.setattr("hakobune.bem.frequency.time.perf_counter", lambda: next(ticks))
+    monkeypatch.setattr(Made, "within_tolerance", lambda self: self)
+    monkeypatch.setattr(Made, "result", lambda self: {"checks": {}, "wall_time": dict(self.wall_time)})
+    for interpolated, step in ((False, ESTIMATE), (True, INTERPOLATED)):
+        run.interpolated = interpolated
+        found = solve_frequency(SimpleNamespace(run=lambda *given: run), OMEGA, [0.3], ALL)
+        assert found["wall_time"] == {"solve": 2.0, "table": 1.0, step: 5.0}
+        ticks = iter([100.0, 107.0, 120.0, 121.0])

@@ -242,3 +242,16 @@ def test_drift_of_a_round_hull_follows_from_waves_of_other_headings_where_the_fa
     assert same._moving_ring.is_round is is_round
     assert not replace(same, damping=np.diag([1.0, 0, 0, 0, 0, 0]))._moving_ring.is_round
     assert not replace(same, rotation_center=np.array([0.1, 0, 0]))._moving_ring.is_round
+
+
+def test_the_drift_of_each_body_is_interpolated_at_its_headings_or_those_that_are_stored():
+    """Shape (q, p, bodies, 3); what is the same at every heading stays the same at others"""
+    D = np.tile(np.arange(1.0, 7).reshape(2, 3) * 1e3, (5, 4, 1, 1))
+    body = made(quantities={"body_drift_force": D, "body_drift_force_fixed": 2 * D})
+    body = replace(body, between=replace(body.between, headings=np.array([0.0, 0.5, 0.9, 1.4])))
+    for fixed, times in ((False, 1), (True, 2)):
+        assert body.drift_of_each([0.4, 0.5], fixed=fixed) == pytest.approx(times * D[:2], rel=1e-3)
+        asked = body.drift_of_each([0.4], np.array([0.5, 1.4, 0.0]), fixed=fixed)
+        assert asked == pytest.approx(times * D[:1, :3]) and asked.shape == (1, 3, 2, 3)
+    with pytest.raises(BetweenError, match="body_drift_force is not stored; repeat the command that made the database"):
+        made().drift_of_each([0.4])
