@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from exact.water_waves import wavenumber
 from test_limits_of_laws import a_set
 
 from hakobune.bem.formats import orcaflex, wamit_inputs
@@ -200,3 +201,30 @@ def test_a_listing_of_wamit_tells_its_length_gravity_depth_and_points(tmp_path):
     assert wamit_inputs.listed_inputs(place, turned, {"body": 1}).about == (1.0, 2.0, -3.0)
     with pytest.raises(FormatError, match="PHIBODY turns the body by 30°; allowed: 0"):
         wamit_inputs.listed_inputs(place, turned, {"body": 2})
+
+
+@pytest.mark.parametrize("off, kind", [(1.9e-3, "deep wavenumber"), (2.1e-3, "period")])
+@pytest.mark.parametrize("number", [0, 1, 2])
+def test_the_kind_of_the_first_column_is_that_which_gives_the_periods_of_the_listing(tmp_path, off, kind, number):
+    """Each frequency within 2e-3; here k = ω²/g times a length of 2 m"""
+    omega = np.array([0.5, 0.8, 1.3])
+    (tmp_path / "a.out").write_text("".join(f"Wave period (sec) = {2 * np.pi / w:.9f}\n" for w in omega))
+    listed = omega * np.where(np.arange(3) == number, 1 + off, 1.0)
+    numbers = [2 * w**2 / 9.81 for w in listed] + [0.0]
+    rows = [f"{k:.9e} {i} {i} 1.0 2.0" for k in numbers[:3] for i in (1, 2)] + ["-1 1 1 1.0", "0.0 1 1 2.0"]
+    (tmp_path / "a.1").write_text("\n".join(rows) + "\n")
+    given = wamit_inputs.Inputs(wave_length=2.0, depth=np.inf, gravity=9.81)
+    assert wamit_inputs._kind_listed(tmp_path / "a.1", given) == kind
+    (tmp_path / "a.1").write_text("\n".join(rows[:4]) + "\n")  # one frequency less
+    assert wamit_inputs._kind_listed(tmp_path / "a.1", given) == "period"
+
+
+@pytest.mark.parametrize("column", ["period", "frequency", "wavenumber"])
+def test_periods_frequencies_and_wavenumbers_of_finite_depth_are_told_apart(tmp_path, column):
+    omega, depth = np.array([0.5, 0.8, 1.3]), 12.0
+    k = np.array([wavenumber(w, depth, 9.81) for w in omega])
+    first = {"period": 2 * np.pi / omega, "frequency": omega, "wavenumber": k}[column]
+    (tmp_path / "a.out").write_text("".join(f"Wave period = {2 * np.pi / w:.9f}\n" for w in omega))
+    (tmp_path / "a.1").write_text("".join(f"{x:.9e} 1 1 1.0 2.0\n" for x in first))
+    given = wamit_inputs.Inputs(depth=depth, gravity=9.81)
+    assert wamit_inputs._kind_listed(tmp_path / "a.1", given) == column

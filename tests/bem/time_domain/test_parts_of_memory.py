@@ -321,3 +321,35 @@ def test_what_is_fitted_is_the_conjugate_transform_in_units_of_each_motion(monke
     assert [poles for _, _, poles, _ in heard] == [32, 48, 64] * 3
     for one, power in zip(heard[::3], (1.0, 0.5, 0.0), strict=True):  # nearer less and less, and then not at all
         assert one[3] == pytest.approx(weight**power)
+
+
+def test_each_group_is_fitted_to_its_own_tolerance_with_its_own_part_of_the_transform(monkeypatch):
+    wanted, asked = RNG.normal(size=(5, 6, 6)) + 1j * RNG.normal(size=(5, 6, 6)), []
+    answered, size, omega = RNG.normal(size=(5, 6)), np.arange(1.0, 7), np.arange(5.0)
+    monkeypatch.setattr(module, "fewest_states", lambda *given: asked.append(given))
+    groups, near = ((0, 4), (1, 3), (2,)), [1e-3, 2e-3, 3e-3]
+    module._parts(omega, wanted, size, groups, near, answered, "words")
+    for given, group, tolerance in zip(asked, groups, near, strict=True):
+        own = list(group)
+        assert given[0] is omega and given[3] == group and given[4] == tolerance and given[6] == "words"
+        assert np.array_equal(given[1], wanted[:, own][:, :, own]) and given[2].tolist() == (size[own]).tolist()
+        assert np.array_equal(given[5], answered[:, own])
+
+
+@pytest.mark.parametrize("share, same", [(0.9e-7, True), (1.1e-7, False)])
+def test_a_transform_is_another_one_but_for_signs_within_a_ten_millionth_of_its_motions(share, same):
+    """√(ii · jj) of the largest of the first; the sign of each motion beside the first"""
+    one = np.zeros((3, 2, 2), complex)
+    one[:, 0, 0], one[:, 1, 1], one[:, 0, 1] = [1e6, 4e6, 2e6], [3e10, 1e10, 9e10], [1e8j, 2e8, 3e8]
+    one[:, 1, 0] = one[:, 0, 1]
+    other = one * np.array([[1, -1], [-1, 1]])
+    assert module._signs(one, other).tolist() == [[1.0], [-1.0]] and module._signs(one, one).tolist() == [[1.0], [1.0]]
+    other[1, 0, 1] += share * np.sqrt(4e6 * 9e10)
+    assert (module._signs(one, other) is not None) is same
+    assert module._signs(one, other[:, :1, :1]) is None
+
+
+def test_nothing_to_fit_is_a_memory_without_states():
+    arrays, storage, loss = module._joined([], (), np.ones(6))
+    assert arrays.decay.shape == (0,) and arrays.turn.shape == (0,) and arrays.input.shape == (6, 0)
+    assert storage.shape == (0, 0) and loss.shape == (0, 0)
