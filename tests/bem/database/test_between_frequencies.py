@@ -1,9 +1,13 @@
 """What is said between and beyond stored frequencies that no fit decides."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
 from hakobune.bem.database.between_frequencies import Between, BetweenError
+from hakobune.bem.database.between_frequencies import between as of_database
+from hakobune.bem.modes import Body, Mode
 
 G = 9.80665
 OMEGA = np.array([0.4, 0.6, 0.8, 1.0, 1.2])
@@ -210,3 +214,60 @@ def test_what_is_unseen_of_drift_is_half_a_step_at_its_middle():
         between({name: drift}).error([0.7], name) for name in ("drift_force", "drift_force_fixed")
     )  # fmt: skip
     assert whole - alone == pytest.approx(found[1:2])
+
+
+def test_one_frequency_of_several_that_is_not_stored_needs_four_stored_ones():
+    for count, refused in ((3, True), (4, False)):
+        few = Between(OMEGA[:count], {"added_mass": A[:count]}, 20.0, G, np.zeros(1), np.zeros(1), OUTLINE)
+        assert few.inside(OMEGA[:2]).tolist() == OMEGA[:2].tolist()
+        if refused:
+            with pytest.raises(BetweenError, match=r"omega is 0\.5 rad/s and 3 frequencies are stored; .* at least 4"):
+                few.inside([0.4, 0.5])
+        else:
+            assert few.inside([0.4, 0.5]).tolist() == [0.4, 0.5]
+
+
+class Stored(dict):
+    """A database of a ship, a quay that is fixed and a barge that bends, ten points each"""
+
+    omega, water_depth, gravity, wave_direction, wall = OMEGA, 20.0, G, np.array([0.0]), None
+    bodies = (Body("ship"), Body("quay", fixed=True), Body("barge"))
+    modes = (Mode("bow", body=2), Mode("stern", body=0))
+
+    names = ("added_mass", "excitation_force", "drift_force", "added_mass_infinity", "added_mass_zero")
+
+    def holds(self, name):
+        return name != "added_mass_zero"
+
+    class mesh:
+        points = np.arange(90.0).reshape(30, 3)
+
+        @staticmethod
+        def whole():
+            return SimpleNamespace(points=Stored.mesh.points)
+
+        @staticmethod
+        def of_body(i):
+            own = SimpleNamespace(points=Stored.mesh.points[10 * i : 10 * i + 10])
+            return SimpleNamespace(whole=lambda: own)
+
+
+def test_of_a_database_of_several_bodies_those_that_move_are_read_with_their_plans():
+    """Forces on the fixed body are left out, its plan too; shapes belong to the moving bodies by their number"""
+    rng = np.random.default_rng(3)
+    db = Stored(added_mass=rng.normal(size=(5, 20, 14)), excitation_force=rng.normal(size=(5, 1, 20)),
+                drift_force=rng.normal(size=(5, 1, 3)), added_mass_infinity=rng.normal(size=(20, 14)),
+                theta=np.arange(4.0))  # fmt: skip
+    found = of_database(db)
+    own = [*range(6), *range(12, 20)]
+    assert np.array_equal(found.quantities["added_mass"], db["added_mass"][:, own])
+    assert np.array_equal(found.quantities["excitation_force"], db["excitation_force"][:, :, own])
+    assert np.array_equal(found.quantities["drift_force"], db["drift_force"])
+    assert np.array_equal(found.limits["added_mass_infinity"], db["added_mass_infinity"][own])
+    assert set(found.limits) == {"added_mass_infinity"} and set(found.quantities) == set(db.names[:3])
+    assert np.array_equal(found.outline, db.mesh.points[:, :2]) and len(found.outlines) == 2
+    assert np.array_equal(found.outlines[1], db.mesh.points[20:, :2]) and found.shapes == (1, 0)
+    db.bodies, db.modes = (), (Mode("bow"), Mode("stern"))
+    alone = of_database(db)
+    assert alone.shapes == (0, 0) and alone.outlines == () and alone.quantities["added_mass"] is db["added_mass"]
+    assert (alone.depth, alone.gravity, alone.wall) == (20.0, G, None)

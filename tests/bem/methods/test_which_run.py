@@ -91,3 +91,14 @@ def test_the_contour_method_alone_has_a_sharper_run_up_to_its_last():
         found = ShapeRun.sharper.fget(run)
         assert (found is not None) is there
         assert found is None or (found.func is ShapeRun and found.args == ("prepared", 1, 2, "sharper"))
+
+
+@pytest.mark.parametrize("classes, nodes", [(1, MANY), (2, int(MANY / np.sqrt(2))), (4, MANY // 2)])
+def test_nodes_of_a_symmetric_part_count_by_the_root_of_the_number_of_its_classes(classes, nodes):
+    """Work of as many systems of a part of the nodes"""
+    for more, taken in ((0, False), (1, True)):
+        body, _ = prepared(nodes=nodes + more)
+        body.geometry.classes = [(1, 1)] * classes
+        assert body.compressed is taken
+    body.problem.zero_draft = True
+    assert not body.compressed
