@@ -6,11 +6,14 @@ import pytest
 from hakobune.bem.kochin import far_field_integrals
 
 
-def test_waves_of_a_point_and_its_images_and_their_slopes_are_those_of_the_definition():
+@pytest.mark.parametrize("images, signs", [
+    ([(1, 1), (1, -1)], [1, -1]), ([(1, 1), (-1, 1)], [1, 1]), ([(1, 1), (-1, 1), (1, -1), (-1, -1)], [1, -1, 1, -1]),
+])  # fmt: skip
+def test_waves_of_a_point_and_its_images_and_their_slopes_are_those_of_the_definition(images, signs):
     """∬ (φ ∂ψ/∂n − ψ ∂φ/∂n) dS with ψ = Z exp(−ik(x cos θ + y sin θ)); of its slope, ∂ψ/∂θ = ik(x sin θ − y cos θ) ψ"""
     k, area, theta = 0.3, 2.0, np.array([0.4, 2.9, 5.0])
-    x, n, Z, images = np.array([3.0, -2.0, -1.0]), np.array([0.6, 0.3, -0.7]), (0.8, 0.2), np.array([(1, 1), (1, -1)])
-    signs, phi, velocity = np.array([1, -1]), 0.7 - 0.2j, 0.3 + 0.9j
+    x, n, Z, images = np.array([3.0, -2.0, -1.0]), np.array([0.6, 0.3, -0.7]), (0.8, 0.2), np.array(images)
+    signs, phi, velocity = np.array(signs), 0.7 - 0.2j, 0.3 + 0.9j
     value, slope = 0, 0
     for (sx, sy), sign in zip(images, signs, strict=True):
         cos, sin = sx * np.cos(theta), sy * np.sin(theta)

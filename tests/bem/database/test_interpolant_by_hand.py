@@ -215,3 +215,23 @@ def test_poles_are_tried_from_the_one_that_shows_most_each_beside_those_that_are
     assert [one[-1] for one in tried[1:]] == [k - 0.1j for k in order] and tried[0] == []
     assert kept.tolist() == [k - 0.1j for k in order if k != 4]
     assert tried[3] == [2 - 0.1j, 6 - 0.1j]
+
+
+def test_between_nodes_of_a_later_window_the_deviation_is_that_of_its_own_fit():
+    """σ² less what its fit leaves at its two nodes, by straight lines and (1 − 2t)²; values likewise"""
+    omega = np.linspace(0.2, 2, 65)
+    x, values = places(omega), echoing(omega)[:, None]
+    found = windows(x)
+    joined = Joined(x, found, values, np.zeros((1, 2)))
+    for window, node in zip(found, (10, 30, 60), strict=True):
+        y = Abscissa(*(0.7 * part[[node]] + 0.3 * part[[node + 1]] for part in x))
+        t = (y.smooth[0] - x.smooth[node]) / (x.smooth[node + 1] - x.smooth[node])
+        own = slice(window.first, window.last)
+        nodes = Abscissa(*(part[own] for part in x))
+        fit = Interpolant(Nodes(nodes), values[own], np.zeros((1, 2)))
+        i = node - window.first
+        at_nodes, lack = fit.deviation(nodes)[:, 0], values[own] - fit.value(nodes)
+        known = ((1 - t) * at_nodes[i] ** 2 + t * at_nodes[i + 1] ** 2) * (1 - 2 * t) ** 2
+        expected = np.sqrt(max(fit.deviation(y)[0, 0] ** 2 - known, 0.0))
+        assert joined.deviation(y)[0, 0] == pytest.approx(expected, rel=1e-9) and expected > 0
+        assert joined.value(y)[0] == pytest.approx(fit.value(y)[0] + (1 - t) * lack[i] + t * lack[i + 1], rel=1e-9)
