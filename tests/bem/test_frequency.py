@@ -329,3 +329,8 @@ def test_the_time_of_estimates_is_what_is_beside_the_steps_of_the_run(monkeypatc
         found = solve_frequency(SimpleNamespace(run=lambda *given: run), OMEGA, [0.3], ALL)
         assert found["wall_time"] == {"solve": 2.0, "table": 1.0, step: 5.0}
         ticks = iter([100.0, 107.0, 120.0, 121.0])
+
+
+def test_a_body_without_inertia_has_no_motions_and_no_drift_that_follows_from_them():
+    want = {"rao", "drift_force", "drift_force_fixed", "added_mass"}
+    assert set(Made(want=want, free=False).result()) - {"checks", "wall_time"} == {"drift_force_fixed", "added_mass"}

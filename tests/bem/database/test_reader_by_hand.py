@@ -10,7 +10,7 @@ from exact.water_waves import group_factor, wavenumber
 from hakobune.bem.database import far_field_drift
 from hakobune.bem.database.between_frequencies import Between, BetweenError
 from hakobune.bem.database.natural_periods import natural_periods
-from hakobune.bem.database.reader import Reader
+from hakobune.bem.database.reader import Reader, _check_rows
 from hakobune.bem.viscous import Quadratic, Viscous
 
 OMEGA, HEADINGS = np.linspace(0.4, 1.2, 5), np.array([0.0, 0.5])
@@ -255,3 +255,21 @@ def test_the_drift_of_each_body_is_interpolated_at_its_headings_or_those_that_ar
         assert asked == pytest.approx(times * D[:1, :3]) and asked.shape == (1, 3, 2, 3)
     with pytest.raises(BetweenError, match="body_drift_force is not stored; repeat the command that made the database"):
         made().drift_of_each([0.4])
+
+
+@pytest.mark.parametrize("name", ["added_mass", "radiation_damping", "excitation_force"])
+def test_numbers_that_some_frequencies_lack_are_told_and_those_that_all_lack_are_not(name):
+    """Whichever quantity it is of: interpolation would know nothing anywhere"""
+    db = SimpleNamespace(path="a.h5", omega=OMEGA)
+    whole = dict(zip(("added_mass", "radiation_damping"), coefficients(), strict=True))
+    whole["excitation_force"] = np.ones((5, 2, 6), complex)
+    _check_rows(db, whole)
+    for rows, refused in (([1], r"0\.6 rad/s, 1 of 5"), ([2, 4], r"0\.8 rad/s, 2 of 5"), (range(5), None)):
+        spoiled = whole | {name: whole[name].copy()}
+        spoiled[name][list(rows), 0, 0] = np.nan
+        if refused:
+            with pytest.raises(BetweenError, match=rf"a\.h5: {name} is not a number at ω = {refused} frequencies;"):
+                _check_rows(db, spoiled)
+        else:
+            _check_rows(db, spoiled)
+    _check_rows(db, {})

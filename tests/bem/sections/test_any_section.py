@@ -38,6 +38,10 @@ def test_rectangles_are_those_of_eigenfunctions_within_the_tolerance(beam, draft
         assert abs(mine.excitation - other.excitation) == pytest.approx(0, abs=tolerance * abs(other.excitation).max())
         for name in ("transmission", "reflection"):
             assert abs(getattr(mine, name) - getattr(other, name)) < tolerance
+        # ρ g n |R|² on each metre, n = C_g/C
+        n = 0.5 * (1 + 2 * mine.k * depth / np.sinh(2 * mine.k * depth))
+        assert mine.drift == pytest.approx(1025 * 9.80665 * n * abs(other.reflection) ** 2, rel=20 * tolerance)
+        assert mine.drift == pytest.approx(other.drift, rel=20 * tolerance)
 
 
 def test_energy_haskind_and_reciprocity_hold_for_a_skew_section():

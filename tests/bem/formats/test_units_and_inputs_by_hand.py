@@ -1,4 +1,6 @@
-"""Units and rows of a vessel type as OrcaFlex may write them: pounds, feet, tonnes-force, limits, keys left out."""
+"""Units, rows and inputs of files as OrcaFlex and WAMIT have them: pounds, feet, limits, listings, keys left out."""
+
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -8,6 +10,7 @@ from test_limits_of_laws import a_set
 from hakobune.bem.formats import orcaflex, wamit_inputs
 from hakobune.bem.formats.orcaflex import FORCES, LENGTHS, MASSES, Units
 from hakobune.bem.formats.values import FormatError
+from hakobune.bem.modes import Body
 
 POUND, GRAVITY = 0.45359237, 9.80665  # kg, m/s²: the international pound and standard gravity, by definition
 FOOT = 0.3048  # m
@@ -228,3 +231,16 @@ def test_periods_frequencies_and_wavenumbers_of_finite_depth_are_told_apart(tmp_
     (tmp_path / "a.1").write_text("".join(f"{x:.9e} 1 1 1.0 2.0\n" for x in first))
     given = wamit_inputs.Inputs(depth=depth, gravity=9.81)
     assert wamit_inputs._kind_listed(tmp_path / "a.1", given) == column
+
+
+def test_the_input_of_several_bodies_for_wamit_has_periods_headings_points_and_modes():
+    """NAME.pot, section 4 of the manual; 0 for deep water; the modes of a fixed body are off"""
+    bodies = (Body("one", (1.0, 2.0, -3.0)), Body("two", (4.5, 0.0, 0.0), fixed=True))
+    values = replace(a_set(omega=(0.5, 2.0), headings=(0.0, 90.0), depth=12.5), bodies=bodies)
+    text = wamit_inputs.pot_of(values, ["one.gdf", "two.gdf"])
+    assert text.splitlines()[1:] == [
+        "12.5  HBOT", "1  1  IRAD IDIFF", "2  NPER", "12.5663706", "3.14159265", "2  NBETA", "0", "90", "2  NBODY",
+        "one.gdf", "1  2  -3  0.  XBODY", "1  1  1  1  1  1  IMODE",
+        "two.gdf", "4.5  0  0  0.  XBODY", "0  0  0  0  0  0  IMODE",
+    ]  # fmt: skip
+    assert wamit_inputs.pot_of(replace(values, water_depth=np.inf), ["a", "b"]).splitlines()[1] == "0  HBOT"
