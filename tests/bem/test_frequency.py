@@ -334,3 +334,16 @@ def test_the_time_of_estimates_is_what_is_beside_the_steps_of_the_run(monkeypatc
 def test_a_body_without_inertia_has_no_motions_and_no_drift_that_follows_from_them():
     want = {"rao", "drift_force", "drift_force_fixed", "added_mass"}
     assert set(Made(want=want, free=False).result()) - {"checks", "wall_time"} == {"drift_force_fixed", "added_mass"}
+
+
+@pytest.mark.parametrize("radiated, scattered, want, energy", [
+    (0.3, 0.1, {"added_mass", "drift_force_fixed"}, 0.3), (0.1, 0.3, {"added_mass", "drift_force_fixed"}, 0.3),
+    (0.3, 0.1, {"drift_force_fixed"}, 0.1), (0.3, 0.1, {"kochin_radiation"}, 0.3), (0.3, 0.1, {"added_mass"}, None),
+])  # fmt: skip
+def test_the_larger_violation_of_energy_is_told_of_what_is_computed(monkeypatch, radiated, scattered, want, energy):
+    monkeypatch.setattr("hakobune.bem.checks.radiated_energy", lambda run: radiated)
+    monkeypatch.setattr("hakobune.bem.checks.scattered_energy", lambda run: scattered)
+    found = check(Made(want=want))
+    assert np.isnan(found["energy"]) if energy is None else found["energy"] == energy
+    assert found["residual"] == 1e-9 and np.isnan(found["estimated_error"])
+    assert np.isnan(found["reciprocity"]) == (not want & {"added_mass", "kochin_radiation"})

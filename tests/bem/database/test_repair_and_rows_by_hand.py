@@ -12,9 +12,10 @@ from test_database import HEADINGS, NAMES, OMEGAS, THETA, fill, header
 from hakobune.bem.bodies.one_of_several import OneOfSeveral, each_body
 from hakobune.bem.database import create, extend, open_database, pending, writing
 from hakobune.bem.database.between_frequencies import Between
-from hakobune.bem.database.integrity import DamagedError, repair
+from hakobune.bem.database.integrity import DamagedError, _wrong_coordinates, repair
 from hakobune.bem.database.natural_periods import _own_frequencies
 from hakobune.bem.database.resonances import about
+from hakobune.bem.database.rows import Database
 from hakobune.bem.database.schema import CELL_AXES, CHECKS, ESTIMATES, QUANTITIES
 from hakobune.bem.database.widening import content, read_group, write_group
 from hakobune.bem.flexible.beams import Beam
@@ -289,3 +290,42 @@ def test_room_on_the_disk_is_asked_for_where_a_path_is_opened_not_an_open_file(p
         assert asked == [path]
         with writing(file) as same:
             assert same is file and asked == [path]
+
+
+class Attributed(dict):
+    def __init__(self, **attrs):
+        super().__init__()
+        self.attrs = {"density": 1025.0, "gravity": 9.8, "water_depth": np.inf, "rotation_center": np.zeros(3)} | attrs
+
+
+AXES = {"omega": np.array([0.5, 1.0]), "wave_direction": np.array([-1.0, 0.0]), "theta": np.array([-0.5, 0.5])}
+
+
+@pytest.mark.parametrize("attrs, axes, problem", [
+    ({}, {}, []), ({"water_depth": 10.0}, {}, []),
+    ({"density": 0.0}, {}, ["density is 0.0"]), ({"gravity": -1.0}, {}, ["gravity is -1.0"]),
+    ({"gravity": np.inf}, {}, ["gravity is inf"]), ({"density": np.nan}, {}, ["density is nan"]),
+    ({"water_depth": np.nan}, {}, ["water_depth is nan"]), ({"water_depth": 0.0}, {}, ["water_depth is 0.0"]),
+    ({"density": np.ones(2), "gravity": 0.0}, {}, ["density is [1. 1.]", "gravity is 0.0"]),
+    ({"rotation_center": np.zeros(2)}, {}, ["rotation_center is [0. 0.]"]),
+    ({"rotation_center": np.array([0, np.inf, 0])}, {}, ["rotation_center is [ 0. inf  0.]"]),
+    ({}, {"omega": np.array([0.0, 1.0])}, ["omega does not increase from above 0"]),
+    ({}, {"omega": np.array([1.0, 1.0])}, ["omega does not increase from above 0"]),
+    ({}, {"wave_direction": np.array([1.0, 0.0])}, ["wave_direction does not increase"]),
+    ({}, {"theta": np.array([0.0, 0.0])}, ["theta does not increase"]),
+    ({}, {"theta": np.array([0.0, np.nan])}, ["theta is not a one-dimensional array of finite numbers"]),
+    ({}, {"omega": np.array([1, 2])}, ["omega is not a one-dimensional array of finite numbers"]),
+    ({}, {"omega": np.ones((1, 2))}, ["omega is not a one-dimensional array of finite numbers"]),
+])  # fmt: skip
+def test_coordinates_rise_and_the_water_is_heavy_and_deep(attrs, axes, problem):
+    assert list(_wrong_coordinates(Attributed(**attrs), AXES | axes)) == problem
+
+
+@pytest.mark.parametrize("missing, inertia, words", [
+    (("rao",), None, "motions need the mass: give --gyration kxx,kyy,kzz (scene: gyration)"),
+    (("rao", "added_mass"), None, "motions need the mass: give --gyration kxx,kyy,kzz (scene: gyration)"),
+    (("rao",), np.eye(6), "repeat the command that made the database, with --only rao"),
+    (("added_mass", "pressure"), None, "repeat the command that made the database, with --only added_mass,pressure"),
+])  # fmt: skip
+def test_what_is_missing_is_had_by_the_mass_or_by_asking_for_it(missing, inertia, words):
+    assert Database._remedy(SimpleNamespace(inertia_matrix=inertia), missing) == words

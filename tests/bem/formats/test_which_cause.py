@@ -5,8 +5,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from hakobune.bem.formats.judging import causes
+from hakobune.bem.formats.judging import believed, causes
 from hakobune.bem.formats.judging.causes import Cause
+from hakobune.bem.formats.values import FormatError
 
 
 class Set(float):
@@ -156,3 +157,52 @@ def test_the_first_of_two_causes_helps_by_a_fifth_unless_it_is_a_unit(monkeypatc
     assert cause.text == "two causes: 0.79; and then 0.79"  # 0.62; another has to be clearly less
     cause, left = pair(monkeypatch, [], directions=[(0.5, "")], water=[(0.3, "")])
     assert cause.text == "two causes: 0.3; and then 0.5" and left == pytest.approx(0.15)
+
+
+@pytest.mark.parametrize("nearest, end", [
+    ("forces are halved", "nor do two; the best guess, forces are halved, leaves 12.3 %"), ("", "nor do two"),
+])  # fmt: skip
+def test_what_nothing_explains_is_told_with_the_best_guess_before_other_doubts(monkeypatch, nearest, end):
+    found = causes.Finding(0.4567, "added_mass", None, 0.1234, nearest)
+    monkeypatch.setattr(believed.laws, "doubts", lambda values: (["a doubt"], ["a law"]))
+    for name, value in (("own_of", "own"), ("sample", "some"), ("finding", found)):
+        monkeypatch.setattr(believed, name, lambda *given, value=value: value)
+    values, told, doubts = believed.believed("values", ())
+    assert (values, told, doubts[1:]) == ("values", [], ["a doubt"])
+    assert doubts[0] == (
+        "added mass differs from our own solution of the hull by 45.7 %, allowed: 10 %; no change of unit, point, sign "
+        "or heading explains it, " + end
+    )
+
+
+@pytest.mark.parametrize("panels, others, why", [
+    (2500, 0, "no frequency belongs to a long wave"),
+    (2501, 0, "the hull has 2501 panels, and this check solves at most 2500"),
+    (2501, 1, "there are other bodies beside it"),
+])  # fmt: skip
+def test_why_a_set_is_not_compared_is_told(monkeypatch, panels, others, why):
+    monkeypatch.setattr(believed.laws, "doubts", lambda values: (["a doubt"], ["one", "two"]))
+    monkeypatch.setattr(believed, "own_of", lambda values, mesh: None)
+    values = SimpleNamespace(others=others)
+    assert believed.believed(values, range(panels)) == (
+        values, [f"not compared with our own solution: {why}; laws tested: one, two"], ["a doubt"]
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("way_out, way", [
+    ("--about 0,0,1", "give --about 0,0,1, or import with --correct to store the set so corrected"),
+    ("", "import with --correct to store the set so corrected"),
+])  # fmt: skip
+def test_a_recognised_error_is_refused_with_its_way_out(monkeypatch, way_out, way):
+    found = causes.Finding(0.5, "radiation_damping", Cause("a cause", lambda one: "right", way_out), 0.0, "")
+    monkeypatch.setattr(believed.laws, "doubts", lambda values: ([], []))
+    for name, value in (("own_of", "own"), ("sample", "some"), ("finding", found), ("corrected", "right")):
+        monkeypatch.setattr(believed, name, lambda *given, value=value: value)
+    with pytest.raises(FormatError) as refused:
+        believed.believed("values", ())
+    assert str(refused.value) == (
+        f"radiation damping differs from our own solution of the hull by 50 %, allowed: 10 %: a cause; {way}"
+    )
+    assert believed.believed("values", (), correct=True) == (
+        "right", ["corrected: a cause; motions and drift of the files are left out"], []
+    )  # fmt: skip

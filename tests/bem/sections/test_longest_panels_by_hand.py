@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from exact.water_waves import wavenumber
 
-from hakobune.bem.sections import any_section, bending, keel_loss, side_by_side
+from hakobune.bem.sections import any_section, bending, deep_water, keel_loss, side_by_side
 from hakobune.bem.sections.outline import Edge, rectangle
 
 
@@ -124,3 +124,22 @@ def test_a_resistance_under_the_keel_leaves_no_reciprocity():
     for name in ("added_mass", "damping", "excitation", "radiated", "radiated_back", "reflection", "transmission"):
         assert getattr(free, name) == pytest.approx(getattr(flow.section, name), rel=1e-9, abs=1e-9)
     assert free.drift == pytest.approx(flow.section.drift, rel=1e-4)
+
+
+@pytest.mark.parametrize("beam, draft, longest, bottom, side", [
+    (8.0, 4.0, 16.0, 3.0, 1.5), (40.0, 2.0, 16.0, 3.75, 0.75), (2.0, 40.0, 16.0, 0.75, 1.875),
+    (40.0, 40.0, 2.0, 1.875, 1.875),
+])  # fmt: skip
+def test_panels_in_deep_water_are_as_long_as_twice_what_is_beside_them_at_most(beam, draft, longest, bottom, side):
+    """Ten points each; of b and of d/2 three quarters in as many equal parts as are no longer than 2d, and than B"""
+    found = deep_water.contour(beam, draft, longest, 1e-4)
+    lengths = found.weights.reshape(-1, 10).sum(axis=1)
+    on_side = found.side.reshape(-1, 10).any(axis=1)
+    assert lengths[~on_side].sum() == pytest.approx(beam / 2) and lengths[on_side].sum() == pytest.approx(draft)
+    assert lengths[~on_side].max() <= min(longest, 2 * draft) and lengths[on_side].max() <= min(longest, beam)
+    assert lengths[~on_side].max() == pytest.approx(bottom, rel=0.35) and lengths[on_side].max() == pytest.approx(
+        side, rel=0.35
+    )
+    assert found.y[found.side] == pytest.approx(np.full(found.side.sum(), beam / 2))
+    assert found.z[~found.side] == pytest.approx(np.full((~found.side).sum(), -draft))
+    assert np.all(np.diff(found.y[~found.side]) > 0) and np.all(np.diff(found.z[found.side]) > 0)
