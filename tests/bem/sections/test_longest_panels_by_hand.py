@@ -137,9 +137,7 @@ def test_panels_in_deep_water_are_as_long_as_twice_what_is_beside_them_at_most(b
     on_side = found.side.reshape(-1, 10).any(axis=1)
     assert lengths[~on_side].sum() == pytest.approx(beam / 2) and lengths[on_side].sum() == pytest.approx(draft)
     assert lengths[~on_side].max() <= min(longest, 2 * draft) and lengths[on_side].max() <= min(longest, beam)
-    assert lengths[~on_side].max() == pytest.approx(bottom, rel=0.35) and lengths[on_side].max() == pytest.approx(
-        side, rel=0.35
-    )
+    assert lengths[~on_side].max() == pytest.approx(bottom) and lengths[on_side].max() == pytest.approx(side, rel=0.35)
     assert found.y[found.side] == pytest.approx(np.full(found.side.sum(), beam / 2))
     assert found.z[~found.side] == pytest.approx(np.full((~found.side).sum(), -draft))
     assert np.all(np.diff(found.y[~found.side]) > 0) and np.all(np.diff(found.z[found.side]) > 0)
