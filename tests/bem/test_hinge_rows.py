@@ -178,3 +178,18 @@ def test_shapes_move_and_turn_the_point_of_a_joint_with_half_their_curl():
     assert alone[:, 12] == pytest.approx(np.zeros(6)) and alone[:, 13] == pytest.approx(
         [0, 8.0, 0, 0, 0, 1.0], abs=1e-6
     )
+
+
+@pytest.mark.parametrize("unit", [1e-12, 1.0, 1e12])
+def test_rows_repeat_each_other_whatever_their_unit(unit):
+    """Singular values of 1e-9 of the largest: a row that deviates from the sum of two by twice or half as much"""
+    rows = np.eye(4)[:3] * unit
+    for share, repeats in ((2e-9, False), (0.5e-9, True)):
+        rows[2] = rows[0] + rows[1]
+        across = np.linalg.svd(rows)[1][0] * np.array([0, 0, 0, 1.0])
+        rows[2] += share * 3**0.5 * across  # the smallest singular value is 1/√3 of it
+        if repeats:
+            with pytest.raises(ValueError, match="hinges and links fix 2 motions with 3 constraints"):
+                free_of(rows)
+        else:
+            assert free_of(rows).shape == (4, 1)

@@ -329,3 +329,11 @@ def test_coordinates_rise_and_the_water_is_heavy_and_deep(attrs, axes, problem):
 ])  # fmt: skip
 def test_what_is_missing_is_had_by_the_mass_or_by_asking_for_it(missing, inertia, words):
     assert Database._remedy(SimpleNamespace(inertia_matrix=inertia), missing) == words
+
+
+@pytest.mark.parametrize("name", ["added_mass", "excitation_force", "drift_force"])
+def test_errors_of_any_quantity_that_have_changed_are_not_shown(path, name):
+    with h5py.File(path, "r+") as file:
+        file[f"estimated_error/{name}"][2] = 7.0
+    with pytest.raises(DamagedError, match=rf"{name} at ω = 1\.2 rad/s has changed"):
+        open_database(path).estimated_errors()

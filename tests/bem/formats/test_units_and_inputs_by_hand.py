@@ -10,6 +10,7 @@ from test_limits_of_laws import a_set
 from hakobune.bem.formats import orcaflex, wamit_inputs
 from hakobune.bem.formats.orcaflex import FORCES, LENGTHS, MASSES, Units
 from hakobune.bem.formats.values import FormatError
+from hakobune.bem.formats.yaml_text import YamlFault, parse
 from hakobune.bem.modes import Body
 
 POUND, GRAVITY = 0.45359237, 9.80665  # kg, m/s²: the international pound and standard gravity, by definition
@@ -238,9 +239,39 @@ def test_the_input_of_several_bodies_for_wamit_has_periods_headings_points_and_m
     bodies = (Body("one", (1.0, 2.0, -3.0)), Body("two", (4.5, 0.0, 0.0), fixed=True))
     values = replace(a_set(omega=(0.5, 2.0), headings=(0.0, 90.0), depth=12.5), bodies=bodies)
     text = wamit_inputs.pot_of(values, ["one.gdf", "two.gdf"])
+    assert text.endswith("IMODE\n")
     assert text.splitlines()[1:] == [
         "12.5  HBOT", "1  1  IRAD IDIFF", "2  NPER", "12.5663706", "3.14159265", "2  NBETA", "0", "90", "2  NBODY",
         "one.gdf", "1  2  -3  0.  XBODY", "1  1  1  1  1  1  IMODE",
         "two.gdf", "4.5  0  0  0.  XBODY", "0  0  0  0  0  0  IMODE",
     ]  # fmt: skip
     assert wamit_inputs.pot_of(replace(values, water_depth=np.inf), ["a", "b"]).splitlines()[1] == "0  HBOT"
+
+
+def test_a_model_without_its_general_section_is_in_tonnes_kilonewtons_and_metres(tmp_path):
+    both = {name: np.array([MATRIX, MATRIX]) for name in ("added_mass", "radiation_damping")}
+    values = a_set(omega=(0.5, 0.9), excitation_force=np.ones((2, 1, 6), complex), **both)
+    (written,) = orcaflex.write(values, tmp_path / "a.yml")
+    whole = orcaflex.read(written, {"gravity": 10.0})
+    text = written.read_text()
+    assert "General:\n  UnitsSystem: SI\n" in text
+    for less in ("", "General:\n", "General: ~\n"):
+        written.write_text(text.replace("General:\n  UnitsSystem: SI\n", less))
+        found = orcaflex.read(written, {"gravity": 10.0})
+        assert np.array_equal(found.get("added_mass"), whole.get("added_mass")) and found.density == whole.density
+
+
+@pytest.mark.parametrize("text, line, words", [
+    ("a: 1\nb: [1, 2\nc: 3\n", 3, "while parsing a flow sequence"), ("a: 1\n\tb: 2\n", 2, ""),
+    ("a: &x 1\nb: *y\n", 2, "found undefined alias"), ("a: 1\na: 2\n", 2, "found duplicate key"),
+])  # fmt: skip
+def test_what_is_no_yaml_is_told_with_its_line(text, line, words):
+    with pytest.raises(YamlFault) as fault:
+        parse(text)
+    assert fault.value.line == line and words in str(fault.value) and "\n" not in str(fault.value)
+
+
+def test_yaml_nested_too_deep_has_no_line():
+    with pytest.raises(YamlFault, match="lists and tables are nested too deep") as fault:
+        parse("[" * 20000)
+    assert fault.value.line is None

@@ -76,6 +76,8 @@ def test_slopes_are_those_of_differences():
     off = (one.transfer(Z) - one.wanted)[1:] * weight
     count = one.wanted.size
     assert one.misses(Z)[4:count] == pytest.approx(off.real.ravel())
+    assert one.misses(Z)[:4] == pytest.approx(300 * one.transfer(Z)[0].real.ravel())  # H(0) = 0, a heavy sample
+    assert one.weights[0].tolist() == [[300.0, 300.0], [300.0, 300.0]] and np.array_equal(one.weights[1:], weight)
     assert one.worst(Z) == pytest.approx(max(np.abs(off).max(), module.STEADY * np.abs(one.transfer(Z)[0]).max()))
 
 
