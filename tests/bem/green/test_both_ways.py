@@ -47,6 +47,10 @@ def test_a_pair_by_a_table_is_the_function_without_its_images(depth):
     table = tables.wave_table(0.9, depth, G, 80.0, 18.0, 1e-6)
     for R, z, zeta in ((9.0, -6.0, -1.0), (9.0, -1.0, -6.0), (25.0, -15.0, -0.5), (45.0, -3.0, -17.0)):
         images = sum(1 / math.hypot(R, height) for height in (z - zeta, z + zeta, z + zeta + 2 * depth))
-        assert forms.pair(R, z, zeta, table)[0] == pytest.approx(
-            forms.green(R, z, zeta, 0.9, depth, G)[0].real - images, abs=3e-7
-        )
+        found, known = forms.pair(R, z, zeta, table), forms.green(R, zeta, z, 0.9, depth, G)
+        assert found[0] == pytest.approx(known[0].real - images, abs=3e-7)
+        heights = zeta - z, z + zeta, z + zeta + 2 * depth
+        along = sum(-R / math.hypot(R, height) ** 3 for height in heights)
+        upwards = sum(-height / math.hypot(R, height) ** 3 for height in heights)  # by ζ
+        assert found[1] == pytest.approx(known[1].real - along, abs=1e-6)
+        assert found[2] == pytest.approx(known[2].real - upwards, abs=1e-6)
