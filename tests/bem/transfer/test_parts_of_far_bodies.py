@@ -66,7 +66,9 @@ def test_orders_are_as_high_as_what_arrives_of_them_is_above_the_tolerance(toler
     for a, R, gap in ((2.0, 5.0, 1.0), (3.0, 7.0, 0.2), (1.0, 40.0, 30.0)):
         assert highest_order("laplace", 0.0, a, R, gap, tolerance, 60) == first(lambda m: (a / R) ** m < tolerance)
         for k in (0.3, 1.1, 2.6):
-            wave = lambda m: m > k * a and max(abs(hankel1(m, k * R) / hankel1(m, k * a)), abs(jv(m, k * a))) < tolerance  # noqa: E731
+            wave = lambda m: (
+                m > k * a and max(abs(hankel1(m, k * R) / hankel1(m, k * a)), abs(jv(m, k * a))) < tolerance
+            )  # noqa: E731
             assert highest_order("radiating", k, a, R, gap, tolerance, 60) == first(wave)
             local = lambda m: min((a / R) ** m, (kv(m, k * (a + gap)) / kv(m, k * a)) ** 2) < tolerance  # noqa: E731
             assert highest_order("decaying", k, a, R, gap, tolerance, 60) == first(local)
@@ -175,4 +177,3 @@ def test_shapes_that_are_the_same_are_made_once_and_refined_once():
     assert sharper.bodies[1].accuracy == far.bodies[1].sharper.accuracy
     assert (sharper.places, sharper.gaps) == (far.places, far.gaps)
     assert far.tolerance == pytest.approx(10 * sharper.tolerance)
-
