@@ -111,7 +111,10 @@ def test_panels_of_lids_are_as_those_of_the_hull_or_two_across_the_narrowest(nar
     made = SimpleNamespace(elements=SimpleNamespace(nodes=range(8000)))
     monkeypatch.setattr(damping_lid, "patches", patches)
     monkeypatch.setattr(damping_lid, "Geometry", lambda *them, modes: asked.append(them) or made)
-    lids = [DampingLid(np.array([(0, 0), (50, 0), (50, width), (0, width)]), e) for width, e in ((45.0, 0.1), (narrow, 0.3))]  # fmt: skip
+    lids = [
+        DampingLid(np.array([(0, 0), (50, 0), (50, width), (0, width)]), damping)
+        for width, damping in ((45.0, 0.1), (narrow, 0.3))
+    ]
     mesh = SimpleNamespace(areas=np.array([8.0, 10.0]), symmetry="x")
     problem = SimpleNamespace(mesh=mesh, damping_lids=lids, lid=None, depth=9.0, nodes_per_panel=4, modes=())
     geometry, damping = damping_lid.with_damping_lids(problem)

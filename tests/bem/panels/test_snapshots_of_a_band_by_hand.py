@@ -1,4 +1,4 @@
-"""Which frequencies, nodes and columns represent a band, by hand, and to what accuracy each part of it is decomposed."""
+"""Which frequencies, nodes and columns represent a band, by hand, and how accurately each part is decomposed."""
 
 from types import SimpleNamespace
 
@@ -212,8 +212,9 @@ def test_each_part_of_a_band_is_decomposed_to_its_accuracy(few, share, monkeypat
     Z = parts[0] * root[2] / root[:hull, None]
     assert found.velocities[0] == pytest.approx(np.hstack([modes[:, [1, 2]], Z]))
     assert found.velocities[1] == pytest.approx(np.hstack([modes[:, [0]], 0 * Z, Z]))
-    assert found.X == pytest.approx(parts[1] * root[[1, 4]] / root[:, None])
-    assert found.Y == pytest.approx((parts[2] * scale[:, None] / scale[[3, hull + 1]]).T)
+    X, Y = found.X, found.Y
+    assert X == pytest.approx(parts[1] * root[[1, 4]] / root[:, None])
+    assert Y == pytest.approx((parts[2] * scale[:, None] / scale[[3, hull + 1]]).T)
     weights = root[[1, 4]] * np.linalg.norm(parts[1], axis=0)
     _, points, own, velocities, samples, _ = given["rows"]
     assert points.tolist() == [1, 4] and own == pytest.approx(weights) and samples.tolist() == [0]
@@ -222,6 +223,6 @@ def test_each_part_of_a_band_is_decomposed_to_its_accuracy(few, share, monkeypat
     assert points.tolist() == [1, 4] and own == pytest.approx(weights)
     assert (monopoles.tolist(), accuracy, given["samples"][1:]) == ([3], 1e-3, (100, 100))
     assert found.M.tolist() == [[[0, 1, 2]], [[4, 5, 6]]]
-    tested, _, X, Y, V, N, sizes = found.error_test
-    assert (tested, N.tolist()) == ("points", [[[3]], [[7]]]) and X is found.X and Y is found.Y
+    tested, _, of_X, of_Y, V, N, sizes = found.error_test
+    assert (tested, N.tolist()) == ("points", [[[3]], [[7]]]) and of_X is X and of_Y is Y
     assert V is found.velocities and sizes == pytest.approx(root[:hull])
