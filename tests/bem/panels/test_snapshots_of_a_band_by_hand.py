@@ -213,8 +213,8 @@ def test_each_part_of_a_band_is_decomposed_to_its_accuracy(few, share, monkeypat
     assert found.velocities[0] == pytest.approx(np.hstack([modes[:, [1, 2]], Z]))
     assert found.velocities[1] == pytest.approx(np.hstack([modes[:, [0]], 0 * Z, Z]))
     X, Y = found.X, found.Y
-    assert X == pytest.approx(parts[1] * root[[1, 4]] / root[:, None])
-    assert Y == pytest.approx((parts[2] * scale[:, None] / scale[[3, hull + 1]]).T)
+    assert np.allclose(X, parts[1] * root[[1, 4]] / root[:, None], rtol=1e-12)
+    assert np.allclose(Y, (parts[2] * scale[:, None] / scale[[3, hull + 1]]).T, rtol=1e-12)
     weights = root[[1, 4]] * np.linalg.norm(parts[1], axis=0)
     _, points, own, velocities, samples, _ = given["rows"]
     assert points.tolist() == [1, 4] and own == pytest.approx(weights) and samples.tolist() == [0]
