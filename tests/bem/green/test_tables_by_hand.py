@@ -133,3 +133,13 @@ def test_the_limits_and_deep_water_have_no_waves_or_no_pieces():
     for accuracy in (0.99e-8, 1.01e-3):
         with pytest.raises(ValueError, match=r"allowed: 1e-08 to 0\.001"):
             tables.wave_table(0.8, 20.0, 9.81, 100.0, 10.0, accuracy)
+
+
+def test_a_point_on_the_bed_may_be_below_it_by_rounding():
+    """A millionth of a millionth of the depth"""
+    from hakobune.bem.green.finite_depth import green
+
+    on_bed = green(5.0, -2.0, -20.0, 0.8, 20.0)[0]
+    assert green(5.0, -2.0, -20.0 * (1 + 0.5e-12), 0.8, 20.0)[0] == pytest.approx(on_bed, rel=1e-9)
+    with pytest.raises(ValueError, match="allowed: -20 to 0"):
+        green(5.0, -2.0, -20.0 * (1 + 4e-12), 0.8, 20.0)
