@@ -143,3 +143,16 @@ def test_a_point_on_the_bed_may_be_below_it_by_rounding():
     assert green(5.0, -2.0, -20.0 * (1 + 0.5e-12), 0.8, 20.0)[0] == pytest.approx(on_bed, rel=1e-9)
     with pytest.raises(ValueError, match="allowed: -20 to 0"):
         green(5.0, -2.0, -20.0 * (1 + 4e-12), 0.8, 20.0)
+
+
+@pytest.mark.parametrize("x", [0.0, 1e-30, 2e-14, 3e-13, 8e-13])
+def test_bessel_functions_of_next_to_nothing_are_those_of_two_to_minus_forty(x):
+    """Where the table begins: Y₀ and Y₁ grow no more"""
+    from plain import plain
+    from scipy.special import y0, y1
+
+    deep = plain("bem.green.deep_water")
+    j0, found, j1, slope = deep.bessel(x, deep.universal().bessel.reshape(-1))
+    least = 2.0**-40
+    assert (j0, found) == pytest.approx((1.0, y0(least)), rel=1e-9)
+    assert abs(j1) < 1e-11 and slope == pytest.approx(-y1(least), rel=1e-6)
