@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from hakobune.bem.second_order import surface_near
+from hakobune.bem.second_order import surface_near, surface_waves
 from hakobune.bem.second_order.surface_forces import _intervals
 from hakobune.bem.second_order.surface_near import SurfaceInfluence, _sides, circle_about, strips_about
 from hakobune.bem.second_order.surface_waves import Field, SurfaceWaves, Wave
@@ -178,3 +178,110 @@ def test_second_factors_and_orders_of_waves_are_those_of_their_kind():
     assert wave.most == 3
     m = np.arange(-2, 3)
     assert wave.incident_orders(2) == pytest.approx((2.0 - 1j) * 1j**m * np.exp(-0.7j * m))
+
+
+@pytest.mark.parametrize("of_force", [[0.3, 0.6], [0.9, 1.9]])
+def test_points_of_the_water_are_for_the_shortest_wave_and_rings_for_the_longest_too(of_force, monkeypatch):
+    """Of waves and forces together; weights on all images, points of strips off the hull and of rings"""
+    from hakobune.bem.second_order.kinds import DIFFERENCE
+    from hakobune.bem.second_order.surface_far import orders_sent
+    from hakobune.bem.waves import wavenumber
+
+    asked, omega = {}, [0.5, 1.1]
+    circle = SimpleNamespace(radius=7.0)
+    strips = [
+        SimpleNamespace(points=RNG.normal(size=(s, 2, 3, 2)), weights=RNG.uniform(size=(s, 2, 3))) for s in (1, 2)
+    ]
+    monkeypatch.setattr(surface_waves, "circle_about", lambda mesh: circle)
+    monkeypatch.setattr(surface_waves, "strips_about", lambda *them: asked.update(strips=them) or strips)
+    monkeypatch.setattr(surface_waves, "rings_about", lambda *them: asked.update(rings=them) or "rings")
+    monkeypatch.setattr(surface_waves, "SurfaceInfluence", lambda g, at: asked.update(at=at) or "influence")
+    at_rings = RNG.normal(size=(5, 2))
+    monkeypatch.setattr(SurfaceWaves, "_quadrant", lambda self: ("around", "image", at_rings))
+    g = SimpleNamespace(mesh="mesh", copies=2, images=[(1, 1), (-1, 1)])
+    prepared = SimpleNamespace(
+        problem=SimpleNamespace(depth=9.0, gravity=9.81), geometry=SimpleNamespace(without_lid=g)
+    )
+    surfaces = SimpleNamespace(waterline=SimpleNamespace(flow="line"))
+    made = SurfaceWaves(prepared, surfaces, omega, of_force, DIFFERENCE)
+    low, high = (float(wavenumber(f([*omega, *of_force]), 9.0, 9.81)) for f in (min, max))
+    assert asked["strips"] == ("mesh", "line", circle, pytest.approx(high))
+    about, depth, k, most, kind = asked["rings"]
+    assert (about, depth, kind) == (circle, 9.0, DIFFERENCE) and k == pytest.approx([low, high])
+    assert most == orders_sent(high * 7.0)
+    beside = np.concatenate([s.points[:, :, 1:].reshape(-1, 2) for s in strips])
+    assert asked["at"] == pytest.approx(np.column_stack([np.concatenate([beside, at_rings]), np.zeros(12 + 5)]))
+    assert (made.inside, made.beside) == (18, 12) and made.rings == "rings" and made.line is surfaces.waterline
+    weights = np.concatenate([s.weights.ravel() for s in strips])
+    assert made.weights == pytest.approx(np.tile(weights, 2))
+    inside = np.concatenate([s.points.reshape(-1, 2) for s in strips])
+    assert made.points == pytest.approx(np.concatenate([inside, inside * [-1, 1]]))
+
+
+def test_fields_beside_the_hull_are_put_together_strip_by_strip_and_image_by_image():
+    """Slopes of an image have its signs"""
+    made = object.__new__(SurfaceWaves)
+    made.images = np.array([(1.0, 1.0), (-1.0, 1.0)])
+
+    def strip(count):
+        return SimpleNamespace(
+            weights=np.zeros((count, 2, 3)),
+            values=lambda line, beside: np.concatenate(
+                [np.broadcast_to(line[..., :1, None, None], (*beside.shape[:2], count, 2, 1)),
+                 beside.reshape(*beside.shape[:2], count, 2, 2)], axis=-1),
+            gradient=lambda value: np.stack([2 * value, 3 * value], axis=-1),
+        )  # fmt: skip
+
+    made.strips = [strip(1), strip(2)]
+    line, beside = RNG.normal(size=(4, 2, 5)), RNG.normal(size=(4, 2, 12))
+    field = made._near(line, beside)
+    assert field.value.shape == (4, 36) and field.slope.shape == (2, 4, 36)
+    for c in range(4):
+        for image in range(2):
+            own = field.value[c].reshape(2, 18)[image].reshape(3, 2, 3)
+            assert own[..., 0] == pytest.approx(np.full((3, 2), line[c, image, 0]))
+            assert own[..., 1:] == pytest.approx(beside[c, image].reshape(3, 2, 2))
+            slope = field.slope[:, c].reshape(2, 2, 18)[:, image]
+            assert slope[0] == pytest.approx(2 * own.ravel() * made.images[image, 0])
+            assert slope[1] == pytest.approx(3 * own.ravel())
+
+
+def test_waves_of_a_hull_are_known_on_its_rings_less_what_travels(monkeypatch):
+    """c_m iᵐ of the Kochin function, and −ig/ω c_m H_m(kr) taken from what the panels give there, class by class"""
+    from scipy.special import hankel1
+
+    from hakobune.bem.second_order.kinds import DIFFERENCE
+    from hakobune.bem.second_order.surface_far import Rings, orders_sent
+
+    made, k, omega, g = object.__new__(SurfaceWaves), 0.3, 0.8, 9.81
+    rings = Rings(np.array([4.0, 6.0, 9.0, 14.0]), 24, np.zeros(2))
+    made.rings, made.kind, made.images = rings, DIFFERENCE, np.array([(1.0, 1.0), (-1.0, 1.0)])
+    made.circle, made.problem = SimpleNamespace(radius=4.0, centre="centre"), SimpleNamespace(depth=9.0, gravity=g)
+    signs = {(1, 1): np.array([1.0, 1.0]), (-1, 1): np.array([1.0, -1.0])}
+    made.geometry = SimpleNamespace(signs=signs.get)
+    monkeypatch.setattr(surface_waves, "reach_of_local", lambda *them: 8.9)  # m: two intervals
+    most = orders_sent(k * 4.0)
+    m = np.arange(-most, most + 1)
+    kochin = RNG.normal(size=(2, len(m))) + 1j * RNG.normal(size=(2, len(m)))
+    monkeypatch.setattr(surface_waves, "sent_orders", lambda run, flows, orders, centre: kochin)
+    theta = rings.directions
+    made._around, made._of_image = np.minimum(np.arange(24), 23 - np.arange(24)), (np.arange(24) >= 12).astype(int)
+    made.beside, own = 3, 12
+    made.influence, asked = SimpleNamespace(points=np.zeros((3 + 3 * 6 * own, 3))), []
+    found = {cls: RNG.normal(size=(2, 3 + 2 * 6 * own)) + 1j for cls in signs}
+    made.influence.values = lambda run, flows, count: asked.append(count) or found
+    made._near = lambda line, beside: (line, beside)
+    on_line = RNG.normal(size=(2, 8))
+    (line, beside), (sent, local) = made._of(SimpleNamespace(k=k, omega=omega), "flows", on_line)
+    assert asked == [3 + 2 * 6 * own] and line.shape == (2, 2, 4)
+    for image in range(2):
+        assert beside[:, image] == pytest.approx(sum(signs[cls][image] * found[cls][:, :3] for cls in signs))
+    c = kochin * 1j ** (m % 4)
+    assert sent == pytest.approx(c) and local.shape == (2, 2, 6, 24)
+    turn = np.exp(1j * np.outer(rings.orders, theta))
+    for w in range(2):
+        for r in range(6):
+            values = sum(signs[cls][made._of_image] * found[cls][:, 3:].reshape(2, 2, 6, own)[:, w, r][:, made._around]
+                         for cls in signs)  # fmt: skip
+            travels = -1j * g / omega * (c * hankel1(m, k * rings.radii[w, r])) @ np.exp(1j * np.outer(m, theta))
+            assert local[:, w, r] @ turn == pytest.approx(values - travels)
