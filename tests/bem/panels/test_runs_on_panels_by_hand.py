@@ -163,3 +163,41 @@ def test_motions_whose_flux_is_rounding_of_the_area_have_finite_added_mass(net, 
     assert np.isfinite(frequency_limits.added_mass_of(prepared, potentials, "infinity")).all()
     problem.depth = np.inf
     assert np.isfinite(frequency_limits.added_mass_of(prepared, potentials, "zero")).all()
+
+
+def test_a_frequency_that_its_band_does_not_suit_is_that_of_the_whole_equations(monkeypatch):
+    """Potentials, residual and integrals over the hull; of one that it suits, those of the reduced equations"""
+    for name in ("potentials", "residual", "pressure_integrals", "haskind_integrals"):
+        monkeypatch.setattr(alone.PanelRun, name, property(lambda self, name=name: f"whole {name}"))
+        one = a_run(band.BandRun, solution=None)
+        assert getattr(one, name) == f"whole {name}"
+    members = {"even": [0, 2, 4], "odd": [1, 3]}
+    g = SimpleNamespace(members=members.get, classes=("even", "other", "odd"))
+    low_rank = SimpleNamespace(flux_nodes=np.array([1, 3]), points=np.arange(2))
+    # per class: 3 motions at most and 2 flux nodes; columns of two motions and one wave, and of two waves
+    integrals = RNG.normal(size=(2, 5, 3)) + 1j
+    coefficients = RNG.normal(size=(2, 7, 3)) + 1j
+    unit = RNG.normal(size=(3, 6, 7))
+    solution = SimpleNamespace(integrals=integrals, residual=3e-13, coefficients=coefficients)
+    flux = {"even": (None, RNG.normal(size=(2, 6))), "odd": (None, RNG.normal(size=(2, 6)))}
+    one = a_run(band.BandRun, solution=solution, geometry=g, columns={"even": ([0, 4], [1]), "odd": ([], [0, 1])},
+                equations_of_band=SimpleNamespace(low_rank=low_rank, unit_potentials=unit), incident=[flux])  # fmt: skip
+    one.on_hull, one._timed = (lambda x, velocities: x.T), (lambda *them: None)
+    assert one.residual == 3e-13
+    whole = {"even": integrals[0], "odd": integrals[1][:, :2]}
+    for cls, values in whole.items():
+        count = len(members[cls])
+        assert one.pressure_integrals[cls] == pytest.approx(values.T[:, :count])
+        moving = len(one.columns[cls][0])
+        haskind = flux[cls][1][:, [1, 3]] @ values[3:, :moving]
+        assert one.haskind_integrals[cls] == pytest.approx(haskind)
+    assert one.potentials["even"] == pytest.approx((unit[0] @ coefficients[0]).T)
+    assert one.potentials["odd"] == pytest.approx((unit[2] @ coefficients[1][:, :2]).T)
+
+
+@pytest.mark.parametrize("wanted, indices", [(("even", "odd"), [0, 2]), (("even", "other", "odd"), slice(None))])
+def test_a_band_solves_the_classes_that_are_wanted(wanted, indices):
+    g = SimpleNamespace(classes=("even", "other", "odd"))
+    parts = [SimpleNamespace(geometry="another"), SimpleNamespace(geometry=g)]
+    one = a_run(band.BandRun, geometry=g, columns=dict.fromkeys(wanted), prepared=SimpleNamespace(band_equations=parts))
+    assert one.wanted == indices and one.equations_of_band is parts[1]
