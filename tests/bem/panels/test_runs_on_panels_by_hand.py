@@ -180,8 +180,10 @@ def test_a_frequency_that_its_band_does_not_suit_is_that_of_the_whole_equations(
     unit = RNG.normal(size=(3, 6, 7))
     solution = SimpleNamespace(integrals=integrals, residual=3e-13, coefficients=coefficients)
     flux = {"even": (None, RNG.normal(size=(2, 6))), "odd": (None, RNG.normal(size=(2, 6)))}
-    one = a_run(band.BandRun, solution=solution, geometry=g, columns={"even": ([0, 4], [1]), "odd": ([], [0, 1])},
-                equations_of_band=SimpleNamespace(low_rank=low_rank, unit_potentials=unit), incident=[flux])  # fmt: skip
+    one = a_run(
+        band.BandRun, solution=solution, geometry=g, columns={"even": ([0, 4], [1]), "odd": ([], [0, 1])},
+        equations_of_band=SimpleNamespace(low_rank=low_rank, unit_potentials=unit), incident=[flux],
+    )  # fmt: skip
     one.on_hull, one._timed = (lambda x, velocities: x.T), (lambda *them: None)
     assert one.residual == 3e-13
     whole = {"even": integrals[0], "odd": integrals[1][:, :2]}
@@ -199,5 +201,6 @@ def test_a_frequency_that_its_band_does_not_suit_is_that_of_the_whole_equations(
 def test_a_band_solves_the_classes_that_are_wanted(wanted, indices):
     g = SimpleNamespace(classes=("even", "other", "odd"))
     parts = [SimpleNamespace(geometry="another"), SimpleNamespace(geometry=g)]
-    one = a_run(band.BandRun, geometry=g, columns=dict.fromkeys(wanted), prepared=SimpleNamespace(band_equations=parts))
+    prepared = SimpleNamespace(band_equations=parts)
+    one = a_run(band.BandRun, geometry=g, columns=dict.fromkeys(wanted), prepared=prepared)
     assert one.wanted == indices and one.equations_of_band is parts[1]
