@@ -59,7 +59,8 @@ def solved(geometry, velocities, mirror, table, depth_values, tolerance):
     in_mesh[tree.nodes] = x
     ends = np.cumsum([len(v) for v in given.values()])[:-1]
     potentials = dict(zip(given, np.split(in_mesh.T, ends), strict=True))
-    compression = max(tolerance, _left_of_full(geometry, potentials, given, mirror, table, depth_values))
+    left_of_full = _left_of_full(geometry, potentials, given, mirror, table, depth_values)
+    compression = float(np.maximum(tolerance, left_of_full))  # of NaN NaN
     if not compression <= ALLOWED:  # written so that a NaN raises too
         raise FloatingPointError(
             f"{len(tree.nodes)} compressed equations have an error of {compression:.1e}; allowed: {ALLOWED:g}; "
@@ -83,4 +84,4 @@ def _left_of_full(geometry, potentials, velocities, mirror, table, depth_values)
             left += np.where(hull, 2 * np.pi, 4 * np.pi)[:, None] * phi[:, some].T
             for total, part in zip(squares[cls], (left - right, right), strict=True):
                 total += np.sum(np.abs(part) ** 2, axis=0)
-    return float(max(np.sqrt(error / np.maximum(size, 1e-300)).max() for error, size in squares.values()))
+    return float(np.max([np.sqrt(error / np.maximum(size, 1e-300)).max() for error, size in squares.values()]))

@@ -128,3 +128,33 @@ def test_points_lie_on_the_bottom_with_the_area_of_a_quarter():
         body = SimpleNamespace(plan=Circle(R), profiles=SimpleNamespace(gap=other))
         assert UnderKeel(body, DEGREE, contour).start == pytest.approx(0.01 * small)
     assert under_keel.END == 4.0
+
+
+def test_velocities_in_the_gap_make_the_sum_of_their_cosines_and_the_net_flow():
+    """Σ (2/s) cos(l s) Iₘ(lr)/l Iₘ'(lR) ⟨u, cos⟩ of as many modes as have not decayed, and rᵐ/mRᵐ⁻¹ ⟨u, 1⟩/s"""
+    rng, s, asked = np.random.default_rng(5), 0.4, []
+    combinations, mean_rows = rng.normal(size=(3, 2)), rng.normal(size=3)
+
+    def inner_modes(count):
+        asked.append(count)
+        n = np.arange(1, count + 1)
+        return SimpleNamespace(wavenumbers=n * np.pi / s, rows=np.stack([1.0 / n, (-1.0) ** n / n**2]))
+
+    made = keel([])
+    made.radius, made.near, made.found, made.rho = 0.9, np.zeros(1), np.array([0.05]), np.array([9.0, 0.3, 0.7])
+    gap = SimpleNamespace(inner_modes=inner_modes)
+    profiles = SimpleNamespace(gap=gap, height=s, combinations=combinations, mean_rows=mean_rows)
+    made.body = SimpleNamespace(profiles=profiles)
+    found = made._all_maps
+    assert asked == [int(np.ceil(36 * s / (np.pi * 0.05)))]
+    n = np.arange(1, asked[0] + 1)
+    l = n * np.pi / s
+    rows = combinations @ np.stack([1.0 / n, (-1.0) ** n / n**2]) * (2 / s * np.cos(l * s))
+    for q, rho in enumerate((0.05, 0.3, 0.7)):
+        r = 0.9 - rho
+        for m in range(DEGREE + 1):
+            wall = ivp(m, l * 0.9)
+            flow = rows @ (iv(m, l * r) / (l * wall)), rows @ (ivp(m, l * r) / wall)
+            net = (0.9 / m * (r / 0.9) ** m, (r / 0.9) ** (m - 1)) if m else (0.0, 0.0)
+            for own, one, part in zip(found, flow, net, strict=True):
+                assert own[q, m] == pytest.approx(one + part * mean_rows / s, rel=1e-9, abs=1e-12)

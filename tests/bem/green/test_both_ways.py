@@ -47,6 +47,28 @@ def test_a_pair_by_a_table_is_the_function_without_its_images(depth):
     table = tables.wave_table(0.9, depth, G, 80.0, 18.0, 1e-6)
     for R, z, zeta in ((9.0, -6.0, -1.0), (9.0, -1.0, -6.0), (25.0, -15.0, -0.5), (45.0, -3.0, -17.0)):
         images = sum(1 / math.hypot(R, height) for height in (z - zeta, z + zeta, z + zeta + 2 * depth))
-        assert forms.pair(R, z, zeta, table)[0] == pytest.approx(
-            forms.green(R, z, zeta, 0.9, depth, G)[0].real - images, abs=3e-7
-        )
+        found, known = forms.pair(R, z, zeta, table), forms.green(R, zeta, z, 0.9, depth, G)
+        assert found[0] == pytest.approx(known[0].real - images, abs=3e-7)
+        heights = zeta - z, z + zeta, z + zeta + 2 * depth
+        along = sum(-R / math.hypot(R, height) ** 3 for height in heights)
+        upwards = sum(-height / math.hypot(R, height) ** 3 for height in heights)  # by ζ
+        assert found[1] == pytest.approx(known[1].real - along, abs=1e-6)
+        assert found[2] == pytest.approx(known[2].real - upwards, abs=1e-6)
+
+
+@pytest.mark.parametrize("z, zeta", [(-2.0, -7.0), (-7.0, -2.0)])
+def test_beyond_the_last_zone_less_the_wave_it_is_what_takes_the_images_away(z, zeta):
+    """−1/r − 1/r₁ − 1/r₂ and their derivatives by either depth, where G less its wave is nothing"""
+    table, R, h = tables.wave_table(0.9, 20.0, G, 5000.0, 8.0), 300.0, 20.0
+    view, depths = forms.table_view(table), forms.depth_variables(z, zeta)
+    position = forms.table_position(R, depths, view)
+    assert position[0] >= table.entries
+    found = forms.standing_part_at(position, R, depths, 0.0, 0.0, 0.0, view)
+    heights = zeta - z, zeta + z, zeta + z + 2 * h
+    r = [math.hypot(R, height) for height in heights]
+    rising = [height / one**3 for height, one in zip(heights, r, strict=True)]
+    assert found[0] == pytest.approx(-sum(1 / one for one in r), rel=1e-12)
+    assert found[1] == pytest.approx(sum(R / one**3 for one in r), rel=1e-12)
+    assert found[2] == pytest.approx(sum(rising), rel=1e-12)
+    assert found[3] == pytest.approx(-rising[0] + rising[1] + rising[2], rel=1e-12)
+    assert forms.wave_part_at(position, R, depths, 0.0, 0.0, view)[:3] == pytest.approx(found[:3], rel=1e-12)

@@ -72,3 +72,27 @@ def test_words_are_numbers_arrays_and_addresses_one_after_the_other():
     words = laid_out(outer(1, 2))
     place = 2 + 9 + 7  # of `inner` within the pair, behind two numbers, an array of two axes, and one of one
     assert (words[place] - words.ctypes.data) % 8 == 0 and 0 < words[place] - words.ctypes.data < words.nbytes
+
+
+@in_memory
+class Mixed(NamedTuple):
+    nothing: None
+    whole: int
+    three: tuple
+    row: list
+
+
+def test_what_is_not_there_is_a_zero_and_tuples_of_numbers_lie_side_by_side():
+    """Each further tuple is laid out once, behind those before it, and lists are the addresses of theirs"""
+    rows = [Inner(float(n), np.array([n + 0.5])) for n in (3, 4)]
+    given = Mixed(None, np.int64(-7), (1.5, True, np.bool_(False), 2), rows)
+    words = laid_out(given)
+    assert words[[0, 1, 3, 4, 5]].tolist() == [0, -7, 1, 0, 2] and words[2:3].view(float)[0] == 1.5
+    begin = words.ctypes.data
+    places = (words[7:9] - begin) // 8  # of both tuples of the list, of 8 words each: a number and an array of one axis
+    assert (words[6] - begin) // 8 == 7 and places.tolist() == [9, 17] and len(words) == 25
+    for place, row in zip(places, rows, strict=True):
+        assert words[place : place + 1].view(float)[0] == row.number
+        assert words[place + 1 : place + 8].tolist() == [0, 0, 1, 8, row.values.ctypes.data, 1, 8]
+    with pytest.raises(TypeError, match="kernels cannot read a str; allowed: arrays, numbers, tuples of them"):
+        laid_out(Inner("one", rows[0].values))

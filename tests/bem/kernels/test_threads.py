@@ -87,3 +87,16 @@ def test_ctrl_c_leaves_out_the_shares_that_wait(three_threads):
         parallel_rows(work, 1200, PAIRS_WORTH_THREADS)
     assert len(begun) <= 3
     assert threading.active_count() == before
+
+
+@pytest.mark.parametrize("rows, ranges", [(100, 12), (11, 11), (13, 12)])
+def test_every_thread_has_four_ranges_of_rows_or_as_many_as_there_are(rows, ranges, three_threads):
+    seen, lock = [], threading.Lock()
+
+    def work(low, high):
+        with lock:
+            seen.append((low, high))
+
+    parallel_rows(work, rows, PAIRS_WORTH_THREADS)
+    ends = np.linspace(0, rows, ranges + 1).astype(int)
+    assert sorted(seen) == list(zip(ends[:-1].tolist(), ends[1:].tolist(), strict=True))

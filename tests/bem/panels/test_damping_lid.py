@@ -1,11 +1,14 @@
 """Damping lids on the water between hulls: laws with their losses counted, and limits."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
 from hakobune.bem.frequency import solve_frequency
 from hakobune.bem.methods.panel_problem import PanelProblem
 from hakobune.bem.modes import Body
+from hakobune.bem.panels import damping_lid
 from hakobune.bem.panels.damping_lid import DampingLid
 from hakobune.meshing.hydrostatics import hydrostatics, inertia_matrix
 from hakobune.meshing.panels import assembled, with_symmetry
@@ -84,3 +87,39 @@ def test_the_power_that_a_lid_takes_is_what_the_waves_lose():
     H = free["kochin_diffraction"][1] + free["rao"][1] @ free["kochin_radiation"]
     assert free["damping_lid_power"][1] == pytest.approx(carried_less(H), rel=0.005)  # 4 % of half as many panels
     assert abs(free["damping_lid_power"][1] / fixed["damping_lid_power"][1] - 1) > 0.1
+
+
+@pytest.mark.parametrize("corners, width", [
+    ([(0, 0), (8, 0), (8, 0.8), (0, 0.8)], 0.8), ([(0, 0), (4, 0), (0, 3)], 2.4),
+    ([(0, 0), (6, 0), (4, 2), (1, 2)], 2.0), ([(0, 0), (2, 0), (2, 9), (0, 9)], 2.0),
+])  # fmt: skip
+def test_a_lid_is_as_wide_as_its_corners_are_from_the_nearest_side(corners, width):
+    """Of a triangle of 3, 4 and 5 m the height on the longest side"""
+    turned = np.array(corners, float) @ [[0.6, 0.8], [-0.8, 0.6]] + [5.0, -2.0]
+    assert damping_lid._width(turned) == pytest.approx(width)
+
+
+@pytest.mark.parametrize("narrow, size", [(0.8, 0.4), (40.0, 3.0)])
+def test_panels_of_lids_are_as_those_of_the_hull_or_two_across_the_narrowest(narrow, size, monkeypatch):
+    """The side of a mean square, 3 m of 9 m²; each node of a lid has that lid's damping; 8000 nodes at most"""
+    asked = []
+
+    def patches(corners, size, symmetry):
+        asked.append((len(corners), size, symmetry))
+        return "surface", np.array([2, 3])
+
+    made = SimpleNamespace(elements=SimpleNamespace(nodes=range(8000)))
+    monkeypatch.setattr(damping_lid, "patches", patches)
+    monkeypatch.setattr(damping_lid, "Geometry", lambda *them, modes: asked.append(them) or made)
+    lids = [
+        DampingLid(np.array([(0, 0), (50, 0), (50, width), (0, width)]), damping)
+        for width, damping in ((45.0, 0.1), (narrow, 0.3))
+    ]
+    mesh = SimpleNamespace(areas=np.array([8.0, 10.0]), symmetry="x")
+    problem = SimpleNamespace(mesh=mesh, damping_lids=lids, lid=None, depth=9.0, nodes_per_panel=4, modes=())
+    geometry, damping = damping_lid.with_damping_lids(problem)
+    assert geometry is made and damping.tolist() == [0.1] * 8 + [0.3] * 12
+    assert asked == [(2, pytest.approx(size), "x"), (mesh, "surface", 9.0, 4)]
+    made.elements.nodes = range(8001)
+    with pytest.raises(ValueError, match="hull and lids have 8001 nodes; allowed with damping lids: 8000"):
+        damping_lid.with_damping_lids(problem)

@@ -116,3 +116,22 @@ def test_a_pivot_of_the_size_of_the_tolerance_ends_a_block():
     buffer, factors = np.arange(12.0), np.array([0.0, 2.0, 0.0, 3.0])
     far._subtract(buffer, 3, 3, 2, factors, 1, 2)
     assert buffer[9:].tolist() == [9 - 2 * 3 - 3 * 6, 10 - 2 * 4 - 3 * 7, 11 - 2 * 5 - 3 * 8]
+
+
+@pytest.mark.parametrize("factor, single, ranks", [(1.0, 0.0, [1, 0]), (0.0, 1.0, [1, 0]), (-1.0, 1.0, [1, 0])])
+def test_a_row_of_the_size_of_the_tolerance_is_nothing(monkeypatch, factor, single, ranks):
+    """Root mean square of a constant block 4 % above what is allowed of either layer, and 4 % below"""
+    far = plain("bem.panels.compressed.far_blocks")
+
+    def line(i, next_point, q, next_source, count, *rest):
+        rest[-1][:count, 0], rest[-1][:count, 1] = single, factor
+
+    monkeypatch.setattr(far, "_line", line)
+    monkeypatch.setattr(far, "table_view", lambda table: None)
+    water = SimpleNamespace(table=SimpleNamespace(K=0.0))
+    for share, rank in zip((1 / 1.04, 1 / 0.96), ranks, strict=True):
+        given = np.array([[0, TARGETS, 0, SOURCES, 1, 1]]), POINTS[:TARGETS], np.ones(TARGETS), SOURCES_OF, water
+        ((U, V, V_S),) = far.low_rank_blocks(*given, share, share)
+        assert U.shape[1] == rank
+        if rank:
+            assert np.allclose(U @ V, factor, rtol=1e-9) and np.allclose(U @ V_S, single, rtol=1e-9)

@@ -195,10 +195,12 @@ def test_rate_and_force_of_the_memory_of_several_bodies(body):
     assert rate == pytest.approx(expected) and force == pytest.approx(out[6 * body : 6 * body + 6] @ states)
 
 
-@pytest.mark.parametrize("mirror, per_panel", [(1.0, 4), (-1.0, 4), (1.0, 1)])
-def test_equations_are_those_of_hull_and_lid(mirror, per_panel):
-    """hull 2πφ − Dφ − K S φ' = −S V, lid 4πφ' + K S φ' + Dφ = S V, with 1/r₁ times `mirror`; A + iUVᵀ and b"""
+@pytest.mark.parametrize("mirror, per_panel, rows", [(1.0, 4, 256), (-1.0, 4, 256), (1.0, 1, 256), (1.0, 1, 2)])
+def test_equations_are_those_of_hull_and_lid(mirror, per_panel, rows, monkeypatch):
+    """hull 2πφ − Dφ − K S φ' = −S V, lid 4πφ' + K S φ' + Dφ = S V, with 1/r₁ times `mirror`; A + iUVᵀ and b; in
+    whatever number of rows at once"""
     omega, depth = 0.6, 20.0
+    monkeypatch.setattr(influence, "ROWS", rows)
     corners = [[0, 3, 2, 1], [1, 2, 5, 4]]
     g = influence.Geometry(PanelMesh(POINTS, corners, "x"), LID, depth, per_panel)
     table = wave_table(omega, depth, GRAVITY, g.reach, g.draft)
@@ -224,6 +226,7 @@ def test_equations_are_those_of_hull_and_lid(mirror, per_panel):
     bare = g.without_lid
     assert bare.larger is g and bare.without_lid is bare and len(bare.elements.nodes) == g.hull
     assert np.array_equal(bare.rankine[3], g.rankine[3][:, : g.hull, : g.hull])
+    assert np.shares_memory(bare.rankine[0], g.rankine[0])  # nothing is computed twice
 
 
 def test_motions_belong_to_the_class_of_their_parity_and_shapes_to_that_of_theirs():

@@ -65,3 +65,21 @@ def test_a_motion_that_drives_no_water_has_no_flow(equations):
     found, left = gmres(equations, lambda values, signs: values, columns, 1e-10, 40)
     assert left < 1e-10 and not found[:, 1].any()
     assert found[:, 0] == pytest.approx(np.linalg.solve(equations.matrix, equations.sides[:, 0]), rel=1e-8)
+
+
+def test_the_space_is_orthogonal_to_single_precision_where_its_vectors_are_nearly_parallel():
+    """I + 1e-4 N: the first image has all but a ten-thousandth along the first vector; what is told to be left is"""
+    rng = np.random.default_rng(8)
+    N = rng.normal(size=(SIZE, SIZE)) + 1j * rng.normal(size=(SIZE, SIZE))
+    matrix, seen = np.eye(SIZE) + 1e-4 * N, []
+
+    def kept(values, signs):
+        seen.append(values[:, 0].copy())
+        return values
+
+    equations = SimpleNamespace(apply=lambda c, exactly=False: matrix @ c.values)
+    sides = rng.normal(size=(SIZE, 1)) + 1j * rng.normal(size=(SIZE, 1))
+    _cycle(equations, kept, Columns(np.zeros((SIZE, 1)), 1), sides, np.zeros(1))
+    basis = np.array(seen[:-1])
+    assert len(basis) > 1
+    assert np.abs(basis.conj() @ basis.T - np.eye(len(basis))).max() < 2e-6

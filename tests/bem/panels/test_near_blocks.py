@@ -1,7 +1,10 @@
 """Wave part of near blocks beside the rows of `bem.panels.wave_influence`, which evaluate each direction by itself."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
+from plain import plain
 
 from hakobune.bem.green.tables import wave_table
 from hakobune.bem.panels.compressed.near_blocks import Panels, near_waves, shares
@@ -10,6 +13,7 @@ from hakobune.bem.panels.influence import Geometry
 from hakobune.bem.panels.wave_influence import Pairs, Sources
 from hakobune.bem.waves import depth_values, wavenumber
 from hakobune.meshing.lid import lid
+from hakobune.meshing.panels import PanelMesh
 from hakobune.meshing.shapes import box
 
 G = 9.80665
@@ -66,3 +70,55 @@ def test_the_first_leaf_of_a_pair_evaluates_both_directions_and_each_its_own_of_
     ]  # fmt: skip
     assert second.both == 0 and second.blocks == [(1, slice(0, 8), 4, 4)]
     assert third.both == 0 and third.blocks == [(0, slice(0, 4), 4, None)] and third.nodes.tolist() == [0, 1, 2, 3]
+
+
+@pytest.mark.parametrize("k, depth", [(0.3, 9.0), (3.0, np.inf)])
+def test_pairs_are_at_the_nodes_or_at_the_fine_points_of_a_panel_whose_image_is_close(k, depth, monkeypatch):
+    """Of a made-up G = (1 + R) (1 + Z Z′): ΣwG and Σw ∂G/∂n of either direction, K G on the lid; as plain Python
+
+    Panels longer than 2.2/k are fine everywhere, others where their surface image is within their size."""
+    near, op, influence = (plain(f"bem.panels.{name}") for name in (
+        "compressed.near_blocks", "compressed.operator", "influence"))  # fmt: skip
+    monkeypatch.setattr(near, "table_view", lambda table: None)
+    monkeypatch.setattr(near, "table_position", lambda R, depths, view: (0, 0, 0, 0.0, 0.0, 0.0))
+
+    def standing(position, R, depths, wave, slope, slope_back, view):
+        return (1 + R) * (1 + wave), 1 + wave, (1 + R) * slope, (1 + R) * slope_back
+
+    monkeypatch.setattr(near, "standing_part_at", standing)
+    top = PanelMesh(np.array([[0, 0, 0], [2, 0, 0], [2, 1, 0], [0, 1, 0]], float), [[0, 1, 2, 3]], "x")
+    g = influence.Geometry(box(4, 2, 1.0, counts=(1, 1, 1), symmetry="x"), top, depth)
+    tree, table = op.Tree(g), SimpleNamespace(C=0.7, K=0.4, k=k)
+    e, rule, n = tree.elements, tree.quadrature, len(tree.nodes)
+    values = lambda z: np.stack([np.exp(0.3 * z), 0.3 * np.exp(0.3 * z)], axis=-1)  # noqa: E731
+    panels = near.Panels.of(e, rule, tree.hull, table, depth, values)
+    found = whole(tree, lambda own, share: near.near_waves(own, share, g.images, panels, table))
+    assert np.isfinite(found).all() and not tree.hull.all()
+
+    def pair(at, points, normal):
+        """G and ∂G/∂n of points (q, 3) seen from one"""
+        d = points - at
+        R = np.hypot(d[:, 0], d[:, 1])
+        wave, slope = 0.7 * values(at[2])[0] * values(points[:, 2]).T
+        along = (normal[0] * d[:, 0] + normal[1] * d[:, 1]) / np.maximum(R, 1e-300)
+        return (1 + R) * (1 + wave), (1 + wave) * along + (1 + R) * slope * normal[2]
+
+    seen, kinds = 4, set()  # points of the coarse rule come first
+    for m, image in enumerate(g.images):
+        mirror = np.array([*image, 1.0])
+        for b in range(n // 4):
+            own, normal = slice(4 * b, 4 * b + 4), e.axes[b, 2] * mirror
+            for i in range(n):
+                apart = np.linalg.norm(e.nodes[i] * [1, 1, -1] - e.origins[b] * mirror)
+                fine = e.sizes[b] > 2.2 / k or apart < e.sizes[b]
+                kinds.add(bool(fine))
+                if fine:
+                    G, slope = pair(e.nodes[i], rule.points[b, seen:] * mirror, normal)
+                    parts = [(rule.weights[b, seen:] * part) @ rule.shape[b, seen:] for part in (G, slope)]
+                else:
+                    parts = [e.weights[own] * part for part in pair(e.nodes[i], e.nodes[own] * mirror, normal)]
+                if not tree.hull[4 * b]:
+                    parts[1] = 0.4 * parts[0]
+                assert found[0, i, m, own] == pytest.approx(parts[0], rel=1e-10)
+                assert found[1, i, m, own] == pytest.approx(parts[1], rel=1e-10, abs=1e-12)
+    assert kinds == ({True, False} if k < 1 else {True})

@@ -68,3 +68,14 @@ def test_points_of_a_waterline_are_known_by_their_side_and_where_they_are_dense(
     line = SimpleNamespace(points=np.stack([other, on, on])[..., :2], panels=np.array([7, 7, 9]))
     known, dense = _known([7], [(start, end)], line)
     assert dense.tolist() == [kind] and known.tolist() == [(4 + np.argsort(order)).tolist()]
+
+
+@pytest.mark.parametrize("above", [True, False])
+def test_a_millionth_of_the_draft_below_the_surface_is_still_the_waterline(above):
+    """5 m of draft: 4 µm below, and 6 µm"""
+    hull = box(10, 6, 5, panels=40).moved(0, 0, -4e-6 if above else -6e-6)
+    if above:
+        assert len(_sides(hull)[0])
+    else:
+        with pytest.raises(ValueError, match="needs a hull with a waterline"):
+            _sides(hull)

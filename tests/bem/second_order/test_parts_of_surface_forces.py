@@ -118,3 +118,86 @@ def test_a_line_integral_is_that_of_the_flow_less_that_of_the_incident_wave():
         one = omega[1] * phi[1] * normal[0] + omega[0] * phi[0] * normal[1]
         true = true + sign * (radiated.potential * line.weights) @ one
     assert found[0] == pytest.approx(true)
+
+
+@pytest.mark.parametrize("kind", ["difference", "sum"])
+@pytest.mark.parametrize("at_once", [1_000_000, 14])
+def test_forces_near_the_body_are_those_of_all_waves_less_those_of_the_incident_ones(kind, at_once, monkeypatch):
+    """iΩρ/g · ¼i (waterline + ∬ of the whole − ∬ of the incident waves), pair by pair or two pairs at a time"""
+    from hakobune.bem.second_order.kinds import DIFFERENCE, SUM
+
+    monkeypatch.setattr(surface_forces, "AT_ONCE", at_once)
+    kind = DIFFERENCE if kind == "difference" else SUM
+    p, omega, rho, g = 7, np.array([0.5, 0.7, 1.1]), 1025.0, 9.81
+    whole, incident, weights = field(3, p), field(3, p), RNG.uniform(size=p)
+    several = []
+    for force, pairs in ((0.2, [(1, 0), (2, 1), (2, 2), (0, 1), (2, 0)]), (0.6, [(2, 0), (1, 1)])):
+        one, two = np.array(pairs).T
+        near = Field(RNG.normal(size=(6, p)) + 1j, RNG.normal(size=(2, 6, p)) - 1j)
+        several.append(surface_forces.PairsOfOne(force, one, two, near, [], RNG.normal(size=(len(one), 6)) + 0j))
+    made = object.__new__(surface_forces.SurfaceForces)
+    made.kind, made.omega, made.whole, made.incident, made.begin = kind, omega, whole, incident, np.zeros(3, int)
+    made.tails = SimpleNamespace(add=lambda d, out: out.__iadd__(d.omega))  # as if it were all that is far away
+    made.waves = SimpleNamespace(weights=weights, rings=SimpleNamespace(edges=[3.0]),
+                                 problem=SimpleNamespace(density=rho, gravity=g))  # fmt: skip
+    assert len(surface_forces._chunks(5, p)) == (1 if at_once > 14 else 3)
+    for d, found in zip(several, made(several), strict=True):
+        for n, (i, j) in enumerate(zip(d.one, d.two, strict=True)):
+            a, b = omega[i], omega[j] if kind is DIFFERENCE else -omega[j]
+            K, L, total = a**2 / g, b**2 / g, d.line[n] + d.omega
+            for part, sign in ((whole, 1), (incident, -1)):
+                bar = np.conj if kind is DIFFERENCE else np.array
+                f, df, h, dh = part.value[i], part.slope[:, i], bar(part.value[j]), bar(part.slope[:, j])
+                steep = (a - b) * np.sum(df * dh, axis=0) + (2 * (a - b) * K * L + a * L**2 - b * K**2) * f * h
+                ways = b * h * df - a * f * dh
+                psi = d.near.value * steep + np.sum(d.near.slope * ways[:, None], axis=0)
+                total = total + sign * psi @ weights
+            assert found[n] == pytest.approx(0.25j * 1j * d.omega * rho / g * total)
+
+
+@pytest.mark.parametrize("at_once", [1_000_000, 1])
+def test_on_an_interval_of_the_rings_a_pair_is_summed_that_has_no_tail_there(at_once, monkeypatch):
+    """∬ ψQ from 4 to 6 m of what is sent with all, and of the incident wave with what is sent; by a fine rule in polar
+    coordinates, ∂/∂x as ∂/∂r and ∂/r∂θ; a pair whose tail has begun is left out"""
+    from hakobune.bem.second_order.kinds import DIFFERENCE
+
+    monkeypatch.setattr(surface_forces, "AT_ONCE", at_once)
+    rings, omega, k, beta, g = Rings(np.array([3.0, 4.0, 6.0]), 16, np.zeros(2)), [0.6, 0.9], [0.5, 0.8], 0.4, 9.81
+
+    def wave(w, k, start):
+        sent = RNG.normal(size=5) + 1j * RNG.normal(size=5)
+        return Wave(w, k, beta, start, sent, np.zeros((0, 6, 16)))
+
+    waves = [wave(w, own, 0.7 - 0.2j) for w, own in zip(omega, k, strict=True)]
+    far = [wave(0.3, 0.3, 0.0) for _ in range(6)]
+    held = SimpleNamespace(rings=rings, waves=waves, circle=SimpleNamespace(radius=2.0))
+    d = surface_forces.PairsOfOne(0.3, np.array([1, 1, 0]), np.array([0, 1, 0]), None, far, None)
+    factors = Products.of(np.array(omega)[d.one], np.array(omega)[d.two], g)
+    total = [np.zeros((3, 6), complex)]
+    surface_forces._add_interval(held, [d], [factors], 1, np.array([1, 2]), total, DIFFERENCE)
+    assert not total[0][2].any()  # both of wave 0: its tail begins where the interval does
+    x, v = np.polynomial.legendre.leggauss(40)
+    theta = 2 * np.pi * np.arange(96) / 96
+    r, turn = 5.0 + x, np.exp(1j * np.outer(np.arange(-2, 3), theta))
+    area = (v * r)[:, None] * 2 * np.pi / 96
+
+    def sent(one):
+        m, z = np.arange(-2, 3), one.k * r[:, None]
+        value = hankel1(m, z)
+        return np.array([(one.sent * value) @ turn, (one.sent * one.k * h1vp(m, z)) @ turn,
+                         (one.sent * 1j * m * value / r[:, None]) @ turn])  # fmt: skip
+
+    def coming(one):
+        ahead = np.cos(theta - beta)
+        value = one.incident * np.exp(1j * one.k * r[:, None] * ahead)
+        return np.array([value, 1j * one.k * ahead * value, -1j * one.k * np.sin(theta - beta) * value])
+
+    for n, (i, j) in enumerate(zip(d.one[:2], d.two[:2], strict=True)):
+        for mode, third in enumerate(far):
+            psi, own = sent(third), 0.0
+            mine, others = sent(waves[i]), sent(waves[j]).conj()
+            for f, h in ((mine + coming(waves[i]), others), (mine, coming(waves[j]).conj())):
+                plain = factors.steep[n] * np.sum(f[1:] * h[1:], axis=0) + factors.level[n] * f[0] * h[0]
+                ways = factors.two[n] * h[0] * f[1:] - factors.one[n] * f[0] * h[1:]
+                own = own + np.sum((psi[0] * plain + np.sum(psi[1:] * ways, axis=0)) * area)
+            assert total[0][n, mode] == pytest.approx(own, rel=1e-7)

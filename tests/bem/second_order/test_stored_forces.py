@@ -85,3 +85,20 @@ def test_between_stored_pairs_a_smooth_force_is_met_and_the_other_order_is_the_c
     one, two = np.array([0.81, 0.93]), np.array([0.74, 0.86])
     assert np.abs(between(one, two) - smooth(one, two)).max() < 1e-4
     np.testing.assert_allclose(between(two, one), between(one, two).conj())
+
+
+def test_beyond_the_stored_pairs_the_end_values_hold():
+    """By mean frequency within each difference, and by difference; fewer than four pairs are met by a polynomial"""
+    forces = made_up()
+    between = BetweenPairs(OMEGA, forces.frequency, forces.squares[:, :, 0, 0])
+    values = forces.squares[:, :, 0, 0]
+    assert between(0.3, 0.3) == pytest.approx(values[0, 0]) and between(1.7, 1.7) == pytest.approx(values[0, -1])
+    assert between(0.42, 0.32) == pytest.approx(values[2, 0]) and between(1.5, 1.4) == pytest.approx(values[2, -3])
+    assert between(1.2, 0.4) == pytest.approx(between(0.9, 0.7))  # the last difference, of the same mean
+    few = BetweenPairs(OMEGA[:3], forces.frequency[:2], forces.squares[:2, :3, 0, 0])
+    apart = OMEGA[:3] + np.array([0.02, 0.0, -0.02])
+    parabola = np.polynomial.polynomial.Polynomial.fit(OMEGA[:3], forces.squares[0, :3, 0, 0, 0], 2)
+    assert few(apart, apart)[:, 0] == pytest.approx(parabola(apart))
+    first, second = forces.squares[1, :2, 0, 0, 0]  # at the means 0.525 and 0.575
+    assert few(0.56, 0.54)[0] == pytest.approx(0.6 * parabola(0.55) + 0.4 * (0.5 * first + 0.5 * second))
+    assert few(0.6, 0.58)[0] == pytest.approx(0.6 * parabola(0.59) + 0.4 * second)
