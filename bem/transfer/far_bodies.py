@@ -20,7 +20,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..contour.body import SMALL
-from ..contour.several.bodies import SeveralBodies, nearest
+from ..contour.several.bodies import SeveralBodies, coupling, nearest
 from ..contour.solver import prepare_box, prepare_cylinder
 from ..depth_modes.gap import OuterModes
 from ..first_order import FirstOrder
@@ -33,7 +33,9 @@ from .partial_waves import PartialWaves, highest_order, to_complex, to_real
 
 LEAST_ORDER, MOST_ORDERS = 2, 60
 SHARE = 0.1  # of the tolerance, that orders and modes left out may take
-RANK = 1e-3  # of the tolerance, that what few numbers leave out of a body's answers is of the largest
+# of the tolerance, that what few numbers leave out of a body's answers is of the largest: coefficients and forces of 16
+# arrangements, circles 0.03 to 0.3 of the depth apart, change by about a hundredth of the tolerance
+RANK = 3e-2
 GONE = 40.0  # κ times the water between two circles, beyond which nothing arrives
 
 
@@ -45,7 +47,7 @@ def prepare_far(shapes, places, depth, tolerance=1e-3):
     makers, known = {"box": prepare_box, "buoy": prepare_cylinder}, {}
     for shape, sizes in shapes:
         if (shape, sizes) not in known:
-            known[shape, sizes] = makers[shape](*sizes, depth, tolerance)
+            known[shape, sizes] = coupling(makers[shape](*sizes, depth, tolerance))
     bodies = [known[one] for one in shapes]
     found = too_near([place.x + 1j * place.y for place in places], [body.plan.reach for body in bodies], depth)
     if found:
@@ -91,11 +93,8 @@ class FarBodies(SeveralBodies):
         return self.to_scene @ -found.real @ self.to_scene.T
 
     def _by(self, better):
-        return FarBodies(self._each(better), self.places, self.gaps)
-
-    def _each(self, better):
-        made = {body: better(body) for body in self.alone}
-        return tuple(made[body] for body in self.bodies)
+        made = {body: coupling(better(body)) for body in self.alone}
+        return FarBodies(tuple(made[body] for body in self.bodies), self.places, self.gaps)
 
     @cached_property
     def alone(self):
@@ -120,6 +119,11 @@ class FarBodies(SeveralBodies):
     def apart(self):
         """m, (N, N) between axes, ∞ of one body"""
         return np.where(np.eye(len(self.axes), dtype=bool), np.inf, np.abs(self.axes[:, None] - self.axes))
+
+    @cached_property
+    def clear(self):
+        """m, from the circle around each body to the nearest other circle; shape (N,)"""
+        return (self.apart - self.radii).min(axis=1) - self.radii
 
     def waves(self, kind, modes):
         """[`PartialWaves`] that get from one body to another"""
@@ -180,10 +184,10 @@ class Coupled:
         return [few[body].turned(np.exp(1j * self.orders * place.heading)) for body, place in places]
 
     def _response(self, body, one):
-        """`Response` by the singular vectors of what matters at the nearest axis, to `RANK` of the tolerance"""
+        """`Response` by the singular vectors of what matters at the nearest circle, to `RANK` of the tolerance"""
         from scipy.linalg import block_diag
 
-        size, found = self._size(body.plan.reach), []
+        size, found = self._size(body), []
         for own in one.members:
             T, E = size[own, None] * one.scattered[np.ix_(own, own)] * size[own], one.pressed[:, own] * size[own]
             strength = np.linalg.norm(E, axis=1, keepdims=True)
@@ -200,17 +204,21 @@ class Coupled:
         into, out = (block_diag(*(turn(wave.orders) for wave in self.waves)) for turn in (to_real, to_complex))
         return Response(np.array(few) @ into, out @ (one.scattered @ back), one.pressed @ back, out @ one.sent)
 
-    def _size(self, a):
-        """Size of the regular waves as they are sent from the nearest axis, or as plane waves bring them; shape (q,); a
-        : radius, m"""
-        near, out = float(self.bodies.apart.min()), []
+    def _size(self, body):
+        """Size of the regular waves about a body's axis as they come from the edge of the nearest circle, or as plane
+        waves bring them; shape (q,)
+
+        What a body sends begins on its hull, which its circle touches, and not at its axis: where circles are near each
+        other high orders arrive nearly as large as low ones.
+        """
+        own, a, out = [one is body for one in self.bodies.bodies], body.plan.reach, []
         for wave in self.waves:
-            one = np.abs(wave.seen_from(near, a, a)[wave.last, wave.last :])
+            one = wave.outgoing(a, a + self.bodies.clear[own].min())
             if wave.kind == "radiating":
                 one = np.maximum(one, 1 / wave.size(a))
             out += [one, one[1:]]
         out = np.concatenate(out)
-        if out.max() < 1e-100:  # nothing arrives from the nearest axis, and all waves may count alike
+        if out.max() < 1e-100:  # nothing arrives, and all waves may count alike
             return np.ones(len(out))
         return np.maximum(out / out.max(), 1e-12)
 

@@ -55,6 +55,15 @@ class PartialWaves(NamedTuple):
         scale, I = np.exp(x - self.k * a) / ive(m, self.k * a), ive(np.arange(self.last + 2), x)
         return scale * I[:, :-1], scale * (m / r * I[:, :-1] + self.k * I[:, 1:])
 
+    def outgoing(self, a, r):
+        """|S| of orders 0 … last at the distance r > a, m; shape (last + 1,)"""
+        m = np.arange(self.last + 1)
+        if self.kind == "laplace":
+            return (a / r) ** m
+        if self.kind == "radiating":
+            return np.abs(hankel1(m, self.k * r)) / self.size(a)
+        return kve(m, self.k * r) * ive(m, self.k * a) * np.exp(self.k * (a - r))
+
     @property
     def wronskian(self):
         """Wronskian R (S dR/dr − R dS/dr); shape (last + 1,)"""

@@ -56,12 +56,17 @@ def prepare_several(shapes, places, depth, tolerance=1e-3):
 
 
 def beside(body, gap):
-    """The body with the plan of `near`, and functions under its keel for `COUPLED` digits more"""
+    """The body with the plan of `near` and the functions of `coupling`"""
+    return replace(coupling(body), plan=near(body, gap), cache={})
+
+
+def coupling(body):
+    """The body with functions under its keel for `COUPLED` digits more"""
     height, fine = body.depth - body.draft, body.accuracy
     if height > 0:
         more = accuracy(fine.digits + COUPLED, body.draft, height, body.plan.scale)
         fine = fine._replace(terms=max(fine.terms, more.terms))
-    return replace(body, plan=near(body, gap), accuracy=fine, cache={})
+    return replace(body, accuracy=fine, cache={})
 
 
 def near(body, gap):

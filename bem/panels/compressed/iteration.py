@@ -3,7 +3,7 @@
 import numpy as np
 
 RESTART = 40
-OF_CYCLE = 1e-4  # residual at the end of a cycle over that at its start; products are in single precision
+OF_CYCLE = 1e-4  # least residual at the end of a cycle over that at its start; products are in single precision
 
 
 def gmres(equations, precondition, columns, tolerance, most):
@@ -18,21 +18,23 @@ def gmres(equations, precondition, columns, tolerance, most):
     x, scale = np.zeros_like(sides), np.maximum(np.abs(sides).max(axis=0), 1e-300)
     residual, before = sides, np.inf
     while True:
-        left = float((np.abs(residual).max(axis=0) / scale).max())
+        largest = np.abs(residual).max(axis=0)
+        left = float((largest / scale).max())
         if left <= tolerance or done >= most or not left < before:
             return x, left
-        step, count = _cycle(equations, precondition, columns, residual, 0.3 * tolerance * scale)
+        # the largest entry falls about as the norm does; it is several times the root mean square of all
+        fall = np.clip(0.5 * tolerance * scale / np.maximum(largest, 1e-300), OF_CYCLE, 0.1)
+        step, count = _cycle(equations, precondition, columns, residual, fall)
         done, before = done + count, left
         x = x + step
         residual = sides - equations.apply(columns._replace(values=x), exactly=True)
 
 
-def _cycle(equations, precondition, columns, sides, wanted):
-    """Return (y, iterations) with A y near `sides`, entries of the residual about `wanted` (p,) or `OF_CYCLE`"""
+def _cycle(equations, precondition, columns, sides, fall):
+    """Return (y, iterations) with A y near `sides`; fall (p,) : norm of the residual over that of `sides`"""
     n, p = sides.shape
     basis, H = np.zeros((p, RESTART + 1, n), np.complex64), np.zeros((p, RESTART + 1, RESTART), complex)
     start = np.linalg.norm(sides, axis=0)
-    wanted = np.maximum(np.minimum(wanted * np.sqrt(n), 0.1 * start), OF_CYCLE * start)
     basis[:, 0] = (sides / np.maximum(start, 1e-300)).T
     y = [np.zeros(0)] * p
     for k in range(RESTART):
@@ -50,7 +52,7 @@ def _cycle(equations, precondition, columns, sides, wanted):
             right[0] = start[c]
             y[c] = np.linalg.lstsq(H[c, : k + 2, : k + 1], right)[0]
             left[c] = np.linalg.norm(H[c, : k + 2, : k + 1] @ y[c] - right)
-        if np.all(left <= wanted):
+        if np.all(left <= fall * start):
             break
     step = np.stack([y[c] @ basis[c, : k + 1] for c in range(p)], axis=1)
     return precondition(step.astype(np.complex64), columns.signs), k + 1

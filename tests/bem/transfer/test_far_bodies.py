@@ -36,8 +36,8 @@ def far():
 
 @pytest.fixture(scope="module")
 def direct():
-    """The same by one problem around all three, to 5e-4"""
-    bodies = prepare_several(SHAPES, PLACES, DEPTH, 1e-2)
+    """The same by one problem around all three, to 2e-5"""
+    bodies = prepare_several(SHAPES, PLACES, DEPTH, 1e-3)
     return bodies, bodies.first_order(OMEGA, HEADINGS, ANGLES)
 
 
@@ -72,12 +72,13 @@ def test_slopes_of_regular_waves_are_their_derivatives(kind):
 
 def test_two_truncated_cylinders_of_published_coefficients():
     """a = 10, draft 10 in 20 m, ω = 0.8, values to 8 digits by an expansion in eigenfunctions"""
-    pair = prepare_far([("buoy", (10.0, 10.0))] * 2, CYLINDERS, 20.0, 1e-5)
+    pair = prepare_far([("buoy", (10.0, 10.0))] * 2, CYLINDERS, 20.0, 1e-4)
     found = pair.first_order(0.8, [0.0], (), None, 1000.0, 9.81)
     A, B = found.radiation.real, 0.8 * found.radiation.imag
     force = (found.froude_krylov + found.diffraction)[0]
     assert [A[0, 0], A[0, 6], A[2, 2]] == pytest.approx([2954147.8, -1562178.2, 1812068.2], rel=1e-6)
-    assert [A[2, 8], B[2, 2], B[2, 8]] == pytest.approx([-15769.4, 460981.0, 237206.5], rel=1e-5)
+    assert [B[2, 2], B[2, 8]] == pytest.approx([460981.0, 237206.5], rel=1e-6)
+    assert A[2, 8] == pytest.approx(-15769.4, rel=5e-5)  # a hundredth of A₃₃
     assert abs(force[[0, 6]] - [-2518943 - 1332175j, 2322799 - 1051619j]).max() < 3
 
 
@@ -132,12 +133,12 @@ def test_the_slope_of_kochin_functions_is_their_derivative(far):
 
 
 def test_finer_bodies_show_the_error(far, direct):
-    """Of forces and radiation, within a factor of three"""
+    """Of radiation, within a factor of 1.5"""
     one, shown, true = far[1], far[0].finer.first_order(OMEGA, HEADINGS), direct[1]
     size = np.sqrt(np.abs(np.diag(true.radiation)))
     size[11] = np.inf
     left, seen = (np.abs((one.radiation - r.radiation) / np.outer(size, size)).max() for r in (true, shown))
-    assert left < 1e-3 and left < 3 * seen
+    assert left < 1e-3 and seen / 3 < left < 1.5 * seen
 
 
 def test_bodies_five_kilometres_apart_are_as_if_alone():
@@ -149,6 +150,22 @@ def test_bodies_five_kilometres_apart_are_as_if_alone():
         assert both[:2, :2] == pytest.approx(one[:2, :2], rel=1e-5, abs=1e-6)
     one, both = (found.first_order(OMEGA, [0.3]) for found in (alone, far))
     assert both.radiation[:3, :3] == pytest.approx(one.radiation[:3, :3], abs=1e-3 * abs(one.radiation[0, 0]))
+
+
+def test_a_large_box_beside_a_small_one_with_circles_that_nearly_touch_is_as_by_contours():
+    """Circles 0.64 m apart, of 6.06 and 13.1 m, and a cylinder: high orders that the larger circle sends arrive nearly
+    as large as low ones.  The stated error is the true one within a factor of two"""
+    shapes = [("buoy", (6.29, 4.93)), ("box", (10.9, 5.29, 15.2)), ("box", (18.7, 18.34, 14.1))]
+    places = [Place(0.0, 0.0, 0.0), Place(13.8, 0.0, 2.13), Place(33.6, 1.0, 0.85)]
+    far, near = prepare_far(shapes, places, 21.7, 1e-2), prepare_several(shapes, places, 21.7, 1e-3)
+    one, finer, other = (bodies.first_order(1.4556, HEADINGS) for bodies in (far, far.finer, near))
+    size = np.sqrt(np.abs(np.diag(other.radiation)))
+    size[5] = np.inf  # yaw of a cylinder moves no water
+    stated, true = (np.abs((one.radiation - found.radiation) / np.outer(size, size)).max() for found in (finer, other))
+    assert true < 1e-3 and stated < 1e-3 and true < 2 * stated
+    assert np.abs((one.radiation - one.radiation.T) / np.outer(size, size)).max() < 1e-5
+    forces = [found.froude_krylov + found.diffraction for found in (one, other)]
+    assert np.abs(forces[0] - forces[1]).max() < 1e-4 * np.abs(forces[1]).max()
 
 
 def test_each_shape_is_solved_once(far):

@@ -326,14 +326,22 @@ BUOYS = [{"name": f"b{i}", "shape": "buoy", "radius": 1.0, "draft": 2.0, "place"
 
 
 def test_ten_bodies_far_from_each_other_are_solved_shape_by_shape(tmp_path):
-    """By transfer matrices as the file says, the drift of each among the results; nine are solved on panels"""
+    """By transfer matrices as the file says, the drift of each among the results"""
     path = tmp_path / "ten.h5"
     bodies = [{**one, "gyration": [1.0, 1.0, 1.0]} for one in BUOYS]
     assert solve(make_scene(tables(*bodies, panels=None)), path).exit_status == 0
     db = open_database(path)
     assert db.attributes["method"] == "transfer" and db["body_drift_force"].shape == (2, 2, 10, 3)
     assert db.complete and check(path, _console()) == 0
-    assert make_scene(tables(*BUOYS[:9], panels=None)).solved_by == "panel"
+
+
+def test_few_bodies_are_solved_by_the_cheapest_method_that_gives_what_is_wanted():
+    """Circles apart: shape by shape. Two that overlap: contours, on panels where the drift of each is wanted"""
+    assert make_scene(tables(*BUOYS[:2], panels=None)).solved_by == "transfer"
+    assert make_scene(tables(*BUOYS[:2])).solved_by == "panel"
+    assert make_scene(tables(panels=None, want=["radiation", "diffraction"])).solved_by == "contour"
+    assert make_scene(tables(panels=None, want=["radiation", "drift"])).solved_by == "panel"
+    assert make_scene(tables(panels=None)).solved_by == "panel"
 
 
 @pytest.mark.parametrize(
