@@ -111,7 +111,7 @@ def _both(run, moored, weather, settings, able):
 
 
 def able_to_move(system, settings):
-    """Names of the lines of a System, or None, that can move by themselves, and lines of text on the lines that cannot"""
+    """Names of the lines of a System, or None, that can move by themselves, and lines of text on those that cannot"""
     able, kept, loaded = [], {}, []
     for line in () if system is None else system.lines:
         if isinstance(line, Hawser):  # without weight it has no dynamics
