@@ -173,11 +173,14 @@ def take_step_with_lines(scene, buoy, links, clock, moving, t, h):
         for i in range(12):
             kept.foreseen[b, i] = trial[BLOCK * b + i]
         put_sample(clock, b, t, h, t + 0.5 * h, kept.pose[b])
+    put_bent(clock, scene.body.shapes, t, h, t + 0.5 * h, kept.bent[0])
+    put_bent(clock, scene.body.shapes, t, h, t + h, kept.bent[1])
     for i in range(lines.number.size):
         n, course = lines.number[i], kept.course[i]
         b = scene.lines.body[n]
-        fairlead_of(scene.lines, n, kept.pose[b], kept.room, course[1, 0], course[1, 1])
-        fairlead_of(scene.lines, n, trial[BLOCK * b : BLOCK * b + 12], kept.room, course[2, 0], course[2, 1])
+        end = trial[BLOCK * b : BLOCK * b + 12]
+        fairlead_of(scene.lines, n, kept.pose[b], kept.bent[0], kept.room, course[1, 0], course[1, 1])
+        fairlead_of(scene.lines, n, end, kept.bent[1], kept.room, course[2, 0], course[2, 1])
     if not advance_lines(lines, kept, work.whole, t, h):
         return np.inf, True
     project(lines, kept, t, h, work.given)
@@ -197,6 +200,7 @@ def missed_course(scene, clock, moving, h):
     """
     lines, kept = moving
     worst, push, inverse, count = 0.0, kept.push, scene.body.mass_inverse, clock.scale.shape[0]
+    shapes = scene.body.shapes.place
     for first, share in ((0, h / 12), (6, h / 6)):
         push[:] = 0.0
         for i in range(lines.number.size):
@@ -213,19 +217,23 @@ def missed_course(scene, clock, moving, h):
                 off[0], off[1] = cos * off[0] + sin * off[1], cos * off[1] - sin * off[0]
             for j in range(6):
                 pull += lines.spring[i] * lines.stretch[i, j] * off[j]
+            for k in range(shapes.size):
+                off_bent = clock.trial[shape_at(count, shapes[k]) + first] - kept.bent[1, first // 6, k]
+                pull += lines.spring[i] * lines.stretch[i, 6 + k] * off_bent
             for j in range(6):
                 push[6 * b + j] += pull * lines.stretch[i, j]
+            for k in range(shapes.size):
+                push[6 * count + shapes[k]] += pull * lines.stretch[i, 6 + k]
             if first == 0:
                 x, y, z = scene.line_work.given[n, 0]
                 tension = max(lines.tension[i], np.sqrt(x * x + y * y + z * z))
                 worst = max(worst, abs(pull) / (lines.tolerance * tension))
-        for b in range(count):
-            for i in range(6):
-                total = 0.0
-                for c in range(count):
-                    for j in range(6):
-                        total += inverse[6 * b + i, 6 * c + j] * push[6 * c + j]
-                worst = max(worst, share * abs(total) / clock.scale[b, first + i])
+        for i in range(push.size):
+            total = 0.0
+            for j in range(push.size):
+                total += inverse[i, j] * push[j]
+            scale = clock.scale[i // 6] if i < 6 * count else clock.bent_scale[i // 6 - count]
+            worst = max(worst, share * abs(total) / scale[first + i % 6])
     return worst
 
 
@@ -259,6 +267,22 @@ def put_shapes(clock, t, h, at, out):
     for i in range(out.size):
         n = first + i
         out[i] = hermite(s, clock.y[n], clock.trial[n], h * clock.stages[0, n], h * clock.stages[6, n])
+
+
+@kernel(inline=True, counted=False)
+def shape_at(bodies, place):
+    """Place in the state of the amplitude of a shape, number `place` among the 6G; six later its rate"""
+    return BLOCK * bodies + 6 + OF_SHAPES * (place // 6) + place % 6
+
+
+@kernel(counted=False)
+def put_bent(clock, shapes, t, h, at, out):
+    """out (2, f): amplitudes of `equation.Shapes` and their rates at a time within the step, s"""
+    s = (at - t) / h
+    for k in range(shapes.place.size):
+        for j in range(2):
+            n = shape_at(clock.scale.shape[0], shapes.place[k]) + 6 * j
+            out[j, k] = hermite(s, clock.y[n], clock.trial[n], h * clock.stages[0, n], h * clock.stages[6, n])
 
 
 @kernel(counted=False)

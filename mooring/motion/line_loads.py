@@ -284,15 +284,19 @@ def give_generalized(position, v, f, out):
 
 
 @kernel(counted=False)
-def fairlead_of(lines, i, state, room, place, velocity):
+def fairlead_of(lines, i, state, bent, room, place, velocity):
     """Place (3,) m and velocity (3,) m/s in space of the fairlead of line i on its body, of a state (12 or more,)
 
-    room : `moving_lines.packed.Room`.  The velocity along a direction is the power of a unit force there.
+    bent : (2, f) amplitudes of shapes and their rates; room : `moving_lines.packed.Room`.  The velocity along a
+    direction is the power of a unit force there.
     """
-    p = lines.fairlead[i]
+    px, py, pz = lines.fairlead[i, 0], lines.fairlead[i, 1], lines.fairlead[i, 2]
+    for k in range(bent.shape[1]):
+        u, a = lines.bent[1, i, k], bent[0, k]
+        px, py, pz = px + a * u[0], py + a * u[1], pz + a * u[2]
     rotation_of(state[3:6], room.R)
     for j in range(3):
-        room.arm[j] = room.R[j, 0] * p[0] + room.R[j, 1] * p[1] + room.R[j, 2] * p[2]
+        room.arm[j] = room.R[j, 0] * px + room.R[j, 1] * py + room.R[j, 2] * pz
         place[j] = lines.place[lines.body[i], j] + state[j] + room.arm[j]
     for j in range(3):
         room.unit[:] = 0.0
@@ -302,13 +306,20 @@ def fairlead_of(lines, i, state, room, place, velocity):
         velocity[j] = 0.0
         for k in range(6):
             velocity[j] += room.push[k] * state[6 + k]
+        for k in range(bent.shape[1]):
+            u = lines.bent[1, i, k]
+            velocity[j] += bent[1, k] * (room.R[j, 0] * u[0] + room.R[j, 1] * u[1] + room.R[j, 2] * u[2])
 
 
-def fairlead_course(lines, i, states):
-    """Places and velocities (2, n, 3) m, m/s of the fairlead of line i on a body in states (n, 12 or more)"""
+def fairlead_course(lines, i, states, bent=None):
+    """Places and velocities (2, n, 3) m, m/s of the fairlead of line i on a body in states (n, 12 or more)
+
+    bent : (n, 2, f) amplitudes of shapes and their rates, None for none
+    """
+    bent = np.zeros((len(states), 2, 0)) if bent is None else bent
     room, course = Room(np.zeros((3, 3)), np.zeros(3), np.zeros(3), np.zeros(6)), np.zeros((2, len(states), 3))
-    for now, place, velocity in zip(states, *course, strict=True):
-        fairlead_of(lines, i, now, room, place, velocity)
+    for now, shapes, place, velocity in zip(states, bent, *course, strict=True):
+        fairlead_of(lines, i, now, shapes, room, place, velocity)
     return course
 
 

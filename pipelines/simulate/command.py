@@ -13,11 +13,11 @@ NOTHING = "interrupted before a seed was finished; nothing is stored yet, and th
 
 
 def simulate(study, database, output, seeds=None, duration=None, fresh=False, executor="local", window=None,
-             methods=False, division=None):  # fmt: skip
+             methods=False, division=None, pictures=True):  # fmt: skip
     """Exit status: 0, 1 where a seed, a line or a fender fails, 130 interrupted.  Raises ValueError before any output.
 
     window : s, length of the windows in which the first record is reported
-    methods, division : from `methods.compared`
+    methods, division : from `methods.compared`; pictures : whether they are drawn
     """
     from ..printing.console import new_console
 
@@ -28,7 +28,7 @@ def simulate(study, database, output, seeds=None, duration=None, fresh=False, ex
         raise StudyError(f"--seeds is {seeds}; allowed: a whole number from 1")
     try:
         result = found(study, database, output, seeds=seeds, duration=duration, fresh=fresh, executor=executor,
-                       window=window, console=console)  # fmt: skip
+                       window=window, console=console, pictures=pictures)  # fmt: skip
     except NoWholeRun as none:
         for line in none.args[1]:
             console.print(line, highlight=False, soft_wrap=True, markup=False)
@@ -40,7 +40,7 @@ def simulate(study, database, output, seeds=None, duration=None, fresh=False, ex
 
         result = compared(result, study, database, duration, division)
     with opened(output) as file:
-        drawn = draw(file, Path(output))
+        drawn = draw(file, Path(output)) if pictures else []
     status = printed(result, console)
     console.print(f"written: {', '.join([str(output), *drawn])}", highlight=False, soft_wrap=True, markup=False)
     return status

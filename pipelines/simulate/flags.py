@@ -14,6 +14,7 @@ def simulate(
     *,
     database: Annotated[Path, Parameter(help="database of the body, .h5")],
     output: Annotated[Path, Parameter(help="the file of all runs, .h5, with pictures beside it")],
+    pictures: Annotated[bool, Parameter(help="draw pictures beside the file")] = True,
     seeds: Annotated[int | None, Parameter(help="number of runs, from seed 1 on, in place of the study's")] = None,
     duration: Annotated[float | None, Parameter(help="s, duration of a run, in place of the study's")] = None,
     fresh: Annotated[bool, Parameter(help="replace an existing file", negative="")] = False,
@@ -38,4 +39,4 @@ def simulate(
     begin_beside("simulate", "mooring/motion/integrator.py", study, database)
     from .command import simulate
 
-    return simulate(study, database, output, seeds, duration, fresh, executor, windows, methods, division)
+    return simulate(study, database, output, seeds, duration, fresh, executor, windows, methods, division, pictures)

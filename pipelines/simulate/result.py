@@ -82,6 +82,7 @@ def simulate(
     executor: str = "local",
     window: float | None = None,
     console: Console | None = None,
+    pictures: bool = False,
 ) -> Result:
     """Motions of a moored body in time, or of several bodies moored to each other, seed by seed.
 
@@ -90,6 +91,7 @@ def simulate(
     output : path of the file of all runs, continued where it stopped; None to keep no file
     seeds : number of seeds; duration : s of a run; both replace the study's; fresh : replace an existing file
     executor : as in the command; window : s, of the windows reported for the first record; console : for the progress
+    pictures : whether the caller draws some afterwards; matplotlib then loads during the runs
     returns : Result, in SI; records are in the file
     raises : ValueError, one line, before anything is written; KeyboardInterrupt, complete seeds are kept
     """
@@ -99,7 +101,8 @@ def simulate(
                             executor=executor, window=window, console=console)  # fmt: skip
     workers = executor_of(executor)
     try:
-        outcome = fill(input_of(study), database_of(database), output, console, workers, seeds, duration, fresh, window)
+        outcome = fill(input_of(study), database_of(database), output, console, workers, seeds, duration, fresh, window,
+                       pictures)  # fmt: skip
     finally:
         workers.shutdown(wait=False, cancel_futures=True)
     if outcome.interrupted:

@@ -86,12 +86,13 @@ class Outcome:
     interrupted: bool
 
 
-def simulate(asked, database, output, console, executor, seeds=None, duration=None, fresh=False, windows=None):
+def simulate(asked, database, output, console, executor, seeds=None, duration=None, fresh=False, windows=None,
+             pictures=False):  # fmt: skip
     """Complete the file of a simulation; returns its Outcome.
 
     asked : Input of the study; database : open; console : for the progress, None for none
     seeds : number of seeds instead of the study's; duration : s, likewise; fresh : replace existing runs
-    windows : s, length of windows of a record, which must then be stored
+    windows : s, length of windows of a record, which must then be stored; pictures : whether some are drawn afterwards
     raises : ValueError, one line, before anything is written
     """
     output, db, folder, (study, text) = Path(output), database, asked.folder, asked[:2]
@@ -124,7 +125,7 @@ def simulate(asked, database, output, console, executor, seeds=None, duration=No
         header = _header(task, text, db, body, identity, ready, beside, kept)
         _make_room(output, header, plan, fresh)
     with opened(output, "r+") as file:
-        outcome = _fill(file, task, plan, console, executor)
+        outcome = _fill(file, task, plan, console, executor, pictures)
         if outcome.made or (outcome.there and not summary_is_whole(file)):
             put_summary(file, summary(file))
     return outcome
@@ -296,13 +297,12 @@ def _make_room(output, header, plan, fresh):
             create(output, header, [*there, *more], max(plan.keep_series, len(old["kept_seed"])), old)
 
 
-def _fill(file, task, plan, console, executor):
+def _fill(file, task, plan, console, executor, pictures):
     whole = whole_rows(file)
     asked = np.isin(file["seed"][()], plan.seeds)
     rows = [int(row) for row in np.flatnonzero(asked & ~whole)]
     failures, made = [], 0
-    draws = bool(console and rows)  # the command, afterwards
-    with ctrl_c() as stop, loaded_meanwhile(draws):
+    with ctrl_c() as stop, loaded_meanwhile(pictures and rows):
         progress = _Progress(console, len(rows), plan, stop)
         try:
             for place, result in in_order_until(stop, executor, _calls(executor, task, file, rows, progress)):

@@ -156,7 +156,7 @@ def _lines_chosen(task, body, plan):
         return Choice(replace(settings, dynamic_lines=task.moving))
     if settings.dynamic_lines:
         return with_lines_chosen(body, plan.weather, settings)
-    able, left_out = able_to_move(body.system, settings, bool(body.reader.modes))
+    able, left_out = able_to_move(body.system, settings)
     return Choice(settings, (), (*((STATIC.format(TOO_LARGE),) if able else ()), *left_out))
 
 

@@ -251,7 +251,7 @@ def test_a_trial_that_fails_one_way_goes_the_other(monkeypatch):
     asked = []
     system = SimpleNamespace(lines=[1, 2, 3])
     moored = SimpleNamespace(system=system, reader=SimpleNamespace(modes=()))
-    monkeypatch.setattr(trial, "able_to_move", lambda system, settings, bends: (("a", "b"), ("left out: c",)))
+    monkeypatch.setattr(trial, "able_to_move", lambda system, settings: (("a", "b"), ("left out: c",)))
     monkeypatch.setattr(trial, "_drives", lambda weather: True)
     monkeypatch.setattr(trial, "_nudged", lambda moored: "nudged")
     monkeypatch.setattr(trial, "_of_tension", lambda *given: SimpleNamespace(share=0.5, words="tension"))

@@ -12,11 +12,11 @@ from .packed import ROWS, MovingWork, Room
 from .polynomial import TERMS
 
 
-def moving_work(moving, states, samples, lines, sampled):
+def moving_work(moving, states, samples, lines, sampled, shapes=(0, 0)):
     """`MovingWork` of lines at rest in their `states`, with room for the given number of samples
 
     lines : total number, including those in their static shape
-    sampled : (bodies, numbers of each that are kept at a sample)
+    sampled : (bodies, numbers of each that are kept at a sample); shapes : their number, and that of their groups
     """
     count, bodies = len(moving.number), sampled[0]
     kept = [np.stack([np.concatenate([state[i] for state in states])] * 2) for i in range(1, 5)]
@@ -37,7 +37,8 @@ def moving_work(moving, states, samples, lines, sampled):
         last,
         np.ones(1),
         np.zeros(sampled),
-        np.zeros(6 * bodies),
+        np.zeros(6 * (bodies + shapes[1])),
+        np.zeros((2, 2, shapes[0])),
         Room(np.zeros((3, 3)), np.zeros(3), np.zeros(3), np.zeros(6)),
         np.zeros((samples, count)),
         np.zeros(count, np.int64),

@@ -30,7 +30,8 @@ class MovingLines(NamedTuple):
     tension, distance : (m,) N, m, scales of their errors; tolerance : tolerance of a step
     water : `Water` at all nodes, with a table of `sea` that is filled again and again; waters : m parts of it, of each
     room_of_sea : room for its sums
-    stretch : (m, 6) m/m and m/rad, of each chord from anchor to fairlead by motions of its body along its axes at rest
+    stretch : (m, 6 + f) m/m and m/rad, of each chord from anchor to fairlead by motions of its body along its axes at
+        rest, and by shapes
     spring : (m,) N/m, EA/L
     """
 
@@ -70,7 +71,8 @@ class MovingWork(NamedTuple):
     before : (m, 4) time and pull before the first of them; foreseen : (N, 12) poses and velocities with the predicted
         pull
     last : (lines, TERMS, 3) N, pull of every line of the system, moving or not, in the last step of the body,
-    length : (1,) s of that step; pose : (N, 18), push : (6N,), room : `Room` work arrays
+    length : (1,) s of that step; pose : (N, 18), push : (6N + 6G,), room : `Room` work arrays
+    bent : (2, 2, f) amplitudes of shapes and their rates in the middle and at the end of a step, with predicted pull
     tension : (samples, m) N; steps : (m,) own steps; stuck : (1,) a line that stopped, or −1
     """
 
@@ -90,6 +92,7 @@ class MovingWork(NamedTuple):
     length: np.ndarray
     pose: np.ndarray
     push: np.ndarray
+    bent: np.ndarray
     room: Room
     tension: np.ndarray
     steps: np.ndarray

@@ -8,6 +8,7 @@ from ...lines.dynamics.line import AttachedBody, DynamicLine, DynamicSegment, El
 from ...lines.system.bodies import rotation
 from ...lines.system.hawser import Hawser
 from ...lines.system.parts import Anchor, UniformLine
+from ..tables.groups import moved_by_shapes, with_bent_fairleads
 from .packed import moving_lines
 
 # Pa/m and Pa s/m of the bed: ten times the usual, which lifts a chain in shallow water so far that it pulls 3e-3 less
@@ -33,8 +34,6 @@ def moving_of(moored, settings, sea=None, surface=True):
         if names:
             raise ValueError("dynamic_lines is given, but the body has no lines; leave it out")
         return None
-    if moored.reader.modes:
-        raise ValueError('dynamic_lines are given with bodies that bend; allowed: "auto", "none"')
     whole = [i for i, line in enumerate(system.lines) if not isinstance(line, Hawser)]
     if isinstance(names, str):
         if names != "all":
@@ -50,22 +49,25 @@ def moving_of(moored, settings, sea=None, surface=True):
     if not numbers:
         raise ValueError("dynamic_lines: all lines of the body are hawsers, which have no weight and cannot move")
     made, places, stretch, spring = {}, [], [], []
-    headings = {one.name: one.position[5] for one in system.bodies}
-    poses = {one.name: one.position + moored.start[6 * i : 6 * i + 6] for i, one in enumerate(system.bodies)}
+    bent = with_bent_fairleads(system, moored.reader, moored.start[moored.reader.rigid :])
+    names, headings = [one.name for one in system.bodies], [one.position[5] for one in system.bodies]
+    poses = [one.position + moored.start[6 * i : 6 * i + 6] for i, one in enumerate(system.bodies)]
     for i in numbers:
         line = system.lines[i]
         if i not in whole:
             raise ValueError(f"dynamic_lines: line {line.name} is a hawser, which has no weight and cannot move")
-        anchor, fairlead = ends_of(line, system)
-        pose = poses[fairlead.body]
-        R = rotation(*pose[3:])
+        anchor, fairlead = ends_of(line, bent)
+        body = names.index(fairlead.body)
+        R = rotation(*poses[body][3:])
         arm = R @ np.asarray(fairlead.position, float)
-        places.append(pose[:3] + arm)
+        places.append(poses[body][:3] + arm)
         along = places[-1] - np.asarray(anchor.position, float)
         elements = settings.dynamic_elements
         made[i] = dynamic_line(line, anchor.position, system, elements, surface, np.arctan2(along[1], along[0]))
         along /= np.linalg.norm(along)
-        stretch.append(turned(headings[fairlead.body]) @ np.concatenate([along, np.cross(arm, along)]))
+        rigid = turned(headings[body]) @ np.concatenate([along, np.cross(arm, along)])
+        (shapes,) = moved_by_shapes(moored.reader, body, ends_of(line, system)[1].position)
+        stretch.append(np.append(rigid, shapes @ R.T @ along))
         first, *others = made[i].segments
         soft = sum(one.length / one.stiffness for one in others)
         spring.append(first.stiffness / (first.length + first.stiffness * soft))

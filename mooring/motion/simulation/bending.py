@@ -3,10 +3,6 @@
 import numpy as np
 
 FASTEST = 300.0  # rad/s of a shape: explicit steps are 3 over that, 10 ms
-STATIC = (
-    "left out: inertia and drag of the lines of bodies that bend, which have their static shape; move the fairlead as "
-    "in the run by hakobune line-dynamics"
-)
 
 
 def check_bending(body, free):

@@ -174,7 +174,8 @@ def _followed(moored, settings, begun, progress):
     samples = np.zeros((rows, ends[-1]))
     scene = scene._replace(line_work=line_work(scene.lines), contact_work=contact_work(scene.contacts))
     hung = None if moored.buoy is None else buoy_of(moored.buoy, begun.waves.table, rows)
-    pair = None if moving is None else (moving[0], moving_work(*moving, rows, len(scene.lines.lost), (count, SAMPLED)))
+    sizes = rows, len(scene.lines.lost), (count, SAMPLED), (len(groups.place), groups.count)
+    pair = None if moving is None else (moving[0], moving_work(*moving, *sizes))
     while True:
         most = STEPS_AT_ONCE[pair is not None]
         state = integrator.advance(scene, begun.waves, clock, samples, most, hung, links, pair)
@@ -221,8 +222,9 @@ def _coarse(moored, weather, settings, moving):
     if moving is None:
         return ()
     found = [_around(weather, settings)]
-    lines, poses = body_lines(moored.system, (), moored.tables), begin(moored)
+    lines, poses = with_shapes(body_lines(moored.system, (), moored.tables), moored.reader), begin(moored)
     static = line_work(lines)
+    static.bent[:] = moored.start[moored.reader.rigid :]
     loads_at(lines, static, poses, np.zeros((len(poses), 3, 3)), np.zeros_like(poses))
     whole = np.hypot(*static.tension[moving[0].number].T)
     if any(state.position[:, 2].max() > 0 for state in moving[1]):  # out of the water they are heavier, correctly

@@ -23,7 +23,6 @@ import numpy as np
 from ...lines.system.hawser import Hawser
 from ..line_loads import body_lines
 from ..moving_lines.prepare import dynamic_line, ends_of
-from .bending import STATIC
 from .failures import SimulationError
 
 LONGEST, SHORT = 600.0, 100.0  # s of a trial, and of the first one
@@ -70,7 +69,7 @@ def chosen(run, moored, weather, settings):
     run : (moored, weather, settings, seed, progress) → `Realisation`
     raises : SimulationError if neither run is possible
     """
-    able, left_out = able_to_move(moored.system, settings, bool(moored.reader.modes))
+    able, left_out = able_to_move(moored.system, settings)
     still = replace(settings, dynamic_lines=(), lines_lost=(), estimate_error=False)
     still = replace(still, duration=min(settings.duration, LONGEST))
     if not able or not _drives(weather):
@@ -111,14 +110,9 @@ def _both(run, moored, weather, settings, able):
     return found, pace, failed
 
 
-def able_to_move(system, settings, bends=False):
-    """Names of the lines of a System, or None, that can move by themselves, and lines of text on the lines that cannot
-
-    bends : whether bodies bend
-    """
+def able_to_move(system, settings):
+    """Names of the lines of a System, or None, that can move by themselves, and lines of text on those that cannot"""
     able, kept, loaded = [], {}, []
-    if bends:
-        return (), (STATIC,) * (system is not None)
     for line in () if system is None else system.lines:
         if isinstance(line, Hawser):  # without weight it has no dynamics
             continue
@@ -153,8 +147,9 @@ def _nudged(moored):
     """A `Moored` body that begins off its place; not at a berth, where half a metre is too much for fenders"""
     if moored.berth.names:
         return moored
-    off = NUDGE * _arm(moored)
-    return replace(moored, start=moored.start + np.tile([off, off, 0, 0, 0, NUDGE], moored.reader.rigid // 6))
+    off, start = NUDGE * _arm(moored), moored.start.copy()
+    start[: moored.reader.rigid] += np.tile([off, off, 0, 0, 0, NUDGE], moored.reader.rigid // 6)
+    return replace(moored, start=start)
 
 
 def _arm(moored):
@@ -174,7 +169,8 @@ def _of_tension(moored, static, moving):
 def _of_slow_motion(moored, static, moving):
     """`Difference` of the slow motion whose σ changes most, without those that are relatively small"""
     words = moored.reader.words
-    names, units = [words[i] for i in range(len(words)) if i % 6 in PLANE], (("m", 1.0), ("m", 1.0), ("°", 180 / np.pi))
+    names = [words[i] for i in range(moored.reader.rigid) if i % 6 in PLANE]
+    units = ("m", 1.0), ("m", 1.0), ("°", 180 / np.pi)
     sigma = np.array([run.slow[run.time >= 0].std(axis=0) for run in (static, moving)])
     size = (sigma * np.tile([1.0, 1.0, _arm(moored)], len(names) // 3)).max(axis=0)
     with np.errstate(invalid="ignore", divide="ignore"):

@@ -214,7 +214,8 @@ def test_what_lines_miss_by_a_body_that_goes_elsewhere_is_held_against_what_is_a
     scale = np.abs(rng.normal(size=(2, 12))) + 0.1
     owner = np.array([0, 0, 1])  # of the lines of the scene: number 0, 1 and 2
     scene = SimpleNamespace(
-        body=SimpleNamespace(mass_inverse=inverse, heading=heading), lines=SimpleNamespace(body=owner),
+        body=SimpleNamespace(mass_inverse=inverse, heading=heading, shapes=SimpleNamespace(place=np.zeros(0, int))),
+        lines=SimpleNamespace(body=owner),
         line_work=SimpleNamespace(whole=np.array([True, False, True]), given=given),
     )  # fmt: skip
     lines = SimpleNamespace(number=number, spring=spring, stretch=stretch, tension=np.array([1.0, 20.0, 1.0]),

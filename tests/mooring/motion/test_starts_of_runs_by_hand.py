@@ -123,13 +123,13 @@ def test_lines_with_a_motion_of_their_own_go_on_in_shorter_turns_and_have_their_
     follow, seen = followed
     asked = []
 
-    def moving_work(lines, states, rows, count, sampled):
-        asked.append((lines.number.tolist(), states, rows, count, sampled))
+    def moving_work(lines, states, rows, count, sampled, shapes):
+        asked.append((lines.number.tolist(), states, rows, count, sampled, shapes))
         return SimpleNamespace(tension=np.array([[1.0, 2.0], [3.0, 4.0]]), stuck=np.array([7]))
 
     monkeypatch.setattr(run, "moving_work", moving_work)
     course = follow(moving=(SimpleNamespace(number=np.array([2, 0])), "states"))
-    assert asked == [([2, 0], "states", 261, 3, (2, SAMPLED))] and seen.calls[0][2] == 200
+    assert asked == [([2, 0], "states", 261, 3, (2, SAMPLED), (0, 0))] and seen.calls[0][2] == 200
     assert {name: pull.tolist() for name, pull in course.pulls.items()} == {2: [1.0, 3.0], 0: [2.0, 4.0]}
     monkeypatch.setattr(run, "stopped", lambda *reasons: SimulationError(f"line {reasons[-1]}"))
     with pytest.raises(SimulationError, match="line 7"):

@@ -235,10 +235,12 @@ class Lines:
             trial=np.arange(float(size)), y="y", stages=["first stage"], scale=np.zeros((2, 12))
         )
         poses, course = ["pose 0", "pose 1"], np.zeros((2, 3, 2, 3))
-        self.kept = SimpleNamespace(foreseen=np.zeros((2, 12)), pose=poses, course=course, room="room")
+        bent = ["bent midway", "bent"]
+        self.kept = SimpleNamespace(foreseen=np.zeros((2, 12)), pose=poses, course=course, room="room", bent=bent)
         self.lines = SimpleNamespace(number=np.array([2, 0]))
         work = SimpleNamespace(given="given", span=np.zeros(3), whole="whole")
-        self.scene = SimpleNamespace(line_work=work, lines=SimpleNamespace(body=np.array([0, 0, 1])))
+        self.scene = SimpleNamespace(line_work=work, lines=SimpleNamespace(body=np.array([0, 0, 1])),
+                                     body=SimpleNamespace(shapes="shapes"))  # fmt: skip
         replaced = dict(
             foresee=lambda lines, kept, h, given: self.note("foresee", h, given),
             rates=lambda scene, buoy, links, t, y, k: self.note("rates", buoy, links, t, y, k) or self.good.pop(0),
@@ -247,6 +249,7 @@ class Lines:
                 or (self.errors.pop(0), self.held.pop(0))
             ),
             put_sample=lambda clock, b, t, h, at, out: self.note("sample", b, t, h, at, out),
+            put_bent=lambda clock, shapes, t, h, at, out: self.note("bend", shapes, t, h, at, out),
             fairlead_of=self.fairlead,
             advance_lines=lambda lines, kept, whole, t, h: self.note("advance", whole, t, h) or follow,
             project=lambda lines, kept, t, h, given: self.note("project", t, h, given),
@@ -258,8 +261,8 @@ class Lines:
     def note(self, *what):
         self.said.append(what)
 
-    def fairlead(self, lines, n, state, room, place, velocity):
-        self.note("fairlead", n, state if isinstance(state, str) else state.tolist(), room)
+    def fairlead(self, lines, n, state, bent, room, place, velocity):
+        self.note("fairlead", n, state if isinstance(state, str) else state.tolist(), bent, room)
         place[:], velocity[:] = 10 * n + len(self.said), -10 * n - len(self.said)
 
     def __call__(self):
@@ -277,13 +280,16 @@ def test_a_step_with_lines_goes_out_and_back_with_their_pulls_along_the_course(m
     assert one.said == [
         ("foresee", 0.4, "given"), *again,
         ("sample", 0, 5.0, 0.4, 5.2, "pose 0"), ("sample", 1, 5.0, 0.4, 5.2, "pose 1"),
-        ("fairlead", 2, "pose 1", "room"), ("fairlead", 2, ends[1], "room"),
-        ("fairlead", 0, "pose 0", "room"), ("fairlead", 0, ends[0], "room"),
+        ("bend", "shapes", 5.0, 0.4, 5.2, "bent midway"), ("bend", "shapes", 5.0, 0.4, 5.4, "bent"),
+        ("fairlead", 2, "pose 1", "bent midway", "room"), ("fairlead", 2, ends[1], "bent", "room"),
+        ("fairlead", 0, "pose 0", "bent midway", "room"), ("fairlead", 0, ends[0], "bent", "room"),
         ("advance", "whole", 5.0, 0.4), ("project", 5.0, 0.4, "given"), *again, ("missed", True, 0.4),
     ]  # fmt: skip
     assert one.kept.foreseen.tolist() == ends and one.scene.line_work.span[1:].tolist() == [5.0, 0.4]
     course = one.kept.course
-    assert course[:, 1:, 0, 0].tolist() == [[26.0, 27.0], [8.0, 9.0]] and np.all(course[:, 1:, 1] == -course[:, 1:, 0])
+    assert course[:, 1:, 0, 0].tolist() == [[28.0, 29.0], [10.0, 11.0]] and np.all(
+        course[:, 1:, 1] == -course[:, 1:, 0]
+    )
     assert not course[:, 0].any()
     assert Lines(monkeypatch, missed=0.7)() == (0.7, True)
 

@@ -26,7 +26,8 @@ class Course:
         inverse = np.eye(12) / 4.0
         inverse[0, 6] = inverse[6, 0] = coupled
         work = SimpleNamespace(whole=np.array([True, whole]), given=np.array([[(9.0, 9, 9)], [given]]))
-        body = SimpleNamespace(mass_inverse=inverse, heading=np.array([0.0, heading]))
+        shapes = SimpleNamespace(place=np.zeros(0, int))
+        body = SimpleNamespace(mass_inverse=inverse, heading=np.array([0.0, heading]), shapes=shapes)
         self.scene = SimpleNamespace(line_work=work, lines=SimpleNamespace(body=np.array([0, 1])), body=body)
         trial = np.zeros(2 * BLOCK)
         foreseen = np.zeros((2, 12))
@@ -130,7 +131,7 @@ def test_a_fairlead_moves_with_its_body_and_turns_about_its_centre():
         )
         state[6:] = 2.0, 1.0, 0.3, 0.0, 0.0, 0.1
         place, velocity = np.zeros(3), np.zeros(3)
-        line_loads.fairlead_of(lines, 0, state, room, place, velocity)
+        line_loads.fairlead_of(lines, 0, state, np.zeros((2, 0)), room, place, velocity)
         wanted = [100 + state[0] + c * p[0] - s * p[1], 50 + state[1] + s * p[0] + c * p[1], -2 + state[2] + p[2]]
         assert place == pytest.approx(wanted)
         return place, velocity

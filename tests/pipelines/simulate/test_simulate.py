@@ -123,6 +123,13 @@ def test_runs_are_stored_seed_by_seed_and_the_second_call_makes_none(folder):
         assert np.isclose(value["heave"][1] / value["surge"][1], 3.0, rtol=1e-12)
 
 
+def test_a_run_is_drawn_unless_no_pictures_are_asked_for(folder, capsys):
+    asked = ["simulate", "study.toml", "--database", "box.h5", "--output", "run.h5"]
+    for more, pictures in ((["--no-pictures"], 0), ([], 4)):
+        assert main([*asked, *more]) == 0
+        assert capsys.readouterr().out.count(".png") == len(list(folder.glob("*.png"))) == pictures
+
+
 def test_a_study_is_parsed_and_its_database_opened_once(folder, monkeypatch):
     opened_files, parsed = [], []
     first, made = database.open_database, study_file.typed

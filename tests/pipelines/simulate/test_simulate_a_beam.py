@@ -100,7 +100,7 @@ def test_chains_bend_it_and_what_is_left_out_comes_first(barge, tmp_path):
     study = {"water": {"depth": 9.0}, "waves": STUDY["waves"], "simulation": simulation, **ON_CHAINS}
     made = hakobune.simulate(study, barge, tmp_path / "run.h5")
     assert made.first[0].startswith("left out: mean and slow drift forces on the shapes of bodies that bend")
-    assert any(line.startswith("left out: inertia and drag of the lines of bodies that bend") for line in made.first)
+    assert any("static shape" in line and "type chain has no mass" in line for line in made.first)
     assert set(made.labels["station"].values) >= {"x 0 vertical bending moment", "x 0 torsional moment"}
     body = prepared(Task(make_study(study), str(barge), None, None))[0]
     assert body.start[6] < 0 or body.start[6] > 0
@@ -156,7 +156,7 @@ def test_the_memory_of_all_motions_bends_it_as_the_stored_coefficients_do(tmp_pa
         ({"stations": [{"x": [13.0]}]}, {}, r"simulation.stations\[0\].x has 13; allowed: -12 to 12, the beam"),
         ({"stations": [{"x": [0.0], "body": "tug"}]}, {}, r"simulation.stations\[0\].body is 'tug'; allowed: left out"),
         ({"offset": {"vertical bending 3": 0.1}}, {}, "there is no motion 'vertical bending 3'; allowed: surge,"),
-        ({"dynamic_lines": "all"}, ON_CHAINS, 'dynamic_lines are given with bodies that bend; allowed: "auto", "none"'),
+        ({"dynamic_lines": "all"}, ON_CHAINS, "dynamic_lines: type chain of line .* has no mass; give a type with a"),
         ({"qtf": "full"}, {"waves": {"height": 0.5, "period": 4.0, "direction_deg": 45.0, "spectrum": "issc"}},
          "simulation.qtf is 'full' with bodies that bend; allowed"),
     ],
@@ -166,6 +166,24 @@ def test_what_there_is_not_for_a_beam_is_refused_in_a_line(barge, tmp_path, simu
     with pytest.raises(ValueError, match=words) as caught:
         hakobune.simulate(study, barge, tmp_path / "run.h5")
     assert "\n" not in str(caught.value)
+
+
+def test_chains_with_a_mass_move_by_themselves_where_a_trial_asks_for_it_or_the_study(barge, tmp_path):
+    """In a small sea they pull as in their static shape, but for a tenth of what varies"""
+    chains = ON_CHAINS | {"types": {"chain": CHAIN | {"mass_kg_per_m": 23.0, "diameter": 0.06}}}
+    found = []
+    for how in ("auto", "all", "none"):
+        study = {
+            "water": {"depth": 9.0},
+            "waves": STUDY["waves"],
+            "simulation": SHORT | {"dynamic_lines": how},
+            **chains,
+        }
+        found.append(hakobune.simulate(study, barge, tmp_path / f"{how}.h5"))
+    chosen, moving, still = found
+    assert any(line.startswith('dynamic_lines = "auto": in a trial of 10 s') for line in (*chosen.first, *chosen.notes))
+    assert moving["tension.mean"] == pytest.approx(still["tension.mean"], rel=0.03)
+    assert not np.array_equal(moving["tension.mean"], still["tension.mean"])
 
 
 def test_a_ball_holds_the_point_of_a_beam_that_its_shapes_move(barge, tmp_path):
