@@ -83,7 +83,7 @@ def read_mesh(path):
     if not np.all(np.isfinite(mesh.points)):
         raise ValueError(f"{path}: a coordinate is not a finite number")
     hull = wetted(_as_meant(mesh))
-    if not len(hull):
+    if not len(hull) or (np.all(hull.vertices[..., 2] == 0) and np.all(hull.area_vectors[:, 2] > 0)):
         raise ValueError(
             f"{path}: all its panels lie in the water surface and face up: it is a lid or a deck, not a hull"
         )
@@ -128,8 +128,11 @@ def _as_meant(mesh):
 
 
 def wetted(mesh):
-    """The mesh without panels in z = 0 that face the air, and without panels of zero area"""
-    flat = np.all(mesh.vertices[..., 2] == 0, axis=1)
+    """The mesh without panels in z = 0 that face the air, and without panels of zero area
+
+    A mesh that begins at z = 0 keeps its bottom, however it faces: it is to be moved down.
+    """
+    flat = np.all(mesh.vertices[..., 2] == 0, axis=1) & np.any(mesh.vertices[..., 2] < 0)
     dry = (flat & (mesh.area_vectors[:, 2] > 0)) | (mesh.areas <= NO_AREA * mesh.sizes**2)
     used, corners = np.unique(mesh.corners[~dry], return_inverse=True)
     return replace(mesh, points=mesh.points[used], corners=corners.reshape(-1, 4))

@@ -6,6 +6,7 @@ be coarse and need not share points with the hull.
 """
 
 import math
+from collections import defaultdict
 from dataclasses import replace
 from itertools import pairwise
 
@@ -14,6 +15,7 @@ import numpy as np
 from .gmsh_session import filled, graded_patches
 from .panels import PanelMesh, joined, structured
 
+OPPOSITE = 0.999  # least cosine between the normal of a wall and the reversed one of a wall that lies on it
 STRAIGHT = 1e-6  # sine of the turn below which two waterline edges form one line
 OFF = 0.1  # largest distance of a chord from its ring, over the width of the lid
 AT_SURFACE = 1e-6  # distance from z = 0 below which a point lies in the waterline, as a share of the draft
@@ -87,39 +89,65 @@ def waterline(mesh):
     """Intersection of the hull with the water surface: a list of (k, 3) m polylines with the body on their left.
 
     Closed polylines end with their first point, open ones on mirror planes; only the meshed part of the hull is
-    covered.  Raises ValueError where more than two edges meet at a point.
+    covered.  Where waterlines touch in a point, each keeps its body on its left.  Raises ValueError where not as many
+    edges arrive as leave, if more than one does.
     """
     welded = mesh.merged()
     points, edges = welded.points, _surface_edges(welded)
-    after = {}
-    for a, b in edges:
-        if a in after:
-            raise ValueError(f"lid: the waterline forks at {_where(points[a])}; see the mesh findings")
-        after[a] = b
-    arrivals = [b for _, b in edges]
-    if len(set(arrivals)) != len(arrivals):
-        twice = next(b for b in arrivals if arrivals.count(b) > 1)
-        raise ValueError(f"lid: the waterline forks at {_where(points[twice])}; see the mesh findings")
-    starts = [a for a in after if a not in set(arrivals)]
-    loops = []
-    while after:
-        first = starts.pop() if starts else next(iter(after))
-        chain = [first]
-        while chain[-1] in after:
-            chain.append(after.pop(chain[-1]))
-        loops.append(points[chain] * (1, 1, 0))
+    leaving, arriving = defaultdict(list), defaultdict(list)
+    for edge, (a, b) in enumerate(edges):
+        leaving[a].append(edge)
+        arriving[b].append(edge)
+    after, starts, both = {}, [], set(edges)
+    for point in {**leaving, **arriving}:
+        here, there = arriving[point], leaving[point]
+        doubled = any(edges[edge][::-1] in both for edge in there)
+        if doubled or (max(len(here), len(there)) > 1 and len(here) != len(there)):
+            raise ValueError(f"lid: the waterline forks at {_where(points[point])}; see the mesh findings")
+        after |= _left(points, edges, here, there)
+        starts += there if not here else []
+    left, loops = set(range(len(edges))), []
+    while left:
+        chain = [starts.pop() if starts else min(left)]
+        left.discard(chain[0])
+        while (follows := after.get(chain[-1])) in left:
+            chain.append(follows)
+            left.discard(follows)
+        loops.append(points[[edges[chain[0]][0], *(edges[edge][1] for edge in chain)]] * (1, 1, 0))
     return loops
 
 
+def _left(points, edges, here, there):
+    """{edge that arrives at a point: edge that leaves it with the same part of the body on its left}"""
+    if len(here) < 2:
+        return dict(zip(here, there, strict=False))
+    back = [points[edges[edge][0]] - points[edges[edge][1]] for edge in here]
+    on = [points[edges[edge][1]] - points[edges[edge][0]] for edge in there]
+    turn = [[(np.arctan2(*u[1::-1]) - np.arctan2(*v[1::-1])) % (2 * np.pi) for v in on] for u in back]
+    return {edge: there[int(np.argmin(row))] for edge, row in zip(here, turn, strict=True)}
+
+
 def _surface_edges(mesh):
-    """[(a, b)] point numbers of panel edges in z = 0, against the direction of the panel: the body is on the left"""
+    """[(a, b)] point numbers of panel edges in z = 0, against the direction of the panel: the body is on the left
+
+    An edge that two panels share, the ridge of a roof that ends in the surface, bounds no waterplane; one of two walls
+    that lie on each other remains in both directions.
+    """
     flat = np.abs(mesh.points[:, 2]) <= AT_SURFACE * max(mesh.draft, 0.0)
     a = mesh.corners
     b = np.roll(a, -1, axis=1)
     ours = flat[a] & flat[b] & (a != b)
     in_surface = flat[a].all(axis=1)  # a deck panel; its edges are no part of the waterline
     ours[in_surface] = False
-    return [(int(e), int(s)) for s, e in zip(a[ours], b[ours], strict=True)]
+    panel = np.nonzero(ours)[0]
+    found = {(int(e), int(s)): n for s, e, n in zip(a[ours], b[ours], panel, strict=True)}
+    if len(found) < len(panel):  # an edge that two panels run along in the same direction
+        return [(int(e), int(s)) for s, e in zip(a[ours], b[ours], strict=True)]
+    normals = mesh.normals
+    ridges = {
+        (e, s) for (e, s), n in found.items() if (s, e) in found and normals[n] @ normals[found[s, e]] > -OPPOSITE
+    }
+    return [edge for edge in found if edge not in ridges]
 
 
 def _closed(loops, mesh):

@@ -15,6 +15,7 @@ SAME_PLACE = 1e-5  # points closer than this share of the largest radius are one
 AT_FOOT = 1e-6  # distance below which a point lies at the foot of a hull or on the bed, as a share of the draft
 NO_AREA = 1e-9  # area over the square of the longest edge, below which a panel has no area
 SAME_SIDE = 1e-9  # points closer to a plane than this share of the hull's size lie in the plane
+IN_SURFACE = 2e-7  # of the largest coordinate, two digits of float32: a cut moves points so near into the surface
 ROUND = 12  # least number of turns about the vertical that map a mesh to itself for a body of revolution
 
 
@@ -253,7 +254,7 @@ class PanelMesh:
         Raises ValueError where nothing lies below.
         """
         z = self.points[:, 2]
-        points = np.where(np.abs(z) <= SAME_SIDE * np.abs(self.points).max(initial=0.0), 0.0, z)
+        points = np.where(np.abs(z) <= IN_SURFACE * np.abs(self.points).max(initial=0.0), 0.0, z)
         points = np.column_stack([self.points[:, :2], points])
         wet = points[self.corners, 2].min(axis=1) < 0
         dry = points[self.corners, 2].max(axis=1) > 0

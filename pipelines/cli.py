@@ -168,6 +168,9 @@ def mesh(
     flip: Annotated[bool, Parameter(help="reverse the normals, or turn mixed ones outward", negative="")] = False,
     mirror: Annotated[str, Parameter(help="add the mirror images in these planes: x, y or xy")] = "",
     clip: Annotated[bool, Parameter(help="cut the hull at z = 0 and keep the part below", negative="")] = False,
+    outer: Annotated[
+        bool, Parameter(help="leave out copies, inner walls, folds and parts that no water reaches", negative="")
+    ] = False,
     fold: Annotated[bool, Parameter(help="keep a half or quarter of a symmetric hull", negative="")] = False,
 ):
     """Change a mesh file, in the order of the flags below, and write it in the format of the new name.
@@ -176,7 +179,7 @@ def mesh(
     """
     from .view.changing import change
 
-    return change(file, output, scale, turn, move, flip, mirror, clip, fold, heal)
+    return change(file, output, scale, turn, move, flip, mirror, clip, outer, fold, heal)
 
 
 @app.command

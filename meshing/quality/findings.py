@@ -13,6 +13,7 @@ import numpy as np
 
 from ..hydrostatics import waterplane_area
 from ..panels import NO_AREA
+from .outer import BODY, beside, wet
 from .overlap import connected, overlaps
 from .seams import rings
 
@@ -59,6 +60,7 @@ def findings(mesh, depth=math.inf, shortest_wave=None, lid=None):
         *_shapes(mesh),
         *_duplicates(welded),
         *_holes(edges, float(mesh.areas.sum())),
+        *_crowded(mesh, edges),
         *_orientation(welded, edges, crossing),
         *_overlaps(crossing),
         *_clearance(mesh, depth, edges),
@@ -225,7 +227,8 @@ def _duplicates(mesh):
     if again.any():
         yield Finding(
             "error",
-            f"{_count(again)} present twice, the first near {_where(mesh.centroids[again][0])}; remove the copies",
+            f"{_count(again)} present twice, the first near {_where(mesh.centroids[again][0])}; remove the copies "
+            "(`hakobune mesh --outer`)",
         )
 
 
@@ -261,12 +264,26 @@ def _holes(edges, area):
             )
         else:
             yield Finding("error", f"the hull is open {along}{edges.level(which)}")
+
+
+def _crowded(mesh, edges):
+    """Edges of more than two panels are right where parts touch, if each panel there has water on one side only"""
     crowded = edges.uses > 2
-    if crowded.any():
+    if not crowded.any():
+        return
+    panels = np.unique(edges.panel[crowded[edges.number]])
+    hull = mesh.whole()
+    numbers = beside(hull.closed() if edges.stands_on_bed else hull, panels)
+    walls = np.count_nonzero(~wet(numbers) & (numbers.max(axis=0) > BODY))
+    folds = np.count_nonzero(~wet(numbers)) - walls
+    if walls or folds:
+        states = (walls, "have the body on both sides"), (folds, "have water on both sides")
+        what = " and ".join(f"{count} {state}" for count, state in states if count)
         yield Finding(
             "error",
             f"{crowded.sum()} edges with more than two panels (up to {edges.uses.max()}), the first near "
-            f"{edges.middle(crowded)}; remove inner walls",
+            f"{edges.middle(crowded)}: of {len(panels)} panels there {what}; remove inner walls and "
+            "folds (`hakobune mesh --outer`)",
         )
 
 
@@ -318,7 +335,7 @@ def _overlaps(crossing):
     for inside, of, place in crossing:
         way = "join them into one hull, or move them apart"
         if inside == of:
-            way += ", or remove the inner one, which no water reaches"
+            way += ", or remove the inner one, which no water reaches (`hakobune mesh --outer`)"
         yield Finding(
             "error",
             f"two parts of the hull overlap: {inside} of {of} checked panels of one are inside the other, the "

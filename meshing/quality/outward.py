@@ -11,7 +11,7 @@ SAME_POINT = 1e-6  # points closer than this share of the mesh size are one poin
 
 def outward(mesh) -> PanelMesh:
     """A copy in which neighbouring panels run along their common edge in opposite directions; reversed if they already
-    do.
+    do and no part differs from the others.
 
     Each part that edges of two panels join is turned so that its volume ∬ x·n dS / 3 is positive, which an open
     waterplane in z = 0 and halves that end at x = 0 or y = 0 do not change.
@@ -30,13 +30,14 @@ def outward(mesh) -> PanelMesh:
     order = np.argsort(edge, kind="stable")
     first, second = order[uses[edge][order] == 2].reshape(-1, 2).T
     i, j, against = panel[first], panel[second], start[first] == start[second]
-    if not against.any():
-        return mesh.flipped()
     # two copies of each panel, as it is and reversed; neighbours that agree join like copies, others unlike ones
     a, b = np.concatenate([i, i + n]), np.concatenate([j + n * against, j + n * ~against])
     _, side = connected_components(coo_array((np.ones(len(a)), (a, b)), (2 * n, 2 * n)), directed=False)
     part = np.minimum(side[:n], side[n:])
     sign = np.where(side[:n] == part, 1.0, -1.0)  # of a Möbius strip both copies are one part, and stay
     share = sign * np.einsum("ni,ni->n", mesh.centroids, mesh.area_vectors)
-    sign *= np.where(np.bincount(part, share) < 0, -1.0, 1.0)[part]
+    inward = np.bincount(part, share) < 0
+    if not against.any() and len(np.unique(inward[part])) == 1:
+        return mesh.flipped()
+    sign *= np.where(inward, -1.0, 1.0)[part]
     return replace(mesh, corners=np.where(sign[:, None] > 0, mesh.corners, mesh.corners[:, ::-1]))

@@ -15,39 +15,60 @@ from ..panels import PanelMesh
 MOST = 32  # parts; a mesh of more parts has panels that do not meet, for which another finding exists
 SAMPLE = 100  # panels of a part that are tested as a sample
 BLOCK = 1 << 20  # places times panels at once
+AT_SURFACE = 1e-6  # distance from z = 0 below which a point lies in the surface, as a share of the draft
+BESIDE = 1e-3  # distance of a tested place from its panel, on the side of the water, over the panel's longest side
 
 
 def overlaps(welded, depth=np.inf):
     """[(panels of one part inside another, panels tested, (3,) m place of the first of these panels)] of parts of a
-    hull.
+    hull.  Walls that lie on those of a closed part are in it: the place beside them is tested.
 
     welded : whole PanelMesh whose panels share their points; depth : m of water, whose bed closes walls that end on it
     """
-    part = _parts(welded)
+    part = parts(welded)
     out = []
     if part.max() >= MOST:
         return out
     whole = [PanelMesh(welded.points, welded.corners[part == one]) for one in range(part.max() + 1)]
     whole = [one.closed() if stands(one, depth) else one for one in whole]
+    closed = [_is_closed(one) for one in whole]
     for one in range(part.max() + 1):
         panels = np.flatnonzero(part == one)
         some = panels[:: max(1, len(panels) // SAMPLE)]
         for other in (other for other in range(part.max() + 1) if other != one):
             seen = whole[other].vertices
             low, high = seen.reshape(-1, 3).min(axis=0), seen.reshape(-1, 3).max(axis=0)
-            centres = welded.centroids[some]
-            near = centres[np.all((centres[:, :2] > low[:2]) & (centres[:, :2] < high[:2]), axis=1)]
-            inside = np.abs(winding(near, seen)) > 0.5 if len(near) else np.zeros(0, bool)
+            apart = BESIDE * closed[other] * welded.sizes[some, None]
+            places = welded.centroids[some] + apart * welded.normals[some]
+            near = np.all((places[:, :2] > low[:2]) & (places[:, :2] < high[:2]), axis=1)
+            inside = np.abs(winding(places[near], seen)) > 0.5 if near.any() else np.zeros(0, bool)
             if inside.any():
-                out.append((int(inside.sum()), len(some), near[np.argmax(inside)]))
+                out.append((int(inside.sum()), len(some), welded.centroids[some][near][np.argmax(inside)]))
     return out
 
 
-def _parts(mesh):
-    """Number of the part that each panel belongs to; shape (n,); parts share no point"""
-    a, b = mesh.corners.reshape(-1), np.roll(mesh.corners, 1, axis=1).reshape(-1)
-    number = connected(a, b, len(mesh.points))
-    return np.unique(number[mesh.corners[:, 0]], return_inverse=True)[1].reshape(-1)
+def parts(mesh):
+    """Number of the part that each panel belongs to; shape (n,); parts share no edge"""
+    panel, edge, uses = _edges(mesh)
+    number = connected(panel, len(mesh) + edge, len(mesh) + len(uses))[: len(mesh)]
+    return np.unique(number, return_inverse=True)[1].reshape(-1)
+
+
+def _edges(mesh):
+    """Panel and edge of each side, and how many panels each edge has"""
+    a, b = mesh.corners, np.roll(mesh.corners, 1, axis=1)
+    real = a != b
+    ends = np.sort(np.stack([a[real], b[real]], axis=1), axis=1)
+    _, edge, uses = np.unique(ends, axis=0, return_inverse=True, return_counts=True)
+    return np.nonzero(real)[0], edge.reshape(-1), uses
+
+
+def _is_closed(mesh):
+    """Whether every edge below the surface has two panels"""
+    _, edge, uses = _edges(mesh)
+    deep = np.minimum(mesh.vertices[..., 2], np.roll(mesh.vertices[..., 2], 1, axis=1)) < -AT_SURFACE * mesh.draft
+    deep = deep[mesh.corners != np.roll(mesh.corners, 1, axis=1)]
+    return bool(np.all(uses[edge[deep]] > 1))
 
 
 def connected(a, b, count):

@@ -6,6 +6,7 @@ from hakobune.meshing.files import WRITABLE, read_mesh, write_mesh
 from hakobune.meshing.mirror import folded, healed
 from hakobune.meshing.panels import SYMMETRIES
 from hakobune.meshing.quality import findings
+from hakobune.meshing.quality.outer import outer as reached
 from hakobune.meshing.quality.outward import outward
 from hakobune.mooring.criteria.failing import fails
 
@@ -14,8 +15,8 @@ from ..printing.verdict import tell
 from ..scene.scene import numbers
 
 
-def change(place, output, scale="1", turn="0", move="0,0,0", flip=False, mirror="", clip=False, fold=False,
-           heal=0.0):  # fmt: skip
+def change(place, output, scale="1", turn="0", move="0,0,0", flip=False, mirror="", clip=False, outer=False,
+           fold=False, heal=0.0):  # fmt: skip
     """Write a changed mesh and print its content and faults; 1 if an error remains.  Raises ValueError.
 
     The changes are made in the order of the arguments.
@@ -23,7 +24,8 @@ def change(place, output, scale="1", turn="0", move="0,0,0", flip=False, mirror=
     flip : reverse the normals; where they point to different sides, turn them all out of the body
     turn : degrees about z, or about x, y and z in this order, such as 180,0,0 for a hull drawn z down
     move : m, x,y,z; mirror : x, y or xy, planes whose images are
-    added; clip : keep only the part below z = 0; fold : keep a half or quarter if images complete the hull
+    added; clip : keep only the part below z = 0; outer : keep only panels with water on one side;
+    fold : keep a half or quarter if images complete the hull
     """
     from hakobune.bem.database.file import check_place
 
@@ -44,7 +46,7 @@ def change(place, output, scale="1", turn="0", move="0,0,0", flip=False, mirror=
     mesh = read_mesh(place)
     if heal:
         mesh = healed(mesh, heal)
-    mesh = _changed(mesh, factors, turn, shift, flip, mirror, clip, fold)
+    mesh = _changed(mesh, factors, turn, shift, flip, mirror, clip, outer, fold)
     write_mesh(mesh, output)
     print(f"{output}: {mesh!r}")
     return tell(
@@ -60,7 +62,7 @@ def _finite(flag, text, counts, allowed):
     return values
 
 
-def _changed(mesh, factors, turn, shift, flip, mirror, clip, fold):
+def _changed(mesh, factors, turn, shift, flip, mirror, clip, outer, fold):
     mesh = mesh.scaled(factors)
     for axis, angle in turn.items():
         mesh = mesh.rotated(angle, axis) if angle else mesh
@@ -69,6 +71,7 @@ def _changed(mesh, factors, turn, shift, flip, mirror, clip, fold):
     for axis in mirror:
         mesh = mesh.mirrored(axis)
     mesh = mesh.clipped() if clip else mesh
+    mesh = reached(mesh) if outer else mesh
     if not fold:
         return mesh
     half = folded(mesh)

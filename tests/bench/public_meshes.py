@@ -21,6 +21,7 @@ from hakobune.meshing.files import READABLE, read_mesh
 from hakobune.meshing.lid import lid
 from hakobune.meshing.mirror import folded
 from hakobune.meshing.quality import findings
+from hakobune.meshing.quality.outer import outer
 from hakobune.meshing.quality.outward import outward
 
 VOLUMES, LID = 0.02, 0.05
@@ -54,7 +55,7 @@ def judged(path):
         return "refused", str(error).replace(str(path), path.name)
     if mesh.total > LARGEST:
         return "right", f"{mesh.total} panels, only read{done}"
-    mesh, depth = folded(mesh), np.inf
+    mesh, depth, told = folded(mesh), np.inf, ""
     while errors := [one.text for one in findings(mesh, depth) if one.severity == "error"]:
         half, foot = HALF.search(errors[0]), FOOT.search(errors[0])
         if half and half[1] not in mesh.symmetry:
@@ -63,10 +64,13 @@ def judged(path):
             done += f", --mirror {half[1]} as told"
         elif "hakobune mesh --flip" in " ".join(errors) and "--flip" not in done:
             mesh, done = outward(mesh), done + ", --flip as told"
+        elif "hakobune mesh --outer" in " ".join(errors) and "--outer" not in done:
+            told = next(text for text in errors if "--outer" in text)
+            mesh, done = outer(mesh), done + ", --outer as told"
         elif foot and depth == np.inf:
             depth, done = -float(foot[1]), f", depth {-float(foot[1]):g} m as told"
         else:
-            return "refused", errors[0]
+            return "refused", told or errors[0]
     hull = mesh.whole()
     x, y, z = volumes(hull.vertices)
     if np.isinf(depth) and max(x, y, z) - min(x, y, z) > VOLUMES * abs(z):
@@ -77,7 +81,7 @@ def judged(path):
         try:
             made = lid(mesh)
         except ValueError as error:
-            return "refused", str(error)
+            return "refused", told or str(error)
         covered = 0.0 if made is None else made.whole().areas.sum()
         if abs(covered / waterplane - 1) > LID:
             return "wrong", f"a lid of {covered:.5g} m² on a waterplane of {waterplane:.5g} m²"

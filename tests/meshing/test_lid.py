@@ -3,8 +3,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from hakobune.meshing.lid import lid, polar_lid, waterline
-from hakobune.meshing.panels import SYMMETRIES, joined, structured
+from hakobune.meshing.lid import lid, polar_lid, rings_of, waterline
+from hakobune.meshing.panels import SYMMETRIES, PanelMesh, joined, structured
 from hakobune.meshing.quality import findings
 from hakobune.meshing.shapes import box, buoy
 
@@ -231,11 +231,29 @@ def test_filled_polygons_are_quadrilaterals_but_for_a_few_triangles():
     assert len(cover) <= 1.2 * wanted * 1.5 and len(cover) > 0.5 * wanted
 
 
-def test_a_place_of_a_waterline_that_forks_is_told():
-    """Two boxes that touch in the corner x = 5, y = 2.5"""
+@pytest.mark.parametrize("turn", [0.0, 0.3, 2.0, 4.0])
+def test_boxes_that_touch_in_a_corner_have_a_lid_each(turn):
+    """10 x 5 m and 6 x 3 m: each waterline has its body on its left, whichever way both are turned"""
+    one, other = box(10, 5, 2, counts=(3, 2, 1), symmetry=""), box(6, 3, 2, counts=(2, 1, 1), symmetry="")
+    both = joined([one, other.moved(dx=8, dy=4)]).rotated(turn)
+    assert sorted(area for _, area in rings_of(both)) == pytest.approx([18.0, 50.0])
+    assert lid(both, 1.0).areas.sum() == pytest.approx(68.0)
+
+
+def test_a_roof_whose_ridge_is_in_the_surface_has_no_waterline_there():
+    """A wedge of 8 x 2 m, its ridge along y = 0 in the surface, beside a box: the ridge is no end of the waterplane"""
+    points = [[0, -1, -1], [8, -1, -1], [8, 1, -1], [0, 1, -1], [0, 0, 0], [8, 0, 0]]
+    panels = [[0, 3, 2, 1], [0, 1, 5, 4], [2, 3, 4, 5], [3, 0, 4, 4], [1, 2, 5, 5]]
+    roof = PanelMesh(points, panels)
+    assert roof.volume == pytest.approx(8.0) and waterline(roof) == []
+    hull = joined([roof, box(4, 4, 2, counts=(1, 1, 1), symmetry="").moved(dx=20)])
+    assert lid(hull).areas.sum() == pytest.approx(16.0)
+
+
+def test_walls_that_lie_on_each_other_fork_the_waterline():
     one = box(10, 5, 2, counts=(1, 1, 1), symmetry="")
-    with pytest.raises(ValueError, match=r"the waterline forks at x = 5, y = 2.5 m"):
-        lid(joined([one, one.moved(dx=10, dy=5)]))
+    with pytest.raises(ValueError, match=r"the waterline forks at x = 5, y = (0|-?2.5) m"):
+        lid(joined([one, one.moved(dx=10)]))
 
 
 def test_a_plan_keeps_its_corners_and_divides_what_is_between_them_evenly():

@@ -189,7 +189,10 @@ def test_every_finding_says_where_its_first_panel_or_edge_is():
     twice = edited(lambda c: np.vstack([c, c[[31, 4]]]))
     middle = hull.vertices.mean(axis=1)
     (line,) = said("present twice", twice)
-    assert line == f"error: 2 of 127 panels present twice, the first near {place_of(middle[31])}; remove the copies"
+    assert line == (
+        f"error: 2 of 127 panels present twice, the first near {place_of(middle[31])}; remove the copies "
+        "(`hakobune mesh --outer`)"
+    )
     (line,) = said("without area", edited(collapsed))
     edge = hull.points[hull.corners[7, :2]].mean(axis=0)
     assert f"1 of 125 panels without area, the first is panel 7 near {place_of(edge)}" in line
