@@ -276,7 +276,8 @@ class Study(Table):
         line = line_of(where, "spread", spread, self.types, density=density, gravity=gravity, level=-self.water.depth)
         headings = _corner_headings(where, spread.corner_headings_deg)
         pretension = force(where, spread, "pretension", required=True)
-        return corner_legs(line, hull.length, hull.beam, headings, self.water.depth, pretension, spread.fairlead_z)
+        sizes = hull.length, hull.beam, headings, self.water.depth, pretension
+        return corner_legs(line, *sizes, spread.fairlead_z, hull.is_round)
 
     def _leg(self, where, given, density, gravity):
         pretension, depth, straight = force(where, given, "pretension"), self.water.depth, self._straight(given)
@@ -302,15 +303,21 @@ class Study(Table):
 
 
 def box_of(db, body):
-    """{"length", "beam", "draft"} m of the box about the origin around one of several bodies, a `bem.modes.Body`
+    """{"length", "beam", "draft"} m of the box about its origin around one of several bodies, a `bem.modes.Body`; also
+    the "radius" of a hull of revolution about its own vertical
 
     db : Database, or a `moor.checked.Body` of hulls that are not solved yet
     """
     if hasattr(db, "boxes"):
         return db.boxes[body.name]
-    points = body_named(db, body.name).mesh.whole().points - (*body.place, 0.0)
+    whole = body_named(db, body.name).mesh.whole()
+    points = whole.points - (*body.place, 0.0)
+    draft = float(-points[:, 2].min())
+    if replace(whole, points=points).is_round:
+        radius = float(np.hypot(*points[:, :2].T).max())
+        return {"length": 2 * radius, "beam": 2 * radius, "draft": draft, "radius": radius}
     length, beam = 2 * np.abs(points @ body.axes)[:, :2].max(axis=0)
-    return {"length": float(length), "beam": float(beam), "draft": float(-points[:, 2].min())}
+    return {"length": float(length), "beam": float(beam), "draft": draft}
 
 
 def sides_of(db):
