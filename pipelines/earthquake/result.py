@@ -43,8 +43,8 @@ def earthquake(study: File | Tables | EarthquakeStudy, database: File | Database
         "for the seismic coefficient"
     )
     return Result(
-        "earthquake", found, axes, tuple(failures(quake, rows)), (note, *untouched(quake, rows)), provenance=provenance(text, database),
-        detail=quake,
+        "earthquake", found, axes, tuple(failures(quake, rows)), (note, *untouched(quake, rows)),
+        provenance=provenance(text, database), detail=quake,
     )  # fmt: skip
 
 

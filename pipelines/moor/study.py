@@ -23,7 +23,15 @@ from hakobune.mooring.studies.wave_effects import METHODS
 
 from ..common.line_tables import TypeTable, check_types, hawser_at_tension, line_of
 from ..common.quantities import StudyError, Table, below, force, positive, water_depth
-from ..common.quay_tables import DolphinTable, HingeTable, QuayFenderTable, RopeTable, berth_between, berth_of_tables
+from ..common.quay_tables import (
+    DolphinTable,
+    HingeTable,
+    QuayFenderTable,
+    RopeTable,
+    berth_between,
+    berth_of_tables,
+    doubtful_holds,
+)
 from ..common.typed import typed
 from ..common.weather.seas import WavesTable, mean_wave, sea_with_swell
 from ..common.weather.streams import CurrentTable, WindTable, current_of, no_box, superstructures, wind_of, with_files
@@ -159,6 +167,9 @@ class Study(Table):
                 volume = one.displaced_volume
                 known = volume is None or box.is_round
                 said += [] if known else no_box(volume / (box.length * box.beam * box.draft), box, self)
+                if not db.bodies:
+                    held = bool(self.lines or self.spreads or self.hinges)
+                    said += doubtful_holds(self.fender, self.rope, box, held)
         return said
 
     def check_depth(self, solved, name):

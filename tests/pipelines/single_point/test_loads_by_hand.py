@@ -137,7 +137,8 @@ def test_drift_of_a_coefficient_is_of_the_square_of_the_height_along_the_waves()
 
 
 @pytest.mark.parametrize("period, height, says", [
-    (None, 23.9, ""), (None, 24.1, "the highest of 1000 waves, 44.8 m, breaks at 44.6 m"), (None, 30.1, r"0\.6 of the water depth 50 m"), (None, 44.5, "of the water depth 50 m"),
+    (None, 23.9, ""), (None, 24.1, "the highest of 1000 waves, 44.8 m, breaks at 44.6 m"),
+    (None, 30.1, r"0\.6 of the water depth 50 m"), (None, 44.5, "of the water depth 50 m"),
     (None, 44.7, r"refused: significant height is 44\.7 m, but single waves break at 44\.6\d m in 50 m"),
     (6.0, 4.2, ""), (6.0, 4.4, "the highest of 1000 waves, 8.18 m, breaks at 7.98 m"),
     (6.0, 8.0, r"refused: significant height is 8 m at a peak period of 6 s, but single waves break at 7\.978"),
