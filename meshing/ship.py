@@ -17,10 +17,12 @@ volume is L B d C_B, by a factor that tends to 1 with the square of the panel si
 """
 
 import math
+import warnings
 from dataclasses import replace
 
 import numpy as np
 
+from .hydrostatics import waterplane_area
 from .panels import structured
 
 LONG, LONGEST = 0.4, 0.5  # usual and largest length of the entrance, over the length
@@ -28,6 +30,8 @@ FULLNESS, BLOCKS = (0.3, 0.97), (0.4, 0.95)
 BILGE = 0.25  # radius over draft, and at most over half the beam
 CORNER = 1 - math.pi / 4
 FEWEST = 8, 2, 3
+ROUNDS = 12  # of what is asked of the ends, until their panels have the waterplane asked for
+OFF = 0.005  # relative difference of the waterplane above which it is told
 
 
 def ship(
@@ -44,15 +48,54 @@ def ship(
     for name, value in (("length", length), ("beam", beam), ("draft", draft)):
         if not 0 < value < math.inf:
             raise ValueError(f"{name} is {value} m; allowed: a positive length")
+    counts = counts or ship_counts(length, beam, draft, panels, longest)
+    name = f"ship {length:g} x {beam:g} x {draft:g} m, block coefficient {block:g}"
     radius = BILGE * min(draft, 0.5 * beam)
-    if waterplane is not None:
-        if bow is not None or stern is not None:
-            raise ValueError("waterplane is given beside fullness of bow or stern; allowed: one of them")
-        along, (keel, top) = _fullness(block, waterplane, radius / (0.5 * beam), radius / draft)
-        bow, stern = np.array([keel, top]), np.array([keel, top])
+    sizes = (length, beam, draft), radius, counts
+    if waterplane is None:
+        made = _drawn(*sizes, *_form(block, 1 - CORNER * 2 * radius**2 / (beam * draft), bow, stern))
+    elif bow is not None or stern is not None:
+        raise ValueError("waterplane is given beside fullness of bow or stern; allowed: one of them")
     else:
-        along, bow, stern = _form(block, 1 - CORNER * 2 * radius**2 / (beam * draft), bow, stern)
-    n_length, n_bottom, n_side = counts or ship_counts(length, beam, draft, panels, longest)
+        made = _with_waterplane(sizes, np.array([block, waterplane]))
+    wide = np.array([1.0, block * length * beam * draft / made.volume, 1.0])
+    return replace(made, points=made.points * wide, name=name)
+
+
+def _with_waterplane(sizes, asked):
+    """PanelMesh of a ship whose panels have the C_B and C_WP asked for, (2,): flat panels cut the rounds of the hull
+
+    Where the ends would have to be fuller or finer than is drawn, the nearest that is.  Raises ValueError as
+    `_fullness`.
+    """
+    (length, beam, draft), radius, _ = sizes
+    box, given, nearest = length * beam * np.array([draft, 1.0]), asked, np.inf
+    for _ in range(ROUNDS):
+        try:
+            along, (keel, top) = _fullness(*given, radius / (0.5 * beam), radius / draft)
+        except ValueError:
+            if given is asked:
+                raise
+            break
+        drawn = _drawn(*sizes, along, np.array([keel, top]), np.array([keel, top]))
+        off = asked - np.array([drawn.volume, waterplane_area(drawn)]) / box
+        if np.abs(off).max() < nearest:
+            made, nearest = drawn, np.abs(off).max()
+        given = given + off
+    found = waterplane_area(made) / made.volume * draft * asked[0]
+    if abs(found - asked[1]) > OFF * asked[1]:
+        warnings.warn(
+            f"the panels of the ship have a waterplane coefficient of {found:.4g}, where {asked[1]:g} is asked for, "
+            f"limit {100 * OFF:g} %: its ends cannot be drawn finer or fuller; give more panels or another one",
+            stacklevel=4,
+        )
+    return made
+
+
+def _drawn(sizes, radius, counts, along, bow, stern):
+    """PanelMesh of half a ship by the share of the length of its ends and their fullness, one or at keel and top"""
+    length, beam, draft = sizes
+    n_length, n_bottom, n_side = counts
     u = np.arange(n_length + 1) / n_length
     x = 0.5 * (u - 0.5) - 0.25 * np.cos(np.pi * u)  # a pointed end is no edge: panels half as long as with even spacing
     t = np.maximum((np.abs(x) - (0.5 - along)) / along, 0.0)
@@ -62,10 +105,7 @@ def ship(
     f = 1 - t[:, None] ** (fullness / (1 - fullness))
     f[[0, -1]] = 0.0
     points = np.stack(np.broadcast_arrays(length * x[:, None], f * girth[:, 0], girth[:, 1]), axis=-1)
-    name = f"ship {length:g} x {beam:g} x {draft:g} m, block coefficient {block:g}"
-    made = replace(structured(points), symmetry="y", name=name)
-    wide = np.array([1.0, block * length * beam * draft / made.volume, 1.0])
-    return replace(made, points=made.points * wide)
+    return replace(structured(points), symmetry="y")
 
 
 def _form(block, middle, bow, stern):

@@ -158,7 +158,7 @@ def opened_result(path, schema):
     if not path.exists():
         raise DatabaseError(f"{path} does not exist")
     found = schema_of(path)
-    check_version(path, schema, found)
+    check_version(path, schema, found or None)
     if found != schema:
         raise DatabaseError(no_file_of(path, schema))
     with h5py.File(path) as file:

@@ -12,6 +12,7 @@ PIANC (2002), Guidelines for the design of fender systems, as publicly quoted.
 import math
 from typing import NamedTuple
 
+LEAST_GAP = 0.1  # water under the keel over the draft, where PIANC's virtual mass ends to grow
 LEAST_BLOCK = 0.1  # far below any hull: a displacement in another unit than t
 
 
@@ -80,6 +81,17 @@ def virtual_masses(ship, depth=None):
     found = {"Ueda 1981": virtual_mass_ueda(ship), "Vasco Costa": virtual_mass_vasco_costa(ship)}
     found["older, (π/4) ρ d² L"] = virtual_mass_older(ship)
     return found if depth is None else found | {"PIANC 2002": virtual_mass_pianc(ship, depth)}
+
+
+def shallow(ship, depth):
+    """A line on a ship with less water under its keel than virtual masses are known for; depth : m, or None"""
+    gap = None if depth is None else depth - ship.draft
+    if gap is not None and gap < LEAST_GAP * ship.draft:
+        yield (
+            f"{gap:.3g} m of water under the keel is {100 * gap / ship.draft:.2g} % of the draft; limit "
+            f"{100 * LEAST_GAP:g} %, below which no method has a virtual mass of its own and PIANC's stays 1.8; give a "
+            "tested approach.virtual_mass, or berth at a higher tide"
+        )
 
 
 def eccentricity(offset, gyration):

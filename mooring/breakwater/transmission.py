@@ -30,10 +30,11 @@ class Cells(NamedTuple):
 
 
 def equal_cells(spectrum, count):
-    """`Cells` of nearly equal energy of a `Spectrum`, without a share of 0.0004 at each end: few cells in its long
-    tail"""
+    """`Cells` of nearly equal energy of a `Spectrum`, of its significant height: without a share of 0.0004 at each end,
+    which leaves few cells in its long tail, and which all cells together make up for"""
     outside = (1 - LEAST_SHARE) * 0.4
-    return _between(spectrum, spectrum.quantile(np.linspace(outside, 1 - outside, count + 1)))
+    cells = _between(spectrum, spectrum.quantile(np.linspace(outside, 1 - outside, count + 1)))
+    return cells._replace(energy=cells.energy * (spectrum.significant_height / cells.height) ** 2)
 
 
 def _between(spectrum, edges):

@@ -188,6 +188,7 @@ def by_spectrum(floater, fenders, spectrum, spectrum_ratio=0.05):
     reaction.
 
     spectrum : function of the period, s → m/s² at a damping ratio of spectrum_ratio
+    A body that the motion does not bring across its clearance has no reaction, and period, ratio, acceleration nan.
     raises : EarthquakeError where fenders are compressed beyond their table, or no deflection satisfies the equation
     """
     fender = fenders.fender
@@ -209,6 +210,8 @@ def by_spectrum(floater, fenders, spectrum, spectrum_ratio=0.05):
             f"the spectrum compresses {fender.name} beyond its table, which ends at {fender.limit:.3g} m; use more or "
             "larger fenders"
         )
+    if fenders.clearance > 0 and answer(low)[2] < low:
+        return Spectral(np.nan, np.nan, 0.0, 0.0, np.nan)
     for _ in range(ROUNDS):
         middle = 0.5 * (low + high)
         low, high = (middle, high) if answer(middle)[2] > middle else (low, middle)

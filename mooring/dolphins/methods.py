@@ -84,6 +84,13 @@ def failures(quake, rows):
             )
 
 
+def untouched(quake, rows):
+    """A line on the methods, `Method`s, by which no fender is touched"""
+    free = [row.name for row in rows if row.reaction == 0]
+    if free:
+        yield f"{', '.join(free)}: no fender is touched; the clearance is {quake.fenders.clearance:g} m on each side"
+
+
 def stiffnesses(quake, rows):
     """{name: (N/m, natural period s)} of all fenders of a side: by the first slope, and by the largest deflection"""
     fender, count = quake.fenders.fender, quake.fenders.count

@@ -9,12 +9,17 @@ at the centre of gravity; a uniform current has equal pressure over the draft an
 A round hull, for which the report has no tests, is a vertical cylinder: F = ½ρ C_D D d U² along the stream, without a
 moment.  In a current C_D is ROUGH, an upper bound: a smooth cylinder has 0.65, short ones less than long ones
 (Gonçalves et al., OMAE 2013), columns of OC4 0.56 to 0.68 (NREL/TP-5000-60601).  Water at rest only damps the motion,
-where such a value is unsafe (API RP 2A-WSD, 22nd edition, B.5.3.1.2.8.3), so that STILL is low.  In air C_D is that of
-the report's table of members.
+where such a value is unsafe (API RP 2A-WSD, 22nd edition, B.5.3.1.2.8.3), so that STILL is low.  Between them C_D
+follows the speed V of the current over that of the hull, v: a current that carries the wake away counts as steady,
+
+    C_D = STILL + (ROUGH − STILL) x² (3 − 2x),    x = min(1, V/(STEADY v))
+
+In air C_D is that of the report's table of members.
 """
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -27,6 +32,7 @@ from .members import C_D
 # C_D of a rough circular cylinder, post-critical (DNV-RP-C205, 2019, section 6.7), without relief at its ends; API RP
 # 2A-WSD, B.5.3.1.2.8.2: 1.00 to 1.10 with marine growth
 ROUGH = 1.05
+STEADY = 0.4  # V/v from which C_D is that of a steady current (API RP 2A-WSD, B.5.3.1.2.8, steady current in line)
 STILL = 0.5  # the same cylinder in an oscillation below a third of its diameter, KC < 2: 0.47 × 1.05 (same section)
 
 
@@ -36,16 +42,24 @@ class StreamOnHull:
 
     unit : (…) rad → (…, 3) N s²/m², N s²/m², N s² amidships, at 1 m/s; height : (2,) m above still water, of F_x, F_y
     notes : on the origin of the numbers, one line each
+    still : share of the coefficients that is left where the stream is at rest and the hull moves
     """
 
     unit: Callable
     height: tuple[float, float]
     notes: tuple[str, ...] = ()
+    still: float = 1.0
 
     def about(self, angle, center):
         """Force and moment, N s²/m² and N s², of 1 m/s about `center` (3,), m; shape (…, 6); middle of the hull and
         still water are 0"""
         return heeling(about(self.unit(angle), (0.0, 0.0), center), self.height, center[2])
+
+    def share(self, speed, own):
+        """Share of the coefficients in a stream of `speed` for speeds `own` of the hull, both m/s; 1 for a hull at
+        rest"""
+        x = np.minimum(1.0, speed / np.maximum(STEADY * np.asarray(own, float), np.finfo(float).tiny))
+        return np.where(np.asarray(own) == 0, 1.0, self.still + (1.0 - self.still) * x * x * (3.0 - 2.0 * x))
 
 
 def heeling(load, height, up=0.0):
@@ -77,22 +91,38 @@ def wind_on(wind, hull):
 def current_on(current, hull, density, depth):
     """StreamOnHull of a `Current` (None: water at rest) on an `ExposedBox`; water depth m, density kg/m³"""
     table, height = (None, None) if current is None else (_of(current.table, hull), current.height)
+    table = own_table(current, hull, depth) if table is None else table
     if isinstance(table, HullCoefficients):
         unit = lambda angle: hull_force(table, 1.0, angle, density)  # noqa: E731
         return StreamOnHull(unit, (_first(height, table.height, -0.5 * hull.draft),) * 2)
-    if hull.is_round and table is None:
-        rest = current is None or current.speed == 0
-        C, smooth = (STILL, 0.2) if rest else (ROUGH, 0.65)
-        pull = 0.5 * density * C * hull.beam * hull.draft
-        note = (
-            f"current force: C_D {C:g} of a rough cylinder on the round hull, where a smooth one has {smooth:g}; give "
-            f"current coefficients for another"
-        )
-        return StreamOnHull(_along_stream(pull, pull), (_first(height, -0.5 * hull.draft),) * 2, (note,))
+    if isinstance(table, RoundDrag):
+        pull = 0.5 * density * table.C * hull.beam * hull.draft
+        across = _first(height, -0.5 * hull.draft)
+        return StreamOnHull(_along_stream(pull, pull), (across,) * 2, table.notes, STILL / table.C)
     sizes = hull.length, hull.beam, hull.draft
-    table = box_table(*sizes, depth) if table is None else table
     unit = lambda angle: current_force(1.0, angle, *sizes, density, table)  # noqa: E731
     return StreamOnHull(unit, (_first(height, -0.5 * hull.draft),) * 2, table.notes)
+
+
+class RoundDrag(NamedTuple):
+    """C : C_D of a vertical cylinder in a stream of any direction; notes : on the origin of the number"""
+
+    C: float
+    notes: tuple[str, ...]
+
+
+def own_table(current, hull, depth):
+    """Coefficients of an `ExposedBox` in a `Current` without coefficients (None: water at rest), at a depth, m: those
+    of the box tests, or RoundDrag"""
+    if not hull.is_round:
+        return box_table(hull.length, hull.beam, hull.draft, depth)
+    rest = current is None or current.speed == 0
+    C, smooth = (STILL, 0.2) if rest else (ROUGH, 0.65)
+    faster = "" if rest else f"; motion above {1 / STEADY:g} times the current is damped by less, down to {STILL:g}"
+    return RoundDrag(C, (
+        f"current force: C_D {C:g} of a rough cylinder on the round hull, where a smooth one has {smooth:g}{faster}; "
+        f"give current coefficients for another",
+    ))  # fmt: skip
 
 
 def _along_stream(x, y):
@@ -132,4 +162,4 @@ def turning_drag(water, length):
 
     M = −¼ ρ C_y(90°) d (L/2)⁴ r|r|      SR179 report (1982), guideline 3.6.5 (its "+" between factors is a product)
     """
-    return 0.5 * abs(float(water.unit(0.5 * np.pi)[1])) / length * (0.5 * length) ** 4
+    return 0.5 * water.still * abs(float(water.unit(0.5 * np.pi)[1])) / length * (0.5 * length) ** 4

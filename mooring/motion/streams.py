@@ -15,7 +15,7 @@ from hakobune.bem.kernels.jit import kernel
 
 from ..environment.gusts import MissingVariance, gust_components
 from ..environment.wave_records import real_sum
-from ..loads.on_hull import current_on, wind_on
+from ..loads.on_hull import STEADY, current_on, wind_on
 from .tables.interpolation import between_samples, on_ring, ring_table
 
 RING = 720  # angles of a table of coefficients
@@ -29,22 +29,26 @@ class Stream(NamedTuple):
 
     table : (bodies, RING + 3, 6) N s²/m², N s² of unit speed at equal angles; velocity : (2,) m/s in space
     gusts : (1, n) m/s along the mean, from `first` s on in steps of GUST_STEP; one column without gusts
+    still : (bodies,) share of the table that is left in water at rest (`loads.on_hull.StreamOnHull.share`)
     """
 
     table: np.ndarray
     velocity: np.ndarray
     gusts: np.ndarray
     first: float
+    still: np.ndarray
 
 
 def calm(bodies=1):
     """A Stream that exerts no force"""
-    return Stream(np.zeros((bodies, RING + 3, 6)), np.zeros(2), np.zeros((1, 1)), 0.0)
+    return Stream(np.zeros((bodies, RING + 3, 6)), np.zeros(2), np.zeros((1, 1)), 0.0, np.ones(bodies))
 
 
 def on_all(streams):
     """The Stream of one wind or current on several bodies, from the Streams on each body"""
-    return streams[0]._replace(table=np.concatenate([one.table for one in streams]))
+    return streams[0]._replace(
+        table=np.concatenate([one.table for one in streams]), still=np.concatenate([one.still for one in streams])
+    )
 
 
 def wind_stream(wind, hull, center, gusts=None, seed=0, start=0.0, end=0.0):
@@ -64,14 +68,15 @@ def stream_of(unit, speed, direction, gusts=None, seed=0, start=0.0, end=0.0):
             warnings.simplefilter("ignore", MissingVariance)
             omega, amplitude, phase = gust_components(gusts, seed, *GUST_BAND, GUSTS)
         record = real_sum(amplitude * np.exp(-1j * phase), omega, t)[None]
-    return Stream(ring_table(unit)[None], _vector(speed, direction), record, float(first))
+    return Stream(ring_table(unit)[None], _vector(speed, direction), record, float(first), np.ones(1))
 
 
 def current_stream(current, hull, center, density, depth):
     """The Stream of a `Current` (None: water at rest) on an `ExposedBox`; raises ValueError without coefficients."""
-    unit = current_on(current, hull, density, depth).about(_around(), center)
+    water = current_on(current, hull, density, depth)
     velocity = np.zeros(2) if current is None else _vector(current.speed, current.direction)
-    return Stream(ring_table(unit)[None], velocity, np.zeros((1, 1)), 0.0)
+    table = ring_table(water.about(_around(), center))[None]
+    return Stream(table, velocity, np.zeros((1, 1)), 0.0, np.array([water.still]))
 
 
 def _around():
@@ -96,6 +101,10 @@ def stream_force(stream, body, t, share, moving, weights, out, value):
     x, y = share * stream.velocity[0] * grown, share * stream.velocity[1] * grown
     along, across = cos * x + sin * y - u, -sin * x + cos * y - v
     square = along * along + across * across
+    still, flow, own = stream.still[body], np.hypot(x, y), STEADY * np.hypot(u, v)
+    if flow < own:
+        ratio = flow / own
+        square *= still + (1.0 - still) * ratio * ratio * (3.0 - 2.0 * ratio)
     on_ring(stream.table[body], np.arctan2(across, along), weights, out)
     for j in range(6):
         out[j] *= square

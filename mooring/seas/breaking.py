@@ -32,11 +32,17 @@ def largest_height(period, depth, gravity=GRAVITY):
 
 def too_high(spectrum, depth, gravity=GRAVITY):
     """Messages on a sea whose waves break in water of `depth` m.  Raises BreakingError for an impossible sea."""
-    height, single = spectrum.significant_height, float(breaking_height(spectrum.Tp, depth, gravity))
+    return too_high_waves(spectrum.significant_height, spectrum.Tp, depth, gravity)
+
+
+def too_high_waves(height, Tp, depth, gravity=GRAVITY):
+    """The same of a significant height, m, and a peak period, s, inf for one that is not known"""
+    single = 2 * np.pi * MICHE * depth if np.isinf(Tp) else float(breaking_height(Tp, depth, gravity))
     if height > single:
+        period = "" if np.isinf(Tp) else f" at a peak period of {Tp:.4g} s"
         raise BreakingError(
-            f"significant height is {height:.4g} m at a peak period of {spectrum.Tp:.4g} s, but single waves break at "
-            f"{single:.4g} m in {depth:g} m of water; give at most {largest_height(spectrum.Tp, depth, gravity):.3g} m"
+            f"significant height is {height:.4g} m{period}, but single waves break at {single:.4g} m in {depth:g} m of "
+            f"water; give at most {min(single, SATURATED * depth):.3g} m"
         )
     if height > SATURATED * depth:
         yield (

@@ -123,7 +123,8 @@ def _drag_of(current, hull, db):
         past = np.tile(stream, (len(nodes), 1))
         past[:, mode] -= sigma * nodes
         x, y = past.T
-        force = (x * x + y * y) * water.unit(np.arctan2(y, x))[:, mode]
+        share = water.share(speed, sigma * np.abs(nodes))
+        force = share * (x * x + y * y) * water.unit(np.arctan2(y, x))[:, mode]
         return -float(weights @ (force * nodes)) / sigma
 
     return drag

@@ -4,8 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..loads.box_current import box_table
-from ..loads.on_hull import current_on, wind_on
+from ..loads.on_hull import current_on, own_table, wind_on
 
 
 def steady_loads(db, hull, conditions, depth, drift=None, heading=0.0):
@@ -26,9 +25,9 @@ def steady_loads(db, hull, conditions, depth, drift=None, heading=0.0):
 
 
 def with_coefficients(conditions, hull, depth):
-    """The same conditions; a current without coefficients gets the coefficients of the box tests, as far as the tests
-    can be extrapolated"""
+    """The same conditions; a current without coefficients gets those of the hull: of a cylinder, or of the box tests
+    as far as they can be extrapolated"""
     current = conditions.current
     if current is None or callable(current.table) or current.table is not None:
         return conditions
-    return replace(conditions, current=replace(current, table=box_table(hull.length, hull.beam, hull.draft, depth)))
+    return replace(conditions, current=replace(current, table=own_table(current, hull, depth)))

@@ -10,6 +10,7 @@ import numpy as np
 from msgspec.structs import asdict
 
 from hakobune.bem.bodies.one_of_several import body_named
+from hakobune.mooring.berthing.energy import shallow
 from hakobune.mooring.berthing.memory import berth as in_time
 from hakobune.mooring.berthing.memory import ship_of_database, without_memory
 from hakobune.mooring.berthing.two_springs import TwoSprings
@@ -68,7 +69,10 @@ def berth(study: File | Tables | BerthStudy, database: File | Database | None = 
         axes |= labels("time", course.time, "s")
     water = "in time with constant virtual mass" if db is None else f"in time with the memory of {db.path}"
     return Result(
-        "berth", found, axes, (*told, *_failures(study, approach, course), *_softest_of_all(approach, table), *refused),
+        "berth", found, axes, (
+            *told, *shallow(approach.ship, study.depth), *_failures(study, approach, course),
+            *_softest_of_all(approach, table), *refused,
+        ),
         (
             f"softest and stiffest by {', '.join(causes_of(table))}", *((water,) if course is not None else ()),
             _to_paste(study, approach),

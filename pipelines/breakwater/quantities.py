@@ -108,13 +108,18 @@ def anchors_of(asked, found):
     return quantities("anchors", needed, "anchor") | quantities(known, given, "anchor"), axes
 
 
-def behind_in_words(sea):
-    """Note on the height behind the breakwater for each way to hold it; nothing without a sea"""
+def behind_in_words(sea, asked=None):
+    """Note on the height behind the breakwater for each way to hold it; nothing without a sea
+
+    asked : m, significant height in the study, which the constants of older spectra miss by a thousandth
+    """
     if sea is None or not sea.heights:
         return
     before = sea.cells.height
     behind = [f"{name} {height:.3g} m ({100 * height / before:.0f} %)" for name, height in sea.heights.items()]
-    yield f"of a sea of {before:.3g} m passes: {'; '.join(behind)}"
+    missed = asked is not None and abs(before / asked - 1) > 1e-4
+    words = f" (4√m₀ of {asked:g} m by the constants of its spectrum)" if missed else ""
+    yield f"of a sea of {before:.4g} m{words} passes: {'; '.join(behind)}"
 
 
 def behind_of(asked, found):

@@ -91,6 +91,9 @@ def result_of(found, text, db=None):
     optimisation, front = found.study.optimisation, found.results.front
     return Result(
         "breakwater", quantities, axes, (*found.results.warned, *failures(optimisation, found.results)),
-        (*behind_in_words(found.results.sea), *(() if front is None else wanted(optimisation, front))),
+        (
+            *behind_in_words(found.results.sea, getattr(found.study.sea, "height", None)),
+            *(() if front is None else wanted(optimisation, front)),
+        ),
         provenance=provenance(text, db), detail=found,
     )  # fmt: skip

@@ -22,6 +22,7 @@ import msgspec
 import numpy as np
 
 from hakobune.bem.hinges import ALONE, DRIVEN, KINDS, SPACE, Link
+from hakobune.mooring.response.findings import some
 
 from .fender_tables import FenderTable, fender_of, pair_of
 from .quantities import StudyError, Table, force
@@ -118,6 +119,8 @@ def berth_of_tables(fenders, dolphins, ropes, hull, center):
             )
     known = _dolphins(fenders, dolphins)
     made = [_fender(f"fender[{i}] ({one.name})", one, known.get(one.on), hull) for i, one in enumerate(fenders)]
+    for one in ropes:
+        _check_bollard(one.name, one.bollard, hull)
     return berth_of(made, [_rope(one) for one in ropes], center)
 
 
@@ -154,6 +157,8 @@ def berth_between(fenders, dolphins, ropes, hulls, bodies):
     for table in ropes:
         body, to = _ends(f"rope {table.name}", table, names, named)
         bollard = to.in_scene(table.bollard) if to else np.array(table.bollard)
+        own = hulls[names.index(body.name)]
+        _check_bollard(table.name, own.own(bollard), own.box)
         placed = {"bollard": tuple(map(float, bollard)), "fairlead": tuple(map(float, body.in_scene(table.fairlead)))}
         held.append(_rope(msgspec.structs.replace(table, **placed)))
         ends.append((names.index(body.name), names.index(table.to) if table.to in names else -1))
@@ -175,7 +180,44 @@ def _ends(where, table, moving, bodies):
 def _inside(point, box):
     """Whether a point (3,) m in coordinates of a hull lies inside its box"""
     x, y, z = point
+    if box.is_round and np.hypot(x, y) >= 0.5 * box.beam:
+        return False
     return abs(x) < 0.5 * box.length and abs(y) < 0.5 * box.beam and -box.draft < z < box.freeboard
+
+
+def _check_bollard(name, place, box):
+    """Raises StudyError for a rope whose other end, (3,) m in coordinates of the hull, lies in its own hull"""
+    if _inside(place, box):
+        x, y, z = place
+        raise StudyError(
+            f"rope {name}: its bollard ({x:.4g}, {y:.4g}, {z:.4g}) m lies in the hull, {box.length:g} by "
+            f"{box.beam:g} m, z {-box.draft:g} to {box.freeboard:g} m; give its place on the quay, from the middle of the hull"
+        )
+
+
+def doubtful_holds(fenders, ropes, hull, held):
+    """Lines on ropes that cross the hull from side to side, and on fenders alone; held : whether lines hold it too"""
+    across = [one.name for one in ropes if _crosses(np.array(one.fairlead, float), np.array(one.bollard, float), hull)]
+    if across:
+        yield (
+            f"ropes that pass through the hull to a bollard on its other side: {some(across, 6)}; limit none; check "
+            "the sign of y of fairlead and bollard"
+        )
+    if fenders and not ropes and not held:
+        sides = {tuple(_side(one.name, np.array(one.position), hull)[0]) for one in fenders}
+        if not any((-x, -y, -z) in sides for x, y, z in sides):
+            yield (
+                f"nothing pulls the body to its fenders: {len(fenders)} of {len(fenders)} push to one side, and no "
+                "rope or line holds it; it drifts off unless wind or current press it on; give [[rope]] or [[lines]]"
+            )
+
+
+def _crosses(start, end, box):
+    """Whether the straight way between two points (3,) m crosses the middle plane of a hull inside it"""
+    if start[1] * end[1] >= 0:
+        return False
+    x, _, z = start + start[1] / (start[1] - end[1]) * (end - start)
+    return abs(x) < 0.5 * box.length and -box.draft < z < box.freeboard
 
 
 def _dolphins(fenders, dolphins):

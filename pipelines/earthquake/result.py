@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from hakobune.mooring.dolphins.methods import GRAVITY, failures, methods, stiffnesses
+from hakobune.mooring.dolphins.methods import GRAVITY, failures, methods, stiffnesses, untouched
 
 from ..results.given import File, Tables, given
 from ..results.provenance import provenance
@@ -43,8 +43,8 @@ def earthquake(study: File | Tables | EarthquakeStudy, database: File | Database
         "for the seismic coefficient"
     )
     return Result(
-        "earthquake", found, axes, tuple(failures(quake, rows)), (note,), provenance=provenance(text, database),
-        detail=quake,
+        "earthquake", found, axes, tuple(failures(quake, rows)), (note, *untouched(quake, rows)),
+        provenance=provenance(text, database), detail=quake,
     )  # fmt: skip
 
 

@@ -84,9 +84,9 @@ def body_of_scene(name, scene):
 
 
 def _box(scene, body, sizes):
-    """{"length", "beam", "draft"} m of one of several bodies of a scene with `sizes`.  Raises StudyError."""
+    """Dimensions, m, of one of several bodies of a scene with `sizes`, as by `box_of`.  Raises StudyError."""
     if "radius" in sizes:
-        return {"length": 2 * sizes["radius"], "beam": 2 * sizes["radius"], "draft": sizes["draft"]}
+        return {"length": 2 * sizes["radius"], "beam": 2 * sizes["radius"]} | sizes
     if "length" not in sizes:
         raise StudyError(
             f"{scene}: the size of {body.name} is known once its mesh file is solved; solve the scene first and give "

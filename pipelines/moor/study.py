@@ -23,7 +23,15 @@ from hakobune.mooring.studies.wave_effects import METHODS
 
 from ..common.line_tables import TypeTable, check_types, hawser_at_tension, line_of
 from ..common.quantities import StudyError, Table, below, force, positive, water_depth
-from ..common.quay_tables import DolphinTable, HingeTable, QuayFenderTable, RopeTable, berth_between, berth_of_tables
+from ..common.quay_tables import (
+    DolphinTable,
+    HingeTable,
+    QuayFenderTable,
+    RopeTable,
+    berth_between,
+    berth_of_tables,
+    doubtful_holds,
+)
 from ..common.typed import typed
 from ..common.weather.seas import WavesTable, mean_wave, sea_with_swell
 from ..common.weather.streams import CurrentTable, WindTable, current_of, no_box, superstructures, wind_of, with_files
@@ -159,6 +167,9 @@ class Study(Table):
                 volume = one.displaced_volume
                 known = volume is None or box.is_round
                 said += [] if known else no_box(volume / (box.length * box.beam * box.draft), box, self)
+                if not db.bodies:
+                    held = bool(self.lines or self.spreads or self.hinges)
+                    said += doubtful_holds(self.fender, self.rope, box, held)
         return said
 
     def check_depth(self, solved, name):
@@ -276,7 +287,8 @@ class Study(Table):
         line = line_of(where, "spread", spread, self.types, density=density, gravity=gravity, level=-self.water.depth)
         headings = _corner_headings(where, spread.corner_headings_deg)
         pretension = force(where, spread, "pretension", required=True)
-        return corner_legs(line, hull.length, hull.beam, headings, self.water.depth, pretension, spread.fairlead_z)
+        sizes = hull.length, hull.beam, headings, self.water.depth, pretension
+        return corner_legs(line, *sizes, spread.fairlead_z, hull.is_round)
 
     def _leg(self, where, given, density, gravity):
         pretension, depth, straight = force(where, given, "pretension"), self.water.depth, self._straight(given)
@@ -302,15 +314,21 @@ class Study(Table):
 
 
 def box_of(db, body):
-    """{"length", "beam", "draft"} m of the box about the origin around one of several bodies, a `bem.modes.Body`
+    """{"length", "beam", "draft"} m of the box about its origin around one of several bodies, a `bem.modes.Body`; also
+    the "radius" of a hull of revolution about its own vertical
 
     db : Database, or a `moor.checked.Body` of hulls that are not solved yet
     """
     if hasattr(db, "boxes"):
         return db.boxes[body.name]
-    points = body_named(db, body.name).mesh.whole().points - (*body.place, 0.0)
+    whole = body_named(db, body.name).mesh.whole()
+    points = whole.points - (*body.place, 0.0)
+    draft = float(-points[:, 2].min())
+    if replace(whole, points=points).is_round:
+        radius = float(np.hypot(*points[:, :2].T).max())
+        return {"length": 2 * radius, "beam": 2 * radius, "draft": draft, "radius": radius}
     length, beam = 2 * np.abs(points @ body.axes)[:, :2].max(axis=0)
-    return {"length": float(length), "beam": float(beam), "draft": float(-points[:, 2].min())}
+    return {"length": float(length), "beam": float(beam), "draft": draft}
 
 
 def sides_of(db):

@@ -5,7 +5,7 @@ import json
 import numpy as np
 
 from hakobune.bem.database.integrity import DatabaseError
-from hakobune.bem.database.results import check_version, opened_result
+from hakobune.bem.database.results import opened_result
 
 from .quantity import Quantity
 from .result import Result
@@ -17,7 +17,6 @@ def read(path, kind=None):
     kind = kind or kind_of(path)
     if not kind:
         raise DatabaseError(f"{path} is not a result file")
-    check_version(path, schema(kind))
     with opened_result(path, schema(kind)) as file:
         if "quantities" not in file.attrs:
             raise DatabaseError(f"{path} is a sweep, which is filled case by case; read it with hakobune.read")

@@ -13,6 +13,7 @@ from hakobune.mooring.on_current.waves import carrier_of, check_blocked
 from hakobune.mooring.response.findings import UNSURE
 from hakobune.mooring.response.linear import frequencies
 from hakobune.mooring.response.viscous import in_sea
+from hakobune.mooring.seas.breaking import too_high, too_high_waves
 from hakobune.mooring.single_point.loads import (
     DriftLoad,
     Loads,
@@ -29,7 +30,7 @@ from hakobune.mooring.studies.conditions import ExposedBox
 from ..common.quantities import StudyError, direction, positive, speed
 from ..common.units import TONF
 from ..common.weather.gusts import gusts_of
-from ..common.weather.seas import sea_with_swell
+from ..common.weather.seas import PERIODS, sea_with_swell, spectrum_of
 from ..common.weather.streams import current_of, no_box, superstructures, wind_of
 
 MIDDLE = (0.0, 0.0)
@@ -156,6 +157,9 @@ def _drift(study, db, center, findings):
         if w.swell:
             raise StudyError("waves.swell is given with drift_tonf_per_m2; swell needs the drift of --database")
         height, to = positive("waves.height", w.height), direction("waves", w)
+        known = any(getattr(w, kind) is not None for kind in PERIODS)
+        Tp = spectrum_of("waves", w, study.water.depth).Tp if known else math.inf
+        findings += too_high_waves(height, Tp, study.water.depth)
         return isotropic_drift(w.drift_tonf_per_m2 * TONF * height**2, to, center, MIDDLE)
     if db is None:
         raise StudyError("waves: the wave drift is unknown; give --database or drift_tonf_per_m2")
@@ -164,6 +168,7 @@ def _drift(study, db, center, findings):
             'the database contains no drift; solve it with want = ["drift"], or give waves.drift_tonf_per_m2'
         )
     sea = sea_with_swell("waves", w, db.water_depth)
+    findings += too_high(sea.spectrum, db.water_depth)
     body, _ = in_sea(db.reader, sea)
     findings += _between_waves(body, sea)
     carrier, forces = waves_carrier(study), wave_forces(body)

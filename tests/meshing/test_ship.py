@@ -55,6 +55,29 @@ def test_a_waterplane_fuller_than_the_hull_below_keeps_the_volume():
         ship(*CONTAINER, waterplane=0.95)
 
 
+@pytest.mark.parametrize("panels", [150, 500])
+@pytest.mark.parametrize("waterplane", [0.75, 0.83, 0.9])
+def test_the_panels_have_the_waterplane_and_the_beam_that_are_asked_for(waterplane, panels):
+    """Flat panels cut the rounds; 0.90 gave 0.911 on 500 panels, and 1.4 % more beam"""
+    length, beam, draft, block = CONTAINER
+    mesh = ship(*CONTAINER, waterplane=waterplane, panels=panels)
+    made = hydrostatics(mesh)
+    assert made.waterplane_area == pytest.approx(waterplane * length * beam, rel=1e-5)
+    assert made.volume == pytest.approx(block * length * beam * draft, rel=1e-9)
+    assert 2 * mesh.points[:, 1].max() == pytest.approx(beam, rel=1e-5)
+
+
+def test_a_waterplane_that_few_panels_cannot_draw_is_told():
+    """Near the largest of the message the ends of eight panels along the hull would have to be fuller than is drawn"""
+    length, beam, *_ = CONTAINER
+    with pytest.raises(ValueError, match="allowed with block coefficient") as refused:
+        ship(*CONTAINER, waterplane=0.999)
+    high = float(str(refused.value).rsplit(" to ", 1)[1])
+    with pytest.warns(UserWarning, match=r"waterplane coefficient of 0\.\d+, where .* is asked for, limit 0\.5 %"):
+        made = hydrostatics(ship(*CONTAINER, waterplane=high, counts=(8, 2, 3)))
+    assert abs(made.waterplane_area / (high * length * beam) - 1) > 5e-3
+
+
 def test_a_fuller_bow_moves_the_buoyancy_ahead():
     made = hydrostatics(ship(*TANKER, bow=0.85, stern=0.65, panels=500))
     assert made.center_of_buoyancy[0] > 0.005 * TANKER[0]

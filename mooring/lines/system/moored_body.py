@@ -88,17 +88,19 @@ def _span(line, height, depth, horizontal_tension):
     return float(span_at_tension(horizontal_tension, height, *properties, line.bed_friction)[0])
 
 
-def corner_legs(line, hull_length, beam, headings, depth, horizontal_tension, z=0.0):
+def corner_legs(line, hull_length, beam, headings, depth, horizontal_tension, z=0.0, is_round=False):
     """Legs from the four corners of a box at mirrored headings, named by corner and number: "fore port 1", …
 
     headings : rad between 0 and π/2, from the x axis, for the corner at +x, +y; z : height of the fairleads, m
+    is_round : of a cylinder of this beam each line leaves the rim along its own radius
     """
     legs = []
     for end, sx in (("fore", 1), ("aft", -1)):
         for side, sy in (("port", 1), ("starboard", -1)):
             for number, angle in enumerate(headings, 1):
                 heading = np.arctan2(sy * np.sin(angle), sx * np.cos(angle))
-                fairlead = (0.5 * sx * hull_length, 0.5 * sy * beam, z)
+                out = (np.cos(heading), np.sin(heading)) if is_round else (sx, sy)
+                fairlead = (float(0.5 * out[0] * hull_length), float(0.5 * out[1] * beam), z)
                 named = replace(line, name=f"{end} {side} {number}")
                 legs.append(leg_at_tension(named, fairlead, heading, depth, horizontal_tension))
     return legs

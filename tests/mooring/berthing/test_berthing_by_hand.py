@@ -21,6 +21,13 @@ def spring(k, end=2.0):
     return fender_of_points("spring", 1.0, [0.0, end], [0.0, k * end])
 
 
+@pytest.mark.parametrize("depth, told", [(10.001, "0.001 m of water under the keel is 0.01 % of the draft; limit 10 %"),
+                                         (10.99, "0.99 m of"), (11.0, ""), (None, "")])  # fmt: skip
+def test_a_ship_nearly_aground_is_told(depth, told):
+    said = list(energy.shallow(SHIP, depth))
+    assert len(said) == bool(told) and all(told in line for line in said)
+
+
 def test_energy_is_half_of_six_factors():
     """½ · 1.6 · 4.5e7 kg · (0.15 m/s)² · 0.5 · 0.9 · 0.8"""
     found = energy.berthing_energy(SHIP, 0.15, 1.6, 0.5, 0.9, 0.8)

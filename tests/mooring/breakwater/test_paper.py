@@ -49,6 +49,8 @@ def test_irregular_waves_of_2_m_and_7_s_leave_116_m():
     sea = bretschneider(2.0, significant_period=7.0)
     parts = equal_cells(sea, 2000)
     assert parts.height == pytest.approx(2.0, rel=2e-3)
+    for cells in (parts, equal_cells(sea, 16)):  # m₀ = 0.06239 H² of its constants
+        assert cells.height == pytest.approx(4 * np.sqrt(0.06239) * 2.0, rel=1e-4)
     assert 4 * parts.deviation(circle(parts.omega).transmission) == pytest.approx(1.160, rel=2e-3)
 
 

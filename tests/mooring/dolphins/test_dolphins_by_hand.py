@@ -30,6 +30,7 @@ from hakobune.mooring.dolphins.earthquake import (
     response_spectrum,
 )
 from hakobune.mooring.dolphins.linearised import equivalent
+from hakobune.mooring.dolphins.methods import Method, untouched
 from hakobune.mooring.environment.spectra import issc
 from hakobune.mooring.fenders.fender import fender_of_points
 
@@ -208,6 +209,18 @@ def test_a_response_spectrum_on_springs_by_hand():
         assert found.deflection == pytest.approx(found.reaction / k, rel=1e-4)
     with pytest.raises(EarthquakeError, match="presses spring beyond its table, which ends at 1 m"):
         by_spectrum(floater, Fenders(spring(2e7), 2), lambda period: 40.0)
+
+
+@pytest.mark.parametrize("displacement, touches", [(0.09, False), (0.11, True)])
+def test_a_spectrum_that_does_not_bring_a_body_to_its_fenders_has_no_period(displacement, touches):
+    """Clearance 0.1 m, S_a = ω² D at the damping of the body: it moves by D at any period, and touches from 0.1 m on"""
+    floater, fenders = Floater(2e6, 5e5, 0.0), Fenders(spring(2e7), 2, 0.1)
+    found = by_spectrum(floater, fenders, lambda T: (2 * math.pi / T) ** 2 * displacement, 0.0)
+    assert bool(found.reaction > 0) == bool(found.deflection > 0) == touches
+    assert bool(np.isnan([found.period, found.ratio, found.acceleration]).all()) != touches
+    quake = SimpleNamespace(fenders=fenders)
+    said = list(untouched(quake, [Method("spectrum", reaction=found.reaction), Method("no", reaction=np.nan)]))
+    assert said == ([] if touches else ["spectrum: no fender is touched; the clearance is 0.1 m on each side"])
 
 
 def test_a_gap_on_each_side_is_left_before_two_fenders_push():

@@ -6,7 +6,8 @@ import pytest
 from hakobune.mooring.loads.box_drag import drag_table
 from hakobune.mooring.loads.on_hull import current_on, silhouettes, turning_drag, wind_on
 from hakobune.mooring.loads.ship_wind import blendermann, ships
-from hakobune.mooring.studies.conditions import Current, ExposedBox, Wind
+from hakobune.mooring.studies.conditions import Conditions, Current, ExposedBox, Wind
+from hakobune.mooring.studies.steady_loads import with_coefficients
 
 BARE = ExposedBox(100.0, 50.0, 10.0, 10.0)
 HOUSE = ExposedBox(100.0, 50.0, 10.0, 10.0, 200.0, 500.0, 18.0)
@@ -79,6 +80,41 @@ def test_streams_pull_a_round_hull_along_themselves_alike_from_all_sides(degrees
     assert air.unit(angle) == pytest.approx(0.6 * 0.5 * 16 * 4 * along, rel=1e-12) and air.height == (2.0, 2.0)
     house = wind_on(Wind(1.0, 0.0, density=1.2), ExposedBox(16.0, 16.0, 6.0, 4.0, 3.0, 7.0, is_round=True))
     assert house.unit(angle)[:2] == pytest.approx(0.6 * (np.array([3.0, 7.0]) + 32.0) * at, rel=1e-12)
+
+
+ROUND = ExposedBox(16.0, 16.0, 6.0, 4.0, is_round=True)
+
+
+@pytest.mark.parametrize(("ratio", "C"), [(1e-9, 0.5), (0.1, 0.5859375), (0.2, 0.775), (0.3999, 1.05), (0.41, 1.05)])
+def test_a_round_hull_in_a_slow_current_keeps_the_drag_of_still_water(ratio, C):
+    """C_D 0.5 + 0.55 x² (3 − 2x), x the current over 0.4 of the hull's speed: x = 1/4, 1/2 and 1 from 0.4 on"""
+    water = current_on(Current(0.3, 0.0), ROUND, 1000.0, 24.0)
+    assert 1.05 * water.share(0.3, 0.3 / ratio) == pytest.approx(C, rel=1e-6)
+    assert 1.05 * water.share(0.3, np.array([0.0, 0.1])) == pytest.approx([1.05, 1.05])
+    assert "motion above 2.5 times the current is damped by less, down to 0.5;" in water.notes[0]
+
+
+def test_all_other_drag_is_the_same_at_any_speed_of_the_hull():
+    given = drag_table([0.0, 0.5 * np.pi], [1.0, 0.0], [0.0, 1.0])
+    for water in (current_on(Current(0.3, 0.0), BARE, 1000.0, 24.0), current_on(None, ROUND, 1000.0, 24.0),
+                  current_on(Current(0.3, 0.0, given), ROUND, 1000.0, 24.0)):  # fmt: skip
+        assert water.share(0.01, np.array([0.0, 1.0, 50.0])) == pytest.approx([1.0] * 3)
+
+
+def test_a_round_hull_turns_in_a_current_as_in_water_at_rest():
+    rest, stream = (current_on(one, ROUND, 1000.0, 24.0) for one in (None, Current(1.0, 0.0)))
+    assert turning_drag(stream, 16.0) == pytest.approx(turning_drag(rest, 16.0), rel=1e-12)
+    assert turning_drag(rest, 16.0) == pytest.approx(0.5 * 500.0 * 0.5 * 6 * 8.0**4, rel=1e-12)
+
+
+@pytest.mark.parametrize(("is_round", "note"), [(True, "C_D 1.05 of a rough cylinder"), (False, "")])
+def test_the_coefficients_of_a_study_are_those_of_its_hull(is_round, note):
+    """`moor` had those of a box of the same length and beam for a round hull, `simulate` those of a cylinder"""
+    hull = ExposedBox(16.0, 16.0, 6.0, 4.0, is_round=is_round)
+    alone = current_on(Current(1.0, 0.3), hull, 1000.0, 24.0)
+    given = with_coefficients(Conditions(None, Current(1.0, 0.3)), hull, 24.0).current
+    assert current_on(given, hull, 1000.0, 24.0).unit(0.3) == pytest.approx(alone.unit(0.3), rel=1e-12)
+    assert given.table.notes == alone.notes and note in "".join(given.table.notes)
 
 
 def test_coefficients_that_are_given_count_on_a_round_hull_too():

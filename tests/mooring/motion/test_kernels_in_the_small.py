@@ -191,7 +191,7 @@ def test_a_stream_pushes_by_the_square_of_what_passes_the_body(gusts):
         [np.cos(around), 2 * np.sin(around), 0 * around, 0.1 * np.sin(around), around * 0, np.cos(around)], 1
     )
     record = (1.0 + 0.2 * streams.GUST_STEP * np.arange(30))[None] if gusts else np.zeros((1, 1))
-    stream = streams.Stream(streams.ring_table(unit)[None], 12.0 * np.array([0.8, 0.6]), record, 2.0)
+    stream = streams.Stream(streams.ring_table(unit)[None], 12.0 * np.array([0.8, 0.6]), record, 2.0, np.ones(1))
     out = np.zeros(6)
     streams.stream_force(stream, 0, 4.0, 0.5, np.array([0.2, 1.0, -0.5]), np.zeros(6), out, np.zeros(1))
     speed = 0.5 * (12.0 + (1.0 + 0.2 * 2.0 if gusts else 0.0))
@@ -200,6 +200,20 @@ def test_a_stream_pushes_by_the_square_of_what_passes_the_body(gusts):
     square, chi = along**2 + across**2, np.arctan2(across, along)
     wanted = [np.cos(chi), 2 * np.sin(chi), 0.0, 0.1 * np.sin(chi), 0.0, np.cos(chi)]
     assert out == pytest.approx(square * np.array(wanted), rel=1e-4)  # a cubic, 10° apart
+
+
+@pytest.mark.parametrize("ratio, share", [(0.0, 0.25), (0.2, 0.625), (0.399, 1.0), (0.41, 1.0)])
+def test_a_body_that_outruns_a_slow_current_has_less_of_its_drag(ratio, share):
+    """0.25 + 0.75 x² (3 − 2x) of unit drag along itself, x the current over 0.4 of the body's 2 m/s"""
+    around = np.arange(720) * np.pi / 360
+    unit = np.stack([np.cos(around), np.sin(around), *np.zeros((4, 720))], 1)
+    table, velocity = streams.ring_table(unit)[None], ratio * 2.0 * np.array([0.0, 1.0])
+    for still, wanted in ((0.25, share), (1.0, 1.0)):
+        stream = streams.Stream(table, velocity, np.zeros((1, 1)), 0.0, np.array([still]))
+        out, moving = np.zeros(6), np.array([0.0, 2.0 * 0.8, 2.0 * 0.6])
+        streams.stream_force(stream, 0, 0.0, 1.0, moving, np.zeros(6), out, np.zeros(1))
+        past = np.array([-1.6, 2.0 * ratio - 1.2])
+        assert out[:2] == pytest.approx(wanted * np.hypot(*past) * past, rel=1e-4)
 
 
 def test_what_lines_miss_by_a_body_that_goes_elsewhere_is_held_against_what_is_allowed():

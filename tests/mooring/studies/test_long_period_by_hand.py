@@ -8,7 +8,7 @@ import pytest
 
 from hakobune.mooring.loads.box_current import current_force
 from hakobune.mooring.studies import long_period as of_long_periods
-from hakobune.mooring.studies.conditions import ExposedBox
+from hakobune.mooring.studies.conditions import Current, ExposedBox
 from hakobune.mooring.studies.long_period import _one, long_period
 
 MASS, BAND = 3.0e6, np.array([0.2, 2.0])
@@ -163,3 +163,14 @@ def test_each_motion_is_an_oscillator_under_drift_gusts_and_waves_below_the_spli
         assert found.damping[j] == pytest.approx(N / math.sqrt(m * K), rel=2e-2)  # 24 nodes at the corner of v|v|
         assert found.by_spectrum[j] == pytest.approx(math.sqrt(np.trapezoid(response, omega)), rel=2e-2)
         assert found.quick[j] == pytest.approx(found.static[j] / (2 * found.damping[j]))
+
+
+@pytest.mark.parametrize(("speed", "sigma", "C"), [(1e-6, 0.3, 0.5), (0.5, 0.01, 1.05)])
+def test_a_slow_current_does_not_double_the_damping_of_a_round_hull(speed, sigma, C):
+    """Still water: √(8/π) ½ρ C_D D d σ; a current far above the motion: along it 2 ½ρ C_D D d U, across it half"""
+    hull, pull = ExposedBox(16.0, 16.0, 6.0, 4.0, is_round=True), 500.0 * C * 16 * 6
+    current = Current(speed, 0.0)
+    drag = of_long_periods._drag_of(current, hull, SimpleNamespace(density=1000.0, water_depth=24.0))
+    along, across = (math.sqrt(8 / math.pi) * sigma,) * 2 if speed < sigma else (2 * speed, speed)
+    assert drag(0, sigma) == pytest.approx(pull * along, rel=5e-3)
+    assert drag(1, sigma) == pytest.approx(pull * across, rel=5e-3)

@@ -50,7 +50,7 @@ def test_parts_of_one_body_name_no_body_at_either_end(fender, rope, says):
     ((0.0, -5.1, 0.0), False), ((0.0, 0.0, 3.1), False), ((0.0, 0.0, -6.1), False), ((-20.1, 0.0, 0.0), False),
 ])  # fmt: skip
 def test_a_point_lies_in_the_box_of_a_hull_of_half_its_length_and_beam(point, inside):
-    hull = SimpleNamespace(length=40.0, beam=10.0, draft=6.0, freeboard=3.0)
+    hull = SimpleNamespace(length=40.0, beam=10.0, draft=6.0, freeboard=3.0, is_round=False)
     assert quay_tables._inside(point, hull) is inside
 
 

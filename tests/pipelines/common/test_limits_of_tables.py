@@ -13,7 +13,7 @@ from hakobune.pipelines.common.quay_tables import DolphinTable, QuayFenderTable,
 from hakobune.pipelines.common.weather.gusts import gusts_of
 from hakobune.pipelines.common.weather.streams import WindTable
 
-HULL = SimpleNamespace(length=100.0, beam=50.0, draft=10.0, freeboard=8.0)
+HULL = SimpleNamespace(length=100.0, beam=50.0, draft=10.0, freeboard=8.0, is_round=False)
 G = 9.80665
 
 

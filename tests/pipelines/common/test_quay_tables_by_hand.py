@@ -8,9 +8,9 @@ import pytest
 
 from hakobune.pipelines.common import quay_tables
 from hakobune.pipelines.common.quantities import StudyError
-from hakobune.pipelines.common.quay_tables import DolphinTable, QuayFenderTable
+from hakobune.pipelines.common.quay_tables import DolphinTable, QuayFenderTable, RopeTable
 
-HULL = SimpleNamespace(length=100.0, beam=40.0, draft=8.0, freeboard=6.0)
+HULL = SimpleNamespace(length=100.0, beam=40.0, draft=8.0, freeboard=6.0, is_round=False)
 
 
 @pytest.mark.parametrize(
@@ -136,3 +136,50 @@ def test_dolphins_carry_one_fender_each():
     ):  # fmt: skip
         with pytest.raises(StudyError, match=says):
             quay_tables._dolphins(given, dolphins)
+
+
+@pytest.mark.parametrize("y, inside", [(19.9, True), (20.1, False)])
+def test_a_bollard_in_the_hull_is_refused(y, inside):
+    rope = RopeTable(name="R", fairlead=(30.0, -20.0, 5.0), bollard=(30.0, y, 4.0), breaking_load_kN=800.0,
+                     break_strain=0.1)  # fmt: skip
+    made = lambda: quay_tables.berth_of_tables([], [], [rope], HULL, np.zeros(3))  # noqa: E731
+    if not inside:
+        assert len(made().ropes) == 1
+        return
+    with pytest.raises(StudyError, match=r"rope R: its bollard \(30, 19\.9, 4\) m lies in the hull, 100 by 40 m, z"):
+        made()
+
+
+def test_a_round_hull_has_no_corners_for_bollards():
+    disc = SimpleNamespace(**vars(HULL) | {"length": 40.0, "is_round": True})
+    assert quay_tables._inside(np.array([14.0, 14.0, 0.0]), disc)
+    assert not quay_tables._inside(np.array([14.2, 14.2, 0.0]), disc)
+
+
+def rope(fairlead, bollard):
+    return SimpleNamespace(name="R", fairlead=fairlead, bollard=bollard)
+
+
+def fender(x, y):
+    return SimpleNamespace(name="F", position=(x, y, 1.0))
+
+
+@pytest.mark.parametrize(("fairlead", "bollard", "told"), [
+    ((30.0, 20.0, 5.0), (30.0, -35.0, 4.0), True), ((30.0, 20.0, 5.0), (30.0, 35.0, 4.0), False),
+    ((30.0, 20.0, 7.0), (30.0, -35.0, 7.0), False),  # over the deck
+    ((49.0, 5.0, 5.0), (55.0, -5.0, 5.0), False), ((49.0, 5.0, 5.0), (50.9, -5.0, 5.0), True),  # before the bow
+])  # fmt: skip
+def test_a_rope_through_the_hull_to_its_other_side_is_told(fairlead, bollard, told):
+    said = list(quay_tables.doubtful_holds([], [rope(fairlead, bollard)], HULL, False))
+    assert len(said) == told and all("to a bollard on its other side: R; limit none" in line for line in said)
+
+
+@pytest.mark.parametrize(("fenders", "ropes", "held", "told"), [
+    ([fender(0, 20.5)], (), False, True), ([fender(0, 20.5), fender(9, 20.5)], (), False, True), ([], (), False, False),
+    ([fender(0, 20.5), fender(0, -20.5)], (), False, False), ([fender(0, 20.5)], (), True, False),
+    ([fender(0, 20.5)], [rope((0, 20, 5), (0, 40, 5))], False, False),
+])  # fmt: skip
+def test_fenders_of_one_side_alone_hold_nothing(fenders, ropes, held, told):
+    said = list(quay_tables.doubtful_holds(fenders, ropes, HULL, held))
+    assert len(said) == told
+    assert all(f"{len(fenders)} of {len(fenders)} push to one side" in line for line in said)

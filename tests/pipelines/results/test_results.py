@@ -12,6 +12,7 @@ from hakobune.pipelines.results.file import read
 from hakobune.pipelines.results.quantity import Quantity, quantities, read_in
 from hakobune.pipelines.results.result import Result, labels
 from hakobune.pipelines.results.tables import printed, tables
+from hakobune.pipelines.results.writing import write
 
 ODD = np.nextafter(0.1, 1) * np.array([1.0, 3e4, 7e-5])  # no number of few digits
 
@@ -190,6 +191,15 @@ def test_a_file_of_version_1_that_cannot_be_opened_is_told_as_that(tmp_path):
     (tmp_path / "cut.h5").write_bytes(b"\x89HDF\r\n\x1a\nschema hakobune mooring study 1\0")
     with pytest.raises(VersionError, match=r"is a file of mooring study of schema version 1, and this program reads"):
         read(tmp_path / "cut.h5", "moor")
+
+
+@pytest.mark.parametrize("words", ["# hakobune mooring study 1", "hakobune moor 99, or hakobune mooring study 2"])
+def test_an_intact_result_whose_study_has_the_words_of_another_version_is_read(tmp_path, words):
+    made = Result("moor", {"a": Quantity(2.0)}, {}, provenance={"study": words})
+    write(made, tmp_path / "new.h5")
+    for kind in (None, "moor"):
+        found = read(tmp_path / "new.h5", kind)
+        assert found["a"] == 2.0 and found.provenance["study"] == words
 
 
 def test_quantities_are_equal_if_their_values_and_all_their_words_are():

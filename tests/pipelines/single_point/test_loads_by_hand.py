@@ -2,6 +2,7 @@
 
 import copy
 import math
+import re
 import tomllib
 from types import SimpleNamespace
 
@@ -133,6 +134,25 @@ def test_drift_of_a_coefficient_is_of_the_square_of_the_height_along_the_waves()
     empty = SimpleNamespace(reader=SimpleNamespace(knows_drift=False))
     with pytest.raises(StudyError, match="the database contains no drift; solve it with"):
         found(waves__drift_tonf_per_m2=None, db=empty)
+
+
+@pytest.mark.parametrize("period, height, says", [
+    (None, 23.9, ""), (None, 24.1, "the highest of 1000 waves, 44.8 m, breaks at 44.6 m"),
+    (None, 30.1, r"0\.6 of the water depth 50 m"), (None, 44.5, "of the water depth 50 m"),
+    (None, 44.7, r"refused: significant height is 44\.7 m, but single waves break at 44\.6\d m in 50 m"),
+    (6.0, 4.2, ""), (6.0, 4.4, "the highest of 1000 waves, 8.18 m, breaks at 7.98 m"),
+    (6.0, 8.0, r"refused: significant height is 8 m at a peak period of 6 s, but single waves break at 7\.978"),
+])  # fmt: skip
+def test_waves_that_break_are_told_or_refused_as_by_other_commands(period, height, says):
+    """0.6 h and 0.142 · 2π h of any period in 50 m; 0.142 g T²/2π = 7.98 m of 6 s, half of it of a thousand waves"""
+    given = {"waves__drift_tonf_per_m2": 1.0, "waves__height": height, "waves__peak_period": period}
+    given |= {f"waves__{key}": None for key in ("mean_period", "period")}
+    if says.startswith("refused"):
+        with pytest.raises(ValueError, match=says.removeprefix("refused: ")):
+            found(**given)
+        return
+    told = [line for line in found(**given)[1] if "of the water depth" in line or "breaks at" in line]
+    assert len(told) == bool(says) and all(re.search(says, line) for line in told)
 
 
 def test_drift_on_a_current_is_told_beside_that_of_still_water():

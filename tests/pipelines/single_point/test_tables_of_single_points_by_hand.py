@@ -552,7 +552,8 @@ def test_a_study_is_checked_with_its_database_as_far_as_it_is_known(monkeypatch)
 
 def test_drift_of_a_database_tells_of_waves_that_the_current_stops(monkeypatch):
     for name, value in {
-        "sea_with_swell": "sea",
+        "sea_with_swell": SimpleNamespace(spectrum="spectrum"),
+        "too_high": ["too high"],
         "wave_forces": "forces",
         "waves_carrier": None,
         "_between_waves": ["unsure"],
@@ -565,12 +566,12 @@ def test_drift_of_a_database_tells_of_waves_that_the_current_stops(monkeypatch):
     monkeypatch.setattr(loads, "in_sea", lambda reader, sea: (body, None))
     db = SimpleNamespace(reader=SimpleNamespace(knows_drift=True), water_depth=30.0)
     findings, study = [], SimpleNamespace(waves=SimpleNamespace(drift_tonf_per_m2=None), current=None)
-    assert loads._drift(study, db, np.zeros(2), findings) == "load" and findings == ["unsure", "blocked"]
+    assert loads._drift(study, db, np.zeros(2), findings) == "load" and findings == ["too high", "unsure", "blocked"]
     monkeypatch.setattr(loads, "waves_carrier", lambda study: "carrier")
     monkeypatch.setattr(loads, "_by_current", lambda drift, still, current: f"{drift} {still}")
     findings.clear()
     loads._drift(study, db, np.zeros(2), findings)
-    assert findings == ["unsure", "blocked", "mean mean"]
+    assert findings == ["too high", "unsure", "blocked", "mean mean"]
     assert loads._drift(SimpleNamespace(waves=None), db, 0, []) is None
     db.reader.knows_drift = False
     for given, says in (
