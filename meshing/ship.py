@@ -47,7 +47,7 @@ def ship(
     radius = BILGE * min(draft, 0.5 * beam)
     if waterplane is not None:
         if bow is not None or stern is not None:
-            raise ValueError("waterplane is given beside fullness of bow or stern; allowed: one of them")
+            raise ValueError("waterplane and fullness of bow or stern are both given; give one of them")
         along, (keel, top) = _fullness(block, waterplane, radius / (0.5 * beam), radius / draft)
         bow, stern = np.array([keel, top]), np.array([keel, top])
     else:

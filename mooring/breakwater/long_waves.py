@@ -49,7 +49,9 @@ def equal_area(diameter, draft):
 def long_wave(half, draft, depth, omega, gravity):
     """`LongWave`; half, draft, depth : m; omega : (...,) rad/s.  Raises ValueError for lengths that form no section."""
     if not (half > 0 and 0 < draft < depth < np.inf):
-        raise ValueError(f"half width {half:g} m, draft {draft:g} m, depth {depth:g} m; allowed: 0 < draft < depth")
+        raise ValueError(
+            f"half width is {half:g} m, draft {draft:g} m and depth {depth:g} m; allowed: 0 < draft < depth"
+        )
     k = wavenumber(omega, depth, gravity)
     n = group_factor(k, depth)
     under, tanh = depth_factor_slope(-draft, k, depth) / k, np.tanh(k * depth)

@@ -154,8 +154,8 @@ def _tell_missing(spectrum, low, high):
     if held < 1 - MISSED:
         warnings.warn(
             f"the gust band {low:.3g} to {high:.3g} rad/s contains {100 * held:.1f} % of the variance of "
-            f"{spectrum.name} at {spectrum.speed:g} m/s, at least {100 * (1 - MISSED):g} % is needed; "
-            "widen the band, or scale the record",
+            f"{spectrum.name} at {spectrum.speed:g} m/s; at least {100 * (1 - MISSED):g} % is needed; widen the "
+            "band, or scale the record",
             MissingVariance,
             stacklevel=4,
         )

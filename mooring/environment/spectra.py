@@ -101,8 +101,8 @@ def jonswap_fetch(wind_speed, fetch, *, gamma=3.3, gravity=GRAVITY):
     longest = FULLY_DEVELOPED * speed**2 / g
     if fetch > longest * (1 + 1e-9):
         raise ValueError(
-            f"fetch is {fetch:g} m; beyond {longest:.4g} m the sea of a wind of {speed:g} m/s is fully developed, f_p "
-            "U/g = 0.13; give at most that fetch"
+            f"fetch is {fetch:g} m; beyond {longest:.4g} m the sea of a wind of {speed:g} m/s is fully "
+            "developed (f_p U/g = 0.13); give a fetch up to this limit"
         )
     x = g * fetch / speed**2
     peak_omega = 2 * np.pi * 3.5 * x**-0.33 * g / speed

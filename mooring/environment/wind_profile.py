@@ -106,8 +106,8 @@ def mean_over(speed, given, wanted, height=10.0):
     reached = np.array([froya_speed_at(height, hourly, given) for hourly in tried])
     if reached.max() < speed:
         raise ValueError(
-            f"the wind is {speed:.4g} m/s over {given:g} s at {height:g} m; the Frøya formula reaches at most "
-            f"{reached.max():.4g} m/s there; give the wind at 10 m"
+            f"the wind speed is {speed:.4g} m/s as a mean over {given:g} s at a height of {height:g} m; the "
+            f"Frøya formula reaches at most {reached.max():.4g} m/s at this height; give the wind at 10 m"
         )
     upper = tried[np.argmax(reached >= speed)]
     hourly = brentq(lambda u: float(froya_speed_at(height, u, given)) - speed, 1e-9, upper)

@@ -86,8 +86,8 @@ def fender_of_family(family, height, *, length=None, rated_reaction=None, pressu
 def _ordinary(label, family, intensity, height, length):
     if intensity is None:
         raise FenderError(
-            f"{label}: no public source gives its reaction; give the rated reaction of the manufacturer, "
-            f"rated_reaction; allowed without it: {', '.join(_with_reaction())}"
+            f"{label}: no public source gives its reaction; give rated_reaction, the rated reaction of the "
+            f"manufacturer; families that do not need it: {', '.join(_with_reaction())}"
         )
     if family != "cell" and length is None:
         raise FenderError(f"{label}: its length is missing; give the length, or the rated reaction of the manufacturer")

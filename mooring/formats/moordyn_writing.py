@@ -116,8 +116,8 @@ def _differences(system):
     lighter = weighed_differently(system)
     if lighter:
         yield (
-            f"line {', '.join(lighter)} comes out of the water; its part in the air has its weight in water here, but "
-            "its weight in air in MoorDyn"
+            f"line {', '.join(lighter)} comes out of the water; its part in the air has its weight in air in "
+            "MoorDyn, and its weight in water in hakobune"
         )
     lost = [line.name for line in system.lines if np.isfinite(line.breaking_load)]
     told = f"; breaking loads are not in the file: those of {', '.join(lost)} are lost" if lost else ""
@@ -126,7 +126,7 @@ def _differences(system):
         yield f"the MoorDyn file has numbers instead of names for lines: {numbers}{told}; keep the original file"
     moved = [body.name for body in system.bodies if body.freedom]
     if moved:
-        yield f"{', '.join(moved)} may move here, but the MoorDyn file fixes it at its given place (Coupled)"
+        yield (f"{', '.join(moved)} may move in hakobune, but the MoorDyn file holds it at its given place, as Coupled")
 
 
 def _positive(name, text):

@@ -171,8 +171,8 @@ def buoy_arrays(buoy):
     righting = body.metacentric_height(density)
     if body.lever != 0 and not (body.lever > 0 and righting > 0):
         raise ValueError(
-            f"a buoy on hawsers {body.lever:.3g} m over its lines, its metacentric height {righting:.3g} m, does not "
-            "float upright; allowed: both above 0"
+            f"a buoy whose hawsers are {body.lever:.3g} m above its lines and whose metacentric height is "
+            f"{righting:.3g} m does not float upright; allowed: both above 0"
         )
     upright = body.upright(system) if body.lever > 0 else 1.0
     displaced = density * area * draft

@@ -173,9 +173,8 @@ def drift_of_each(body, slow):
         return
     if not body.own:
         yield (
-            "the drift of each body is the stored drift, for free motions; damping, stiffness and hinges that are "
-            "added "
-            "here change the motions and so the true drift"
+            "the drift of each body is the stored drift of free motions; damping, stiffness and hinges of this study "
+            "change the motions and therefore the true drift"
         )
         return
     away = np.abs(sum_about_origin(slow.of_each, body.bodies) - slow.drift)[:2].max()
@@ -197,9 +196,9 @@ def current_along_waves(carrier, heading, weights, damping):
     across = float(share @ np.abs(carrier.velocity[1] * np.cos(heading) - carrier.velocity[0] * np.sin(heading)))
     if across > ACROSS * np.hypot(*carrier.velocity):
         yield (
-            f"the current runs at {across:.2g} m/s across the waves: its effect on their drift is not included, since "
-            f"the database lacks headings on both sides of {np.rad2deg(heading[0]):.4g}°; add these headings to the "
-            f"scene"
+            f"the current has a component of {across:.2g} m/s across the waves; its effect on the drift is not "
+            f"included, since the database lacks headings on both sides of {np.rad2deg(heading[0]):.4g}°; add these "
+            "headings to the scene"
         )
 
 

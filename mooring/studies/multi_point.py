@@ -370,8 +370,9 @@ def _check_bodies(system, hulls):
         if not np.allclose(body.position, one.position, rtol=0, atol=1e-9) or body.freedom != HORIZONTAL:
             turned = f"turned by {one.heading:.4g} rad" if one.heading else "unturned"
             raise ValueError(
-                f"body {body.name} has its axes at {body.position}, moving in {', '.join(body.freedom) or 'nothing'}; "
-                f"allowed: at the rotation centre {one.position[:3]}, {turned}, moving in {', '.join(HORIZONTAL)}"
+                f"body {body.name} has its axes at {body.position} and moves in "
+                f"{', '.join(body.freedom) or 'nothing'}; allowed: axes at the rotation centre "
+                f"{one.position[:3]}, {turned}, and motions in {', '.join(HORIZONTAL)}"
             )
     points = {point.name: point for point in system.points}
     for line in system.lines:

@@ -67,10 +67,10 @@ def step_error(case, result, state, limit):
         part = int(np.argmax(np.abs(ours - others)[at]))
         warnings.warn(
             fails(
-                f"{case.line}: with steps {COARSER:g} times as long the largest tension {_WHERE[at]} from "
-                f"{edges[part]:.4g} to {edges[part + 1]:.4g} s is {_kN(others[at, part])} in place of "
-                f"{_kN(ours[at, part])}: time steps leave an error of {error[at]:.1%} in the largest tensions, "
-                f"allowed {limit:.1%}; give a tolerance smaller than {case.tolerance:g}"
+                f"{case.line}: the largest tension {_WHERE[at]} from {edges[part]:.4g} to "
+                f"{edges[part + 1]:.4g} s is {_kN(ours[at, part])}, and {_kN(others[at, part])} with steps "
+                f"{COARSER:g} times as long: time steps leave an error of {error[at]:.1%} in the largest "
+                f"tensions, allowed {limit:.1%}; give a tolerance smaller than {case.tolerance:g}"
             ),
             stacklevel=3,
         )

@@ -52,9 +52,9 @@ def _check_bending(line, q):
     tension = float(lumped.elastic_tension(line.system, q).max())
     if 4 * stiffest.bending_stiffness > tension * line.length**2:
         raise LineError(
-            f"{line}: bending stiffness EI = {1e-3 * stiffest.bending_stiffness:.4g} kN m² shapes the line more than "
-            f"its tension, at most {1e-3 * tension:.4g} kN at rest without EI; allowed: up to "
-            f"{0.25e-3 * tension * line.length**2:.4g} kN m², T L²/4"
+            f"{line}: the bending stiffness EI of {0.001 * stiffest.bending_stiffness:.4g} kN m² shapes the line "
+            f"more than its tension of at most {0.001 * tension:.4g} kN (at rest, without EI) does; allowed: up to "
+            f"{0.00025 * tension * line.length**2:.4g} kN m², T L²/4"
         )
 
 

@@ -124,7 +124,7 @@ def test_motions_of_the_free_body_follow_where_all_is_there():
     for factor, told in ((1.04, False), (1.06, True), (0.94, True)):  # of pitch alone
         scaled = found.quantities["rao"] * np.array([1, 1, 1, 1, factor, 1])
         said = on_hull(replace(own, quantities=own.quantities | {"rao": scaled}), HULL, Weight(gyration=(3, 6, 6)))[1]
-        of_motions = [one for one in said if one.startswith("the motions in the files are stored, and differ from")]
+        of_motions = [one for one in said if one.startswith("the motions in the files are stored; they differ by")]
         assert len(of_motions) == told and all("by up to 6 % of the largest pitch" in one for one in of_motions)
 
 
