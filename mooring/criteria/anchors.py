@@ -54,7 +54,7 @@ class Anchor(NamedTuple):
         return self.friction * (self.weight - np.maximum(up, 0.0)) if self.kind == "sinker" else self.holding
 
     def mass(self, along, up):
-        """kg, of a drag anchor of a chart: its own, or the required one; nan of other anchors"""
+        """Mass of a drag anchor of a chart, kg: its own, or the required one; nan for other anchors"""
         if self.chart is None or np.isnan(self.holding):
             return self.needed(along, up) if self.kind == "drag" else np.nan
         return self.chart.reference * (self.holding / self.chart.holding) ** (1 / self.chart.exponent)

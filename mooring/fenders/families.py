@@ -1,7 +1,8 @@
 """Fenders by family, generic, and by tables of makers.
 
-A family is a shape, reaction over rated reaction by strain, scaled by size and grade: `tables/shapes.csv`, with marks
-in `tables/families.csv` and their sources in both.  A maker's table is a CSV with the columns
+A family is a shape, reaction over rated reaction by strain, scaled by size and grade. The shapes are in
+`tables/shapes.csv`, the marks in `tables/families.csv`, with sources in both.
+A maker's table is a CSV with the columns
 
     strain (of the height) or deflection_m,  reaction_kN,  and, if measured, unloading_kN.
 """

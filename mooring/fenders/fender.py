@@ -77,7 +77,7 @@ class Fender:
         return float(np.sum(half * w * force) + self.unloading.integral(below))
 
     def deflection_at_energy(self, energy):
-        """m, deflection that absorbs an energy, J.  Raises FenderError if the table ends before."""
+        """m, deflection that absorbs an energy, J.  Raises FenderError if the table ends before this deflection."""
         last = np.inf if self.overload else self.limit
         most = self.loading.integral(self.limit)
         if energy > most and np.isfinite(last):

@@ -2,10 +2,11 @@
 
     ω = σ + k·V,    σ² = gk tanh kh,    C_g + V·k/k > 0
 
-V is the current, σ the intrinsic frequency, in the moving water, and ω the absolute one, at which a buoy or a moored
-body at rest meets the waves.  The wave length depends on σ.  Wave models (SWAN, WAVEWATCH III) give spectra over σ,
+V is the current. σ is the intrinsic frequency, in the moving water; ω is the absolute frequency, at which a buoy or a
+moored body at rest meets the waves.
+The wave length depends on σ.  Wave models (SWAN, WAVEWATCH III) give spectra over σ,
 "intrinsic"; a moored buoy and a record at a place measure over ω, "absolute".  "still" neglects the current.  The
-direction of a wave is that of k, at right angles to its crests; its energy travels with C_g + V, and waves whose energy
+direction of a wave is that of k, at right angles to its crests, and its energy travels with C_g + V. Waves whose energy
 would come from downstream of the body do not exist there: the current blocks them.
 """
 

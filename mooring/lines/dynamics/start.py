@@ -17,7 +17,7 @@ def start(line, fairlead, water):
     """State of a line at rest with its fairlead at (3,) m, in still water or a current.
 
     Friction acts as on a line pulled out from slack: it is fully mobilised from the touchdown point on. A line with
-    bending stiffness starts from its shape without, and must behave as a line: see `_check_bending`.
+    bending stiffness starts from its shape without this stiffness, and must behave as a line: see `_check_bending`.
     raises : LineError where no equilibrium was found
     """
     fairlead, slip = np.asarray(fairlead, float), np.zeros((line.elements + 1, 3))

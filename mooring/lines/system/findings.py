@@ -88,7 +88,7 @@ def unheld(lines):
     """Whether a part of each line without tension lies on a bed that is too steep for its friction; shape (n,) of
     LineForces.
 
-    The solution leaves such a part in place; in reality it slides down to the nearest low point of the bed and pulls
+    The solution leaves such a part in place. In reality it slides down to the nearest low point of the bed and pulls
     the line.
     """
     return np.array([i in lines.solutions and lines.solutions[i].slides for i in range(len(lines.status))], bool)

@@ -174,7 +174,7 @@ def test_a_gust_band_that_leaves_out_more_than_a_hundredth_is_told(share, warned
     assert bool(said) is warned
     if warned:
         with pytest.warns(
-            MissingVariance, match=r"contains 98\.9 % of the variance of Kaimal at 20 m/s, at least 99 %"
+            MissingVariance, match=r"contains 98\.9 % of the variance of Kaimal at 20 m/s; at least 99 %"
         ):
             gust_components(spectrum, 1, 1e-12, 2 * math.pi * X / spectrum.time_scale, 10)
 
