@@ -63,7 +63,7 @@ def test_seasons_are_those_of_rows_with_waves(tmp_path):
     days = np.arange(np.datetime64("2018-01-01", "D"), np.datetime64("2020-01-01"))
     lines = [f"{day}T00:00,{'nan' if str(day)[5:7] == '01' else 1.0},8.0,270.0" for day in days]
     said = record(tmp_path, ["time,hs,tp,dir", *lines]).said
-    assert any("the record has nothing of January" in line for line in said)
+    assert any("the record has no rows of January" in line for line in said)
 
 
 @pytest.mark.parametrize(
