@@ -347,6 +347,6 @@ def test_a_wind_that_the_froya_formula_does_not_reach_near_the_sea_is_refused():
     u = np.linspace(0.0, 200.0, 200001)
     top = np.max(u * (1 + 0.0573 * np.sqrt(1 + 0.15 * u) * math.log(0.02)))
     assert mean_over(0.99 * top, 3600, 600, 0.2) > 0.99 * top
-    with pytest.raises(ValueError, match=r"at 0\.2 m; the Frøya formula reaches at most .* give the wind at 10 m"):
+    with pytest.raises(ValueError, match=r"of 0\.2 m; the Frøya formula reaches at most .* give the wind at 10 m"):
         mean_over(1.01 * top, 3600, 600, 0.2)
     assert mean_over(1.01 * top, 3600, 3600, 0.2) == 1.01 * top

@@ -179,7 +179,7 @@ X = [0.0, 0.2, 0.5]
         (lambda v: fender_of_points("f", 1.0, X, [0, 1e6, 2e6], rated=v), 0.5, 0.505, "its rated strain is 0.505"),
         (lambda v: fender_of_points("f", 1.0, X, [0, 1e6, 2e6], rated=0.4, allowable=v), 0.5, 0.505, "allowable"),
         (lambda v: fender_of_points("f", 1.0, X, [v, 1e6, 2e6]), 0.0, 1.0, "without deflection its reaction is 1"),
-        (lambda v: fender_of_points("f", 1.0, X, [0, 1e6, 2e6], [v, 0, 0]), 0.0, 1.0, "is 0 and 1 N"),
+        (lambda v: fender_of_points("f", 1.0, X, [0, 1e6, 2e6], [v, 0, 0]), 0.0, 1.0, "is 0 N on the loading and 1 N"),
         (lambda v: fender_of_points("f", 1.0, X, [0, 1e6, v], corners=True), 0.0, -1.0, "reaction at 0.5 m is -1 N"),
         (lambda v: fender_of_points("f", v, X, [0, 1e6, 2e6]), 1.0, 0.0, "height is 0 m"),
         (lambda v: fender_of_points("f", 1.0, [v, 0.2, 0.5], [0, 1e6, 2e6]), 0.0, 0.1, "begin at 0.1"),
