@@ -22,7 +22,7 @@ def test_every_slow_motion_far_beyond_its_spectral_value_is_told(monkeypatch):
     file = SimpleNamespace(attrs={"hull": [100.0, 20.0, 8.0], "spectral_slow": [1.0, np.nan, math.radians(1.0)]})
     surge, yaw = findings.slow_findings(file)
     assert surge.startswith("slow surge has σ 3 m; slow forces on springs as stiff as the lines under the mean loads")
-    assert "would give 1 m: first-order waves" in surge and yaw.startswith("slow yaw has σ 4 °") and "give 1 °" in yaw
+    assert "would give 1 m; first-order waves" in surge and yaw.startswith("slow yaw has σ 4 °") and "give 1 °" in yaw
     for slow, wave, told in ((2.01, 0.0, True), (1.99, 0.0, False), (2.01, 4.1, False), (2.06, 4.1, True)):
         values["surge"] = {"slow": slow, "wave": wave}
         assert ("surge" in "".join(findings.slow_findings(file))) is told, (slow, wave)
