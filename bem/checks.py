@@ -10,8 +10,8 @@ rotation centre, with
     b = max(B, ωA / πN)       damping of its own size, or of that by which oscillations exp(−Bt / 2(M + A)) of any
                               mass M take N periods and more to die
 
-for any inertia and restoring forces, which moorings change.  Resonance with so little damping does not develop
-fully within N periods: its height depends on the duration of the waves.  N = 1000 is three hours of waves of 11 s.  In
+for any inertia and restoring forces, which moorings change.  A resonance with so little damping does not develop fully
+within N periods; its height depends on the duration of the waves.  N = 1000 is three hours of waves of 11 s.  In
 waves from rest, N periods long, the variance of the resonant motion is ∝ (1 − (1 − e⁻ˣ)/x)/x in the mean, x = 2B/b₀ ≤ 2
 for B ≤ b₀ = ωA / πN: an error of b₀ε changes its standard deviation by ε/3 at most (tests/bench/damping_floor.py).
 """
@@ -66,7 +66,8 @@ def haskind(run):
 
 
 def radiated_energy(run):
-    """Violation between B by the work of a motion and B by the power of the waves that it radiates"""
+    """Violation of energy conservation: damping B from the work of a motion against B from the power of the radiated
+    waves"""
     far = run.radiated[np.ix_(run.dofs, run.dofs)]
     return float((np.abs(far - _wanted(run).imag) / radiation_scale(run)).max())
 
@@ -87,12 +88,13 @@ def estimate(run, rough, refinement):
 
 
 def share_left(refinement):
-    """Error of a mesh over its difference from a coarser one; refinement as in `estimate`"""
+    """Error of a mesh over its difference from a coarser mesh; refinement as in `estimate`"""
     return 1 / (refinement**ERROR_ORDER - 1)
 
 
 def at_least_haskind(error, excitation, haskind, dofs):
-    """Errors of excitation (m, 6); in `dofs` an error is at least the difference of two computations of the same force.
+    """Errors of excitation (m, 6); in `dofs` an error is at least the difference between two computations of the same
+    force.
 
     error : errors estimated otherwise; excitation, haskind : (m, 6) of diffraction and of radiation
     """
@@ -150,7 +152,7 @@ def excitation_scale(run, of=None):
     (of,)
 
     Sway in a head sea and heave in short waves are nothing but error. Therefore no force counts as less than a fifth of
-    the largest, and no moment as less than that of such a force at half the hull's radius.
+    the largest force. No moment counts as less than that smallest force at half the hull's radius.
     """
     size = np.maximum(np.abs(run.excitation), np.abs(run.diffraction)).max(axis=0)
     turns = turning(run.problem.bodies, run.problem.modes)

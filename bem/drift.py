@@ -33,7 +33,7 @@ def drift_of_two(H, slope, ahead, ahead_slope, theta, beta, k, n, density, gravi
 
     ahead, ahead_slope : (headings, headings) H and H′ of each wave in the direction of each; the rest as in
     `mean_drift`, which gives D_ii.  The far field contains the interference of both waves with the waves that the body
-    sends in either:
+    sends out in each of them:
 
         −2π cosβ Re H(β) becomes −π {cosβⱼ Hᵢ(βⱼ) + cosβᵢ H̄ⱼ(βᵢ)},    Im H′(β) alike,    |H|² becomes Hᵢ H̄ⱼ
     """

@@ -2,7 +2,7 @@
 
     {−ω²[M + A] − iω[B + B'] + C} X = F,      H = H_D + Σ Xⱼ Hⱼ
 
-with added mass A, damping B, excitation F and Kochin functions H that do not depend on mass, gyration, centre of
+with added mass A, damping B, excitation F and Kochin functions H, which do not depend on mass, gyration, centre of
 gravity and viscous damping B' (`bem.motions`, `bem.viscous`, `bem.drift`).
 """
 

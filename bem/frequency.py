@@ -1,4 +1,4 @@
-"""One frequency of one problem: the wanted quantities, with no more computation than they need."""
+"""Computes one frequency of one problem: the wanted quantities, and nothing that they do not need."""
 
 import time
 from functools import cached_property
@@ -113,11 +113,11 @@ class FrequencyRun:
         return self.froude_krylov + self.diffraction
 
     def within_tolerance(self):
-        """The run with estimated errors within the tolerance, where errors of damping are relative to the size of
+        """The run whose estimated errors are within the tolerance; errors of damping are relative to the size of
         damping.
 
-        Otherwise the run by `sharper` of the same frequency, repeated up to `most_sharper` times while the error
-        decreases: on panels a thousand times as long as wide the error remains, while work and memory grow fourfold.
+        Otherwise the same frequency is run again by `sharper`, up to `most_sharper` times while the error decreases. On
+        panels a thousand times as long as wide the error remains, while work and memory grow fourfold.
         """
         run = self
         for _ in range(self.most_sharper if self.solves else 0):
@@ -139,7 +139,7 @@ class FrequencyRun:
 
     @property
     def bounds(self):
-        """`differences`, or upper bounds of their size where they are interpolated"""
+        """`differences`, or upper bounds of their size if they are interpolated"""
         return self.differences
 
     @property
@@ -232,9 +232,10 @@ class FrequencyRun:
     def estimated_errors(self):
         """{name: absolute errors} of the wanted `schema.ESTIMATES`, about the rotation centre.
 
-        Errors of motions and drift are their changes when coefficients, forces and Kochin functions are corrected by
-        their errors: in long waves these nearly cancel, and at resonance the dependence is not linear.  All of them are
-        then differences between two resolutions: `haskind`, which raises one of them, would destroy the cancellation.
+        Errors of motions and drift are their changes when coefficients, forces and Kochin functions change by their
+        errors. In long waves these changes nearly cancel, and at resonance the dependence is not linear.
+        All errors are then differences between two resolutions. `haskind` would raise one of them and destroy the
+        cancellation.
         """
         if self.errors is None:
             return {}

@@ -2,10 +2,11 @@
 
     G X = 0,    D X = F + Gᵀμ,    X = Z q,  G Z = 0,    (Zᵀ D Z) q = Zᵀ F,    μ = (G Gᵀ)⁻¹ G (D X − F)
 
-A row of G requires that the point of the link moves equally on both bodies along an axis of the first, or that both
-bodies rotate equally about such an axis.  μ is the force and moment exerted by the first body on the second.  A spring
-and a damper along a slider or about a hinge (a power take-off) act on the travel s, the displacement of the second body
-from the first along or about the axis, with k (s − rest) + c ṡ.  One of the bodies may be SPACE, which stands for the
+A row of G requires that the point of the link moves equally on both bodies along an axis of the first body, or that
+both bodies rotate equally about such an axis. μ is the force and moment that the first body exerts on the second.
+A spring and a damper act along a slider or about a hinge (a power take-off). The travel s is the displacement of the
+second body from the first along or about the axis, and the force is k (s − rest) + c ṡ.
+One of the bodies may be SPACE, which stands for the
 scene; a single body is called ALONE.
 """
 

@@ -4,8 +4,8 @@
     H(θ) = −(k²/4nω) ∬ (φ ∂ψ/∂n − ψ ∂φ/∂n) dS,    ψ = Z(z) exp(−ik(x cosθ + y sinθ))
 
 with n = C_g/C and Z(z) = cosh k(z+h)/cosh kh.  In diffraction H is per unit wave amplitude, in radiation per unit
-amplitude of the motion, m or rad.  The function of SR179 report (1982), eq. 2.1.5.15, is −2g/ω times this one, per
-unit velocity; it has source strengths where a direct solution has φ and ∂φ/∂n.
+amplitude of the motion, m or rad.  The function of the SR179 report (1982), eq. 2.1.5.15, is −2g/ω times this one, per
+unit velocity. It has source strengths where a direct solution has φ and ∂φ/∂n.
 """
 
 import math
@@ -35,7 +35,7 @@ class Folded(NamedTuple):
         """H and H′ (…, t) of a symmetry class at all angles, from H and H′ at `angles` (…, u); signs : (i,) ±1 of the
         class in the images
 
-        An image has the sign of the class, and its derivative also that of the change of angle.
+        An image has the sign of its class. Its derivative also has the sign of the change of angle.
         """
         turned = signs * self.images.prod(axis=1)
         return value[..., self.place] * signs[self.image], slope[..., self.place] * turned[self.image]

@@ -81,8 +81,8 @@ class Mode(NamedTuple):
         return self.shape.displacement((np.asarray(points, float) - (*self.place, 0.0)) @ own.T) @ own
 
     def parity(self, points):
-        """Signs of the shape under x → −x and under y → −y, 0 where it has none; shape (2,); points : (n, 3), m, of the
-        body"""
+        """Signs of the shape under x → −x and under y → −y, 0 where it has no symmetry; shape (2,); points : (n, 3), m,
+        of the body"""
         here = self.displacement(points)
         out = []
         for mirror in ((-1, 1, 1), (1, -1, 1)):
@@ -169,10 +169,11 @@ def normal_velocities(centroids, normals):
 def displacing(mesh, modes=()):
     """Whether each mode displaces water, of a hull that is a `meshing.panels.PanelMesh`; shape (6,)
 
-    Yaw of a round buoy does not, apart from the corners of its polygon, nor does heave of a pile on the bed: relative
-    errors of such modes have no meaning.  A rotation counts if the mean square of its normal velocity is two per cent
-    of that of its arms, both about the vertical axis through the middle of the hull's surface, so that it does not
-    matter where the mesh lies.  For several bodies (6N,), followed by True for each of `modes`.
+    Yaw of a round buoy moves no water, apart from the corners of its polygon, nor does heave of a pile on the bed.
+    Relative errors of such modes have no meaning.
+    A rotation counts if the mean square of its normal velocity is at least two per cent of that of its arms. Both are
+    about the vertical axis through the middle of the hull's surface, so the place of the mesh does not matter.
+    For several bodies (6N,), followed by True for each of `modes`.
     """
     if modes:
         return np.append(displacing(mesh), [True] * len(modes))
@@ -201,7 +202,8 @@ def class_of(dof, symmetry):
 
 
 def with_net_flux(added_mass, flux, area):
-    """`added_mass` with infinite entries between modes whose net flux (6,) m² is more than rounding of `area` m²."""
+    """`added_mass` with infinite entries between modes whose net flux (6,) m² exceeds the rounding error of `area`
+    m²"""
     product = np.outer(flux, flux)
     significant = np.abs(product) > 1e-9 * area * area
     return np.where(significant, np.copysign(np.inf, product), added_mass)

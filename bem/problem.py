@@ -56,6 +56,7 @@ def check_gap(draft, depth):
     """Raises ValueError for a gap under the keel too thin to be resolved; draft, depth : m"""
     if depth - draft < SMALLEST_GAP * draft:
         raise ValueError(
-            f"depth − draft is {depth - draft:.3g} m; allowed: from {SMALLEST_GAP * draft:.3g} m, {SMALLEST_GAP:g} "
-            "of the draft: a smaller gap under the keel is not resolved"
+            f"the gap under the keel (depth − draft) is {depth - draft:.3g} m; allowed: "
+            f"{SMALLEST_GAP * draft:.3g} m or more ({SMALLEST_GAP:g} of the draft), since a smaller gap is not "
+            "resolved"
         )

@@ -1,6 +1,6 @@
 """Viscous damping of heave, roll and pitch that depends on the amplitude of the motion.
 
-A law gives the linear damping that dissipates the same energy in a cycle.  For a drag N₂ |v| v on a motion of amplitude
+A law gives the linear damping that dissipates the same energy per cycle.  For a drag N₂ |v| v on a motion of amplitude
 a at frequency ω, and in irregular motion with standard deviation σ,
 
     N = (8/3π) ω a N₂,      N = √(8/π) σ_v N₂       (equal for a = EQUIVALENT_AMPLITUDE · σ)
@@ -9,10 +9,9 @@ The SR179 report (1982), section 2.1.4, adds to the wave damping, in heave and i
 
     N̂ = b ξ_B,   N̂ = N √(B/2g) / (ρBdL),  roll: N √(B/2g) / (ρBdL (B/2)²),   ξ_B = ω²B/2g    (2.1.4.6, 2.1.4.7)
 
-with b(a) from forced oscillation.  The normalisation of b_R is illegible in print; the one of the roll coefficients
-(section 2.1.3) is used.  With Yamashita's b_R the model M3B then has 2.6 % of critical damping at 2°, and its roll in
-irregular waves
-(appendix 1) needs 2 %; with B² in place of (B/2)², as in Himeno (1981), it would have 10 %.
+with b(a) from forced oscillation.  The normalisation of b_R is illegible in print; that of the roll coefficients
+(section 2.1.3) is used.  With Yamashita's b_R the model M3B then has 2.6 % of critical damping at 2°; its roll in
+irregular waves (appendix 1) needs 2 %. With B² in place of (B/2)², as in Himeno (1981), it would have 10 %.
 """
 
 from dataclasses import dataclass
@@ -108,9 +107,9 @@ def report_scale(dof, length, beam, draft, density, gravity):
 def linearised_response(omega, added_mass, damping, excitation, inertia, stiffness, viscous, most=200):
     """Motion amplitudes (headings, n) per unit wave amplitude in waves of `viscous.wave_amplitude`, and B' (m, n, n).
 
-    The amplitude assumed for the damping and the resulting amplitude change in opposite directions; their geometric
-    mean is the solution at once where damping alone limits the motion, and converges elsewhere.
-    raises : FloatingPointError if it does not
+    The assumed amplitude and the resulting amplitude change in opposite directions. Their geometric mean is the
+    solution where damping alone limits the motion, and the iteration converges elsewhere. raises : FloatingPointError
+    if it does not
     """
     motions, equivalent = [], []
     size = np.diag(stiffness) + omega**2 * np.diag(inertia + added_mass)
@@ -125,7 +124,7 @@ def linearised_response(omega, added_mass, damping, excitation, inertia, stiffne
             # a motion without a force of its own starts from the response to coupled motions
             assumed = np.where(assumed > 0, np.sqrt(assumed * found), found)
         else:
-            raise FloatingPointError(f"ω = {omega:.6g} rad/s: equivalent viscous damping not found in {most} steps")
+            raise FloatingPointError(f"ω = {omega:.6g} rad/s: equivalent viscous damping was not found in {most} steps")
         motions.append(X)
         equivalent.append(extra)
     return np.array(motions), np.array(equivalent)

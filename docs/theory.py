@@ -7,6 +7,7 @@ import re
 from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
+ENTRY = re.compile(r"^([^\s.:;=`][^.:;=`]{0,30}?) : (\S.*)$")
 CHAPTERS = {
     "Waves": ("bem/__init__.py", "bem/waves.py"),
     "Green functions": ("bem/green/finite_depth.py", "bem/green/deep_water.py", "bem/green/rankine.py"),
@@ -124,12 +125,19 @@ def chapter(title):
 
 
 def said(path):
-    """The docstring of a module as Markdown: indented lines stay as they are"""
+    """The docstring of a module as Markdown: entries `name : text` as a list, other indented lines as they are"""
     text = ast.get_docstring(ast.parse(path.read_text(encoding="utf-8")))
-    lines = text.splitlines()
-    out = []
-    for before, line in zip(["", *lines], lines, strict=False):
-        if line.startswith("    ") and before and not before.startswith("    "):
-            out.append("")  # or it would run into the sentence
-        out.append(line)
+    out, entry = [], False
+    for line in text.splitlines():
+        if found := ENTRY.match(line):
+            out += [] if entry else [""]
+            out.append(f"- *{found[1]}*: {found[2]}")
+        elif entry and line.startswith("    "):
+            out.append(f"  {line.strip()}")
+            continue
+        elif line.strip() and out and out[-1].strip() and (entry or line[:4] == "    " != out[-1][:4]):
+            out += ["", line]  # or it would run into what stands before
+        else:
+            out.append(line)
+        entry = bool(found)
     return "\n".join(out)

@@ -139,8 +139,8 @@ def _number(table, key, where):
 
 
 def meshed(drawing, name=""):
-    """PanelMesh of a `Drawing`: the first of `TRIES` with centre in plan, volume and waterplane of the drawing, or the
-    nearest
+    """PanelMesh of a `Drawing`: the first of `TRIES` whose centre in plan, volume and waterplane agree with the
+    drawing, or else the nearest
 
     Warns where none is within their limits.
 
@@ -158,8 +158,8 @@ def meshed(drawing, name=""):
     if off > 1.0:
         warn(
             f"{name or 'drawing'}: the panels have a volume of {mesh.volume:.4g} m³ and a waterplane of "
-            f"{waterplane_area(mesh):.4g} m², the drawing {body.volume:.4g} m³ and {body.plane:.4g} m²; allowed: "
-            f"{100 * SAME_PLANE:g} % apart, and the same middle; give smaller panels or a larger `around`",
+            f"{waterplane_area(mesh):.4g} m², and the drawing has {body.volume:.4g} m³ and {body.plane:.4g} m²; "
+            f"allowed: {100 * SAME_PLANE:g} % apart, and the same middle; give smaller panels or a larger `around`",
             stacklevel=2,
         )
     return mesh
@@ -237,7 +237,7 @@ def _panels(drawing, name, grown, seam, algorithm):
 
 
 def outwards(mesh):
-    """The same panels with outward normals: consistent across every edge, with a positive volume of each piece"""
+    """The same panels with outward normals: neighbouring panels agree, and each piece has a positive volume"""
     sides = {}
     for i, corners in enumerate(mesh.corners.tolist()):
         ring = [a for a, b in zip(corners, corners[1:] + corners[:1], strict=True) if a != b]

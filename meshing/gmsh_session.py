@@ -1,7 +1,7 @@
 """The only import of gmsh: meshes are made in a session that is always closed, and returned as values.
 
-gmsh keeps one global state per process.  A session therefore holds a lock, reads no user settings, prints nothing, and
-restores any state that the caller had opened before.
+gmsh keeps one global state per process.  A session therefore holds a lock, reads no user settings and prints nothing.
+It restores any state that the caller had opened before.
 """
 
 import signal
@@ -73,9 +73,8 @@ def graded_patches(patches, symmetry="", name=""):
 
     patches : list of patches, each a list of 4 (or 3) sides in counter-clockwise order seen from the water; a side is a
         polyline (k, 3) m that shares its ends with its neighbours.  Opposite sides have equal numbers of points.  A
-        patch of 3 sides is polar about the first point of the first side: the third side has as many points as the
-        first, and the panels at that point are triangles.
-    returns : PanelMesh; a point two patches share is one point
+        patch of three sides is polar about the first point of the first side. The third side has as many points as the
+        first, and the panels at that point are triangles. returns : PanelMesh; patches share their common points
 
     gmsh has no cosine spacing for the points of a side, so every segment is a line of one element, and the corners of
     the patch are passed to gmsh.
@@ -178,7 +177,7 @@ class _Builder:
         return points, lines
 
     def patch(self, sides):
-        """Tag of a surface of one element between each two points of its sides, as in `graded_patches`"""
+        """Tag of a surface that has one element between every two points of its sides, as in `graded_patches`"""
         points, lines = self.ring(_around(sides))
         for line in lines:
             self.geo.mesh.setTransfiniteCurve(abs(line), 2)

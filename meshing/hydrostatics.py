@@ -4,7 +4,7 @@ By Gauss's theorem over the wetted surface S, normals into the water,
 
     V = ∬ x n_x = ∬ y n_y = ∬ z n_z,    V x_B = ½ ∬ x² n_x, …,    ∬_waterplane f(x, y) = −∬ f n_z,
 
-each exact for polygons: panels are cut into triangles, so that a closed hull remains closed, and the midpoints of a
+Each is exact for polygons. Panels are cut into triangles, so a closed hull remains closed; the midpoints of a
 triangle's edges integrate a quadratic exactly.  Walls that end on the bed are closed by it (`PanelMesh.foot`).
 Restoring coefficients are those of J. N. Newman, Marine Hydrodynamics (1977), section 6.16; weight and buoyancy may
 differ.
@@ -56,12 +56,12 @@ class Hydrostatics:
 
 
 def stands(mesh, depth):
-    """Whether the walls of a hull end on the bed, `depth` m below the surface, without water under them"""
+    """Whether the walls of a hull end on the bed, `depth` m below the surface, so that no water is under the hull"""
     return np.isfinite(depth) and bool(abs(mesh.draft - depth) <= AT_FOOT * depth) and mesh.foot is not None
 
 
 def waterplane_area(mesh):
-    """m², of the whole hull or hulls; 0 or less of what is submerged or has normals that point inward"""
+    """Waterplane area of the whole hull or hulls, m²; 0 or less if the hull is submerged or its normals point inward"""
     area = -mesh.copies * mesh.area_vectors[:, 2].sum()
     return area if mesh.foot is None else area - mesh.copies * mesh.foot.area_vectors[:, 2].sum()
 
@@ -152,7 +152,7 @@ class _Surface:
     def integral(self, f):
         """∬ f n dS, component by component.  f : (…, 3) m to (…, 3) or (…, 1), quadratic at most
 
-        Summed image by image, so that terms that cancel by symmetry are exactly zero.
+        The mirror images are summed one after another, so terms that cancel by symmetry are exactly zero.
         """
         total = 0.0
         for midpoints, vectors in self.parts:

@@ -1,8 +1,8 @@
 """Lid: panels on the water surface inside a floating body, against irregular frequencies.
 
 The boundary integral equation of the outer flow has irregular frequencies, the eigenfrequencies of sloshing inside the
-hull.  Additional unknowns on the inner free surface remove them; the exact density there is zero, so that the lid may
-be coarse and need not share points with the hull.
+hull.  Additional unknowns on the inner free surface remove them. Their exact density is zero, so the lid may be coarse
+and need not share points with the hull.
 """
 
 import math
@@ -28,8 +28,8 @@ def lid(mesh, size=None):
     size : m, wanted edge length; by default a third as many panels as the hull
     returns : PanelMesh in z = 0, or None if nothing of the hull reaches the water surface
 
-    Every closed waterline that runs counter-clockwise receives a lid; a clockwise one bounds a moonpool, whose water is
-    outside.  Raises ValueError if the waterline is open or touches itself.
+    Every closed waterline that runs counter-clockwise receives a lid. A clockwise waterline bounds a moonpool, whose
+    water is outside the hull.  Raises ValueError if the waterline is open or touches itself.
     """
     loops = waterline(mesh)
     if not loops:
@@ -58,8 +58,8 @@ def polar_lid(mesh, size):
     raises : ValueError as `lid`
 
     The edges along the rim determine the accuracy.  For a cylinder with 0.2 m of water under the keel, in waves three
-    sizes long, the excitation has an error of 0.4 %, as with a lid that is not axisymmetric; it is 0.6 % with half the
-    edges along the rim and twice as many across.
+    panel sizes long, the error of the excitation is 0.4 %. It is the same with a lid that is not axisymmetric, and 0.6
+    % with half the edges along the rim and twice as many across.
     """
     rings = _closed(waterline(mesh), mesh)
     rim, pole = _regular(rings[0]) if len(rings) == 1 else (None, None)

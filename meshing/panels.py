@@ -2,7 +2,7 @@
 
 A panel is a flat quadrilateral given by four point numbers, counter-clockwise seen from the water, so that the normal ½
 (p₂−p₀)×(p₃−p₁) points out of the body.  A triangle repeats its last corner.  A quadrilateral that is not flat is
-represented by its mean plane, which preserves the vector area and therefore the sums over a closed surface.
+represented by its mean plane. This preserves the vector area, and therefore the sums over a closed surface.
 """
 
 from dataclasses import dataclass, replace
@@ -130,7 +130,8 @@ class PanelMesh:
 
     @cached_property
     def is_round(self):
-        """Whether a turn by 1/12 of a circle or less about the vertical through the origin maps the hull to itself"""
+        """Whether a rotation by 1/12 of a circle or less about the vertical axis through the origin maps the hull to
+        itself"""
         points = self.whole().points if self.symmetry else self.points
         radius = np.hypot(*points[:, :2].T)
         if not len(points) or not radius.max() > 0:
@@ -161,9 +162,9 @@ class PanelMesh:
     def foot(self):
         """Panels that close the foot of walls without a bottom, a PanelMesh with normals down; None for other hulls
 
-        The foot are the edges of one panel at the lowest level of the mesh.  The triangles between each of them and
-        one point have in common with the true bottom the sum of their areas with signs, not their places: for integrals
-        and solid angles only.
+        The foot are the edges of one panel at the lowest level of the mesh.  The triangles between each edge and one
+        point have the same sum of signed areas as the true bottom, but not the same places: use them for integrals and
+        solid angles only.
         """
         level, reach = -self.draft, AT_FOOT * max(self.draft, 0.0)
         if np.any((self.vertices[..., 2] <= level + reach).all(axis=1)):

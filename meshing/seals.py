@@ -2,8 +2,8 @@
 
 HDF5   a block before the file, which HDF5 reserves for users: a line with the CRC-32 of every byte after it,
        then a line for each dataset, which locates damage.  Numbers that are filled in later are listed by place and
-       excluded: they have checksums of their own, and the structures that HDF5 reads are covered
-text   the last of the # lines of the header, with the CRC-32 of all other lines
+       excluded, since they have their own checksums. The structures that HDF5 reads are included. text : the last of
+       the # lines of the header, with the CRC-32 of all other lines
 """
 
 import os

@@ -1,12 +1,12 @@
 """Hulls from a few dimensions: box and buoy, as quadrilaterals graded towards every edge and the waterline.
 
-The potential of a body with right-angled edges is singular there; with panels whose size decreases with the square of
-the distance to the edge,
+The potential of a body with right-angled edges is singular at the edges. With panels whose size decreases with the
+square of the distance to the edge,
 
     half length  x_i = L/2 sin(π i / 2n),      draft  z_i = −d/2 (1 − cos(π i / n)),
 
-the error of a constant-panel solution decreases with the square of the panel size; with equal panels it is of first
-order only.  The origin is the centre of the waterplane, and the hull ends at z = 0.
+the error of a constant-panel solution decreases with the square of the panel size. With equal panels it is only of
+first order.  The origin is the centre of the waterplane, and the hull ends at z = 0.
 """
 
 import math
@@ -85,7 +85,7 @@ def box_counts(length, beam, draft, panels=500, bottom=True, longest=math.inf):
     """Return (n_length, n_beam, n_draft) for at most `panels` on the whole hull.
 
     The counts are proportional to the square roots of half the length, half the beam and twice the draft (which has an
-    edge at both ends): cosine grading then makes panels at every edge equally thin, and the edges determine the
+    edge at both ends). Cosine grading then makes panels equally thin at every edge, and the edges determine the
     accuracy. Box 400 × 50 × 10 m, 450 panels: largest error of added mass 0.3 % with (12, 4, 4), 2 % with (23, 2, 3).
     longest : m, upper limit of edges, even if more panels are needed (short waves)
     """
@@ -108,8 +108,8 @@ def _most(extent, longest):
 def fitted_counts(edges, total, panels, needed):
     """The largest counts proportional to the roots of `edges` whose `total` is at most `panels`.
 
-    Rounding leaves some panels; these go to the direction that is farthest below its target. `needed` is a lower limit
-    in any case.
+    Rounding leaves some panels over. They go to the direction that is farthest below its target, but `needed` is always
+    a lower limit.
     """
     wishes = np.sqrt(edges)
     lowest = WELL_RESOLVED if panels >= 200 else (1, 1, 2)

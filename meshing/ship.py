@@ -55,7 +55,7 @@ def ship(
     if waterplane is None:
         made = _drawn(*sizes, *_form(block, 1 - CORNER * 2 * radius**2 / (beam * draft), bow, stern))
     elif bow is not None or stern is not None:
-        raise ValueError("waterplane is given beside fullness of bow or stern; allowed: one of them")
+        raise ValueError("waterplane and fullness of bow or stern are both given; give one of them")
     else:
         made = _with_waterplane(sizes, np.array([block, waterplane]))
     wide = np.array([1.0, block * length * beam * draft / made.volume, 1.0])

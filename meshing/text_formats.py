@@ -1,8 +1,8 @@
 """Plain-text panel files: WAMIT GDF and OBJ, read and written; meshes of Nemoh and HAMS, written here and read by
 `node_lists`.
 
-All three number the corners of a panel counter-clockwise seen from the water (WAMIT user manual, section 6.1), the
-order of PanelMesh: normals keep the direction of the file, into the water.  Readers change no orientation;
+All three number the corners of a panel counter-clockwise seen from the water (WAMIT user manual, section 6.1), as
+PanelMesh does. Normals keep the direction of the file, into the water.  Readers change no orientation;
 `meshing.quality.findings` reports wrong ones.
 """
 

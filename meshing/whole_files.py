@@ -1,6 +1,6 @@
-"""Files are written whole or not at all: under another name first, then read back, then renamed.
+"""Files are written completely or not at all: first under another name, then read back, then renamed.
 
-If the disk is full or a quota is reached, the old file remains, and an error of one line gives the reason.
+If the disk is full or a quota is reached, the old file remains and a one-line error gives the reason.
 """
 
 import contextlib

@@ -191,7 +191,8 @@ def plot(
 ):
     """Draw coefficients, excitation, motions and drift of a database, by default to a .png beside it.
 
-    With several bodies there is one picture for each, with the name of the body added; beams have one of their bending.
+    With several bodies there is one picture for each, with the name of the body added. Bodies with beams have one
+    picture of their bending.
     """
     from hakobune.bem.bodies.one_of_several import each_body
     from hakobune.bem.database import open_database

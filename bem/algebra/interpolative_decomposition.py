@@ -40,8 +40,8 @@ class Sketch:
             count as a column each; m may be 0
         scale : (…, m) or what is broadcast to it
 
-        Weights of rows and columns cost nothing here, unlike a product of a block: all blocks of a frequency and their
-        weights in one call take half the time of a call for each.
+        Weights of rows and columns cost nothing here, unlike a product for each block. One call for all blocks of a
+        frequency and their weights takes half the time of a call for each block.
         """
         shape = parts[0].shape[:-2] + parts[0].shape[-1:]
         weights = np.broadcast_to(scale, shape).ravel() / np.sqrt(ENTRIES)
@@ -84,8 +84,8 @@ def interpolative_decomposition(matrix, tolerance):
 
     matrix : (n, m) A itself or `Sketch.matrix`; rows : (r,) increasing, r ≥ 1; X : (n, r)
 
-    R of pivoted QR is the Cholesky factor of A Aᵀ with the same pivots, which ends at the rank and takes a third of the
-    time or less; if the square of the tolerance is lost in rounding it is computed by QR.
+    R of pivoted QR is the Cholesky factor of A Aᵀ with the same pivots. This factorisation ends at the rank and takes a
+    third of the time or less. If the square of the tolerance is lost in rounding, R is computed by QR.
     """
     from scipy.linalg import solve_triangular
 

@@ -1,5 +1,5 @@
-"""Products of a real and a complex matrix as one real product: half the work of numpy, which makes both matrices
-complex."""
+"""Products of a real and a complex matrix as one real product, which takes half the work of numpy; numpy makes both
+matrices complex."""
 
 import numpy as np
 

@@ -30,8 +30,8 @@ def solved_beside_few(equations, counts):
     equations : matrices A (c, n, n), U and V (c, n, t), all real, and b (c, n, columns) complex, of few t; counts :
     columns of each of the c
 
-    A is factored as a real matrix, which takes a quarter of the time, and x follows by the Woodbury identity; where A
-    itself is nearly singular the complex system is solved.
+    A is factored as a real matrix, which takes a quarter of the time, and x follows by the Woodbury identity. If A is
+    nearly singular, the complex system is solved.
     """
     A, U, V, b = equations
     found = _each(lambda i: _beside_few(A[i], U[i], V[i], b[i][:, : counts[i]]), len(counts), A.shape[1])

@@ -1,4 +1,4 @@
-"""Resolution of the parts of the contour method for a relative error of 10^(−digits) in coefficients and forces.
+"""Resolution of each part of the contour method for a relative error of 10^(−digits) in coefficients and forces.
 
 Each part was coarsened alone on 230 random bodies (L/B 1 … 20, B/d 0.2 … 100, H/d 1.02 and up, λ/L 0.2 … 20).  The
 resulting error in 95 % of them is less than, with r = gap / min(draft, scale), g = gap / scale, the scale that of the
@@ -10,12 +10,14 @@ plan, and `high` = max(g/4, 1)
     panels on the plan, p digits                10^(−1.2 − 1.3 p) high^3.3
     polynomials beyond those of the waves, e    10^(−2.4 − e/1.5)
 
-The median error of each part is thirty times smaller, and the largest part differs from body to body.  The error is
-therefore estimated not by these formulas but with a finer body (`finer`), in which all parts are finer.  In a narrow
-gap one more function of the gap removes its error by up to six digits; only the error of the other parts remains.
+The median error of each part is thirty times smaller, and another part is the largest for each body.  The error is
+therefore not estimated by these formulas. A finer body (`finer`), in which all parts are finer, gives the estimate.
+In a narrow gap one more function of the gap reduces its error by up to six digits; the errors of the other parts
+remain.
 
 Those bodies were a hundred waves long at most, most of them a few.  With fifty waves or more over a low gap, panels of
-one digit had an error of 10^(−1) and a table of none 10^(−2): the least are three and one digits, at no cost in time.
+one digit had an error of 10^(−1), and a table of no digits 10^(−2). The least resolutions are therefore three digits
+and one digit, which cost no time.
 """
 
 from math import ceil, log10
@@ -68,8 +70,8 @@ def accuracy(digits, draft, gap, scale):
 def finer(coarse, draft, gap, scale):
     """`Accuracy` for the error estimate of a coarser one: every part better by a factor of ten on average.
 
-    The number of gap functions, chosen for the worst bodies, is increased by one where they may dominate the error; the
-    number of polynomials, which changes in steps, to the next step.
+    The number of gap functions is chosen for the worst bodies; it is increased by one where they may dominate the
+    error. The number of polynomials, which changes in steps, goes to the next step.
     """
     fine, far = (accuracy(coarse.digits + n * DIGIT, draft, gap, scale) for n in (1, 2))
     return fine._replace(

@@ -6,8 +6,9 @@ singularity of the keel's edge (`bem.depth_modes.gap_profiles`); equality of the
 (`matching`).  After Ijima's method in the SR179 report (1982), section 2.1.5, eqs 2.1.5.18-28, and Garrett, J. Fluid
 Mech. 46 (1971).  Conventions as in `bem`.
 
-The maps beneath, and a table in κ of those outside, from which the evanescent modes are summed (`modal_sums`), are
-independent of frequency.  The functions of the plan are hierarchical in their degree, so that one table serves every
+Two parts do not depend on frequency: the maps under the body, and a table in κ of the maps outside, from which the
+evanescent modes are summed (`modal_sums`).
+The functions of the plan are hierarchical in their degree, so that one table serves every
 frequency that needs that degree or less.  A frequency solves one plane Helmholtz problem around the plan.
 """
 

@@ -1,7 +1,7 @@
 """Cost of the contour method: seconds of one thread, and memory.
 
-With p the sum of the highest degrees on end and side in the table, p' of the waves', and c values of κ in the table,
-on 6 boxes (L/B 3 … 10 000, 2 to 100 waves along them) within a factor of two
+The cost is within a factor of two on 6 boxes (L/B 3 … 10 000, 2 to 100 waves along them). p is the sum of the highest
+degrees on end and side in the table, p' that of the waves, c the number of values of κ in the table
 
     table        4e-9 c p³ s,  65 c p² bytes           frequency    2e-8 p'³ s,  1000 p'² bytes
 """
@@ -26,7 +26,7 @@ class Cost(NamedTuple):
 def cost(body, k):
     """`Cost` of a `ContourBody` together with the finer body of the error estimate, for waves of up to k rad/m.
 
-    On a circle no table is needed; both together take 8e-8 (ka)³ s within a factor of two, ka 280 … 1100.
+    A circle needs no table; both bodies together take 8e-8 (ka)³ s within a factor of two, for ka of 280 … 1100.
     """
     if not isinstance(body.plan, Rectangle):
         return Cost(0.0, CIRCLE * (k * body.plan.radius) ** 3, 0.0)

@@ -5,7 +5,7 @@ M(κ) = κN(κ) known at Chebyshev nodes of log κ, M = Σ ℓ_c(κ) M_c, a sum 
 
     Σₙ wᵢₙ wⱼₙ N(kₙ) = Σ_c [Σₙ wᵢₙ wⱼₙ ℓ_c(kₙ) / kₙ] M_c ,
 
-so that the cost hardly depends on the number of modes.  Beyond the last node M = ∓1 + a/κ + b/κ², with its value and
+so the cost hardly depends on the number of modes.  Beyond the last node M = ∓1 + a/κ + b/κ², with its value and
 slope there.
 """
 

@@ -88,7 +88,9 @@ class ContourFrequency:
             kochin[:, 6:] += far[:, len(own) :]
             residual = max(residual, rest)
         if not residual < 1e-6:  # NaN too
-            raise FloatingPointError(f"ω = {self.omega:.6g} rad/s: the equations of the gap left {residual:.1e}")
+            raise FloatingPointError(
+                f"ω = {self.omega:.6g} rad/s: the equations of the gap leave a residual of {residual:.1e}"
+            )
         known = self.body.froude_krylov(self.omega, self.headings, self.dofs, self.density, self.gravity)
         return FirstOrder(radiation, known, excitation - known, haskind, kochin[:, :6], kochin[:, 6:], residual)
 

@@ -7,13 +7,14 @@ motions, so that for φ = Σ fₙ(s) Zₙ(z) the remaining terms are
 
 which `side_flow` integrates in advance for the nodes of a table in κ; each wave and motion then costs little.
 
-As a check of the far field: every evanescent mode exerts opposite forces on the side and in the gap, which cancel, and
-none appears in the far field, if the potentials on both sides of the gap are equal.  The error is of first order in the
-difference of these potentials, whereas the errors of forces and far field are of second order; the flow is therefore
-solved again with a finer body.  In resonant roll the drift is the small difference of pressures tens of times as large.
+As a check of the far field: every evanescent mode exerts opposite forces on the side and in the gap. They cancel, and
+no such mode appears in the far field, if the potentials on both sides of the gap are equal.
+The error is of first order in the difference of these potentials, whereas the errors of forces and far field are of
+second order. The flow is therefore solved again with a finer body.
+In resonant roll the drift is the small difference of pressures tens of times as large.
 
 Box in 20 and 100 m of water, tolerance 1e-3: near and far field differ by 5e-5 of the largest force on the fixed body,
-and by 5e-4 to 8e-4 without the finer body; in 2000 m by 4e-4 and 3e-2.
+and by 5e-4 to 8e-4 without the finer body. In 2000 m of water they differ by 4e-4 and 3e-2.
 """
 
 from dataclasses import replace
@@ -54,8 +55,8 @@ def pressure_error(run):
 def refined(body):
     """The `bem.contour.body.ContourBody` with the accuracy that pressures need
 
-    Functions of the gap for twice the digits, modes for two more digits, a smaller eigenvalue of the profiles kept,
-    more polynomials on the sides, panels of one digit more, and a table in κ of three digits more.
+    The finer body has gap functions for twice the digits, modes for two more digits, a smaller eigenvalue of the
+    profiles kept, more polynomials on the sides, panels of one more digit, and a table in κ of three more digits.
     """
     if "sharper" not in body.cache:
         ours, gap, scale = body.accuracy, body.depth - body.draft, body.plan.scale

@@ -11,7 +11,7 @@ and under the keel a particular solution ψ, harmonic, at rest on the bed and mo
     heave  [ζ² − αx² − (1−α)y²] / 2s
     roll   [ζ²y − αx²y − (1−α)y³/3] / 2s        pitch  −[ζ²x − αx³/3 − (1−α)xy²] / 2s
 
-Every α is admissible; that of the plan keeps ψ small on a long body, where cancellation would lose digits.
+Every α is admissible. The α of the plan keeps ψ small on a long body, where cancellation would lose digits.
 """
 
 from typing import NamedTuple

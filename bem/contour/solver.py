@@ -13,7 +13,8 @@ HIGHEST_GAP = 1400  # limit over the smaller of draft and half the plan's width;
 
 
 def prepare_cylinder(radius, draft, depth, tolerance=1e-3):
-    """`ContourBody` of a vertical circular cylinder; lengths in m.  With the draft of the depth it stands on the bed.
+    """`ContourBody` of a vertical circular cylinder; lengths in m.  If draft and depth are equal, the body stands on
+    the bed.
 
     tolerance : relative error aimed at, 1e-7 … 0.1
     Raises ValueError for lengths that are not positive and for a bed above the keel or too deep below it.

@@ -1,8 +1,9 @@
-"""Box or vertical cylinder that stands on the bed: no water under it, eigenfunctions of depth and the plan alone.
+"""A box or vertical cylinder that stands on the bed. There is no water under it, so the solution has only
+eigenfunctions of depth and the plan.
 
 With N the maps of the plan outside, φ = φ₀ + Σ Zₙ N(kₙ) ⟨v, Zₙ⟩ / ⟨Zₙ, Zₙ⟩ for the velocity v of the wall; of a
-cylinder held in a wave this is the solution of R. C. MacCamy and R. A. Fuchs (1954).  In the equations of `matching` it
-has no velocities in a gap, and of its motions heave makes no waves.
+cylinder held in a wave this is the solution of R. C. MacCamy and R. A. Fuchs (1954).  In the equations of `matching`
+this body has no velocities in a gap, and its heave makes no waves.
 """
 
 from dataclasses import dataclass, replace

@@ -1,8 +1,9 @@
 """Quantities of a database at its headings and at frequencies between the stored ones, with estimated errors.
 
-Added mass and damping are fitted as one function, the impedance B − iω [A − A(ω_max)], one-sided since echoes arrive
-later; forces and Kochin functions with the distance ahead of the origin at which the hull meets the wave
-(`interpolant`).  A stored frequency returns its stored number.  Beyond the band added mass tends to its stored limits,
+Added mass and damping are fitted as one function, the impedance B − iω [A − A(ω_max)], which is one-sided since echoes
+arrive later. Forces and Kochin functions are fitted with the distance ahead of the origin at which the hull meets the
+wave (`interpolant`).
+A stored frequency returns its stored number.  Beyond the band added mass tends to its stored limits,
 
     A(ω) = A(0) + [A(ω₁) − A(0)] (ω/ω₁)² below,    A(ω) = A(∞) + [A(ω_n) − A(∞)] (ω_n/ω)² above,
 
@@ -96,7 +97,8 @@ class Between:
         """Largest estimated error over `names` at omega (q,), relative to the largest stored value of the same kind;
         shape (q,)
 
-        Each diagonal coefficient is one kind, and so is a force over all headings; couplings refer to √(ii · jj).
+        Each diagonal coefficient is a kind of its own, and so is a force over all headings. Couplings are relative to
+        √(ii · jj).
         """
         return np.max([self._relative(self.error(omega, name), name) for name in names], axis=0)
 
@@ -136,9 +138,9 @@ class Between:
         unknown = self.stored(omega) < 0
         if len(self.omega) < FEWEST and unknown.any():
             raise BetweenError(
-                f"omega is {omega[unknown][0]:.6g} rad/s and {len(self.omega)} frequencies are stored; interpolation "
-                f"needs at least {FEWEST}, so that only stored frequencies are available; add frequencies to "
-                f"the scene and solve again"
+                f"omega is {omega[unknown][0]:.6g} rad/s, which is not stored; interpolation needs at least "
+                f"{FEWEST} stored frequencies, and {len(self.omega)} are stored; add frequencies to the scene and "
+                "solve again"
             )
         return omega
 

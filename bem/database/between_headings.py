@@ -11,15 +11,16 @@ the six modes in the mirror (−1 for those that change side), F(β′) = P F(β
 
 A force or Kochin function is linear in the incident wave at the hull, so that over β it is a sum of exp(ik x·e), e =
 (cos β, sin β), x in the plan of the hull.  If all parts of the plan were equal and independent, two headings would have
-the covariance of these waves, for a plan of 2a by 2b about c
+the covariance of these waves for a plan of 2a by 2b about c
 
     κ(β, β′) = exp(ik c·Δ) f(ka Δ_x) f(kb Δ_y),    Δ = e − e′,    f(x) = (1 − ¹⁄₅) sin x / x + ¹⁄₅ cos x
 
 with a fifth of the weight at the ends of the hull; quantities quadratic in the wave (drift) have κ².  Values between
 headings follow from Gaussian-process regression with κ, as in `interpolant`: κ contains the phase of the wave at the
 ends of the hull, and for kR = 3.4 the error of surge over gaps of 30° is 0.6 %, 4 % by a spline.  The remaining
-variance is the estimated error.  Beside a wall, reflected waves are waves that meet the hull's image in the wall: the
-plan contains both, and a plane parallel to the wall is no plane of symmetry.  With the wall at y = w, waves towards −β
+variance is the estimated error.  Beside a wall, reflected waves are waves that meet the hull's image in the wall. The
+plan contains hull and image, and a plane parallel to the wall is not a plane of symmetry.
+With the wall at y = w, waves towards −β
 are those towards β with their reflection, except for a phase:  F(−β) = exp(−2ikw sin β) F(β), drift the same.
 """
 
@@ -69,11 +70,11 @@ class Ring:
     wall: float | None = None
 
     def of_forces(self, values):
-        """Forces at all headings of the ring, shape (…, M, 6), from those at the stored headings, (…, m, 6)"""
+        """Forces at all headings of the ring, shape (…, M, 6), from forces at the stored headings, (…, m, 6)"""
         return values[..., self.source, :] * self.force
 
     def of_drift(self, values):
-        """Drift at all headings of the ring, shape (…, M, 3), from that at the stored headings, (…, m, 3)"""
+        """Drift at all headings of the ring, shape (…, M, 3), from drift at the stored headings, (…, m, 3)"""
         return values[..., self.source, :] * self.drift
 
     def of_kochin(self, values):
@@ -88,8 +89,8 @@ class Ring:
         return np.where(apart[near, np.arange(len(wanted))] <= SAME, near, -1)
 
     def reflected(self, wanted):
-        """Whether headings beside a wall are computed from −β: headings that are not stored, on the side with fewer
-        stored headings; shape (p,)"""
+        """Whether a heading beside a wall is computed from −β: it is not stored, and lies on the side with fewer stored
+        headings; shape (p,)"""
         if self.wall is None:
             return np.zeros(len(wanted), bool)
         side = 1 if np.sum(np.sin(self.headings)) >= -SAME else -1
@@ -110,8 +111,8 @@ class Ring:
         return (self.stored(wanted) >= 0) | (self.gap(wanted) <= WIDEST_GAP * (1 + SAME))
 
     def turned(self, value, wanted, kind):
-        """Values (q, p, …) of `value`, a function of headings, at `wanted` (p,) rad; headings that are not `reached`
-        have those of the nearest stored one, turned as those of a round body; kind : "force" or "drift" """
+        """Values (q, p, …) of `value`, a function of headings, at `wanted` (p,) rad. Headings that are not `reached`
+        take the nearest stored heading, turned as on a round body; kind : "force" or "drift" """
         apart = _wrapped(wanted[:, None] - self.headings)
         turns = apart[np.arange(len(wanted)), np.abs(apart).argmin(axis=1)]
         turns[self.reached(wanted)] = 0.0

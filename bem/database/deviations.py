@@ -16,7 +16,7 @@ DRAWS = 8  # random draws; they estimate a standard deviation to within a quarte
 
 
 def carried(reader, omega, headings, name, names):
-    """Deviation of "rao" or of drift, propagated from the deviations of the quantities `names`; shape (q, p, …)"""
+    """Deviation of "rao" or of drift, computed from the deviations of the quantities `names`; shape (q, p, …)"""
     found = reader.where_stored(omega, headings, name)
     if found is not None and found.complete:
         return np.zeros(found.values.shape)
@@ -90,7 +90,7 @@ def by_chance(equation, parts, errors, smooth, waves):
         axis
 
     A deviation that is the same at all angles would not change the slope, and the estimated error of the moment would
-    vanish.  The random draws are equal at all frequencies, so that an estimate does not depend on other frequencies.
+    be zero.  The random draws are equal at all frequencies, so that an estimate does not depend on other frequencies.
     """
     generator, value, variance = np.random.default_rng(0), equation(parts), 0.0
     angles = parts[smooth[0]].shape[-1]

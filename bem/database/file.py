@@ -1,4 +1,4 @@
-"""The file of a database: it is opened only if it is valid, laid out with its full size, and visible only when
+"""The file of a database. It is opened only if valid, has its full size from the start, and is visible only when
 complete."""
 
 import contextlib

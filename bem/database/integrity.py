@@ -33,7 +33,7 @@ class VersionError(DatabaseError):
 
 
 def crc(*parts):
-    """CRC-32 of arrays, one after another; never 0, which marks an empty cell"""
+    """CRC-32 of several arrays in order; never 0, which marks an empty cell"""
     value = 0
     for part in parts:
         value = zlib.crc32(np.ascontiguousarray(part).tobytes(), value)

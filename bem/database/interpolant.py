@@ -5,15 +5,15 @@ Kernel interpolation (Gaussian-process regression without noise): with kernel κ
     f(y) ≈ κ(y, x) κ(x, x)⁻¹ f,    variance σ² [κ(y, y) − κ(y, x) κ(x, x)⁻¹ κ(x, y)],    σ² = f* κ(x, x)⁻¹ f / n
 
 (Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006, eqs 2.25, 2.26).  Hydrodynamic quantities of a
-body of length L are smooth in frequency except for echoes: a wave that returns from a distance d has the phase
-exp(ikd), d > 0 because it returns later.  So
+body of length L are smooth in frequency except for echoes. A wave that returns from a distance d has the phase
+exp(ikd), with d > 0 because it returns later.  So
 
     κ(x, y) = exp(−(s − t)²/2ℓ²) Σⱼ aⱼ exp(i(k − q) dⱼ),    s = ½ (ω √(L/g) + √(kL)),    Σ aⱼ = 1
 
 with s, k of x and t, q of y.  A resonance of the water in a moonpool or a gap is a pole s_p that all quantities of the
 body share (`bem.algebra.poles`), and adds h_p(s) h_p(t)* to the kernel, h_p = c / (s − s_p).  Waves that meet the hull
 at the distance `lead` ahead of the origin have the phase exp(−ik lead), which is removed before the fit.  No single ℓ
-and set of echoes fits all quantities: every member of a family is fitted and weighted by the inverse fourth power of
+and set of echoes fits all quantities. Every member of a family is fitted and weighted by the inverse fourth power of
 its error at nodes left out (Rippa, Advances in Computational Mathematics 11, 1999).
 """
 
@@ -176,8 +176,8 @@ class Nodes:
 class Interpolant:
     """Functions known at `nodes`: values (n, g, c), lead (g, c) or (1, c), of all groups, in lengths of the body.
 
-    A group has c functions, which share the weights of the members and one estimated error: a Kochin function at all
-    its angles is one group, a coefficient is a group by itself.  Complex functions have echoes on one side only
+    A group has c functions, which share one estimated error and the weights of the members. A Kochin function at all
+    its angles is one group; a coefficient is a group by itself.  Complex functions have echoes on one side only
     (d > 0), real functions on both.
     """
 
@@ -293,9 +293,10 @@ class Joined:
     """An `Interpolant` in each of the `windows` of nodes x, with the arguments of `Interpolant`, joined from node to
     node.
 
-    The residual of a fit at its nodes, due to the nugget, is added back linearly: nodes return their values, and the
-    function is continuous from window to window.  The deviation is treated alike and is zero at the nodes: damping of a
-    thousandth of its largest value, which governs a resonance, is then as accurate beside a node as at it.  Groups that
+    The residual of a fit at its nodes, due to the nugget, is added back linearly. Nodes then return their values, and
+    the function is continuous from window to window.
+    The deviation is corrected in the same way and is zero at the nodes. Damping of a thousandth of its largest value,
+    which governs a resonance, is then as accurate beside a node as at the node.  Groups that
     are zero at every node, such as most couplings of a symmetric body, are zero between nodes and are not fitted.
     """
 
@@ -398,7 +399,7 @@ def _root(kernel):
 def ringing_of(x, values):
     """Sharp poles, in the variable s of x (n,), of functions (n, m) that resonate between their nodes; shape (p,)
 
-    A pole is accepted if it shows at a node and, unlike poles of noise, predicts nodes that are left out; a pole as
+    A pole is accepted if it shows at a node and, unlike poles of noise, predicts nodes that are left out. A pole as
     broad as SHARP is fitted well without a pole term.
     """
     found, residues = poles(x.smooth, values)
@@ -442,7 +443,8 @@ def unknown(x, y):
 def chosen(x, y, count):
     """Indices of `count` points of y (m,) to be computed next, one after another, if x are known.
 
-    Each is the point of largest `unknown`; where all are below the nugget, the point farthest from known points.
+    Each point is the one of largest `unknown`; where all are below the nugget, it is the point farthest from known
+    points.
     """
     new = []
     for _ in range(count):

@@ -15,8 +15,8 @@ from .resonances import by_motion, free_modes, positive, zeros
 
 @dataclass(frozen=True)
 class NaturalPeriods:
-    """Modes in the order Surge … Yaw, for several bodies one after another; each is named after the motion with most of
-    its kinetic energy.
+    """Modes in the order Surge … Yaw, for several bodies one body after another. Each mode is named after the motion
+    with most of its kinetic energy.
 
     names : (n,); period : (n,) s, inf without restoring, nan where the body is unstable
     shapes : (n, n), rows are modes, largest component 1 after rotations are multiplied by `scale` m

@@ -235,8 +235,8 @@ class Reader:
         return np.abs(np.atleast_1d(omega) - self._nearest(omega)) <= 0
 
     def held_added_mass(self, omega):
-        """Added mass at omega (q,) rad/s from 0, with the value at the end of the band where it is unknown; shape (q,
-        n, n)"""
+        """Added mass at omega (q,) rad/s from 0; where it is unknown, the value at the end of the band; shape (q, n,
+        n)"""
         return self.between.value(self._nearest(omega), "added_mass")
 
     def coefficients(self, omega, motions=None):
@@ -326,8 +326,8 @@ class Reader:
 
     def drift_of_each(self, omega, headings=None, fixed=False):
         """Mean drift per squared wave amplitude on each of several bodies, fixed bodies included, about the point of
-        the body in the axes of the body; shape (q, p, bodies, 3). The drift is interpolated from stored drift: with all
-        bodies fixed, or with the stored motions, even if the motions are restrained here.
+        the body in the axes of the body; shape (q, p, bodies, 3). The drift is interpolated from stored drift, which is
+        for fixed bodies or for the stored motions, even if the motions are restrained here.
 
         Raises BetweenError if it is not stored.
         """

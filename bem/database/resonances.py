@@ -1,12 +1,13 @@
-"""Resonances of a database body: where a few stored frequencies miss peaks of its motions, and their height.
+"""Resonances of a body in a database: places where a few stored frequencies miss peaks of its motions, and the height
+of the peaks.
 
     C q = ω² (M + A(ω)) q,    ζ = q*(B + B′)q / 2ω q*(M + A)q
 
 Eigenvalues λⱼ(ω) of C and M + A, in rising order, are continuous in frequency, so that every root of √λⱼ(ω) = ω lies
 between two neighbouring places of different sign of √λⱼ − ω.  A lightly damped motion follows 1 / (2ζ) at the root and
-has half the energy at ω (1 ± ζ): this width, and not the step of stored frequencies, determines where the motion is
-needed.  Coefficients are smooth there and come from `between_frequencies`; the height of a peak depends on damping
-alone, with its uncertainty.
+has half the energy at ω (1 ± ζ). This width, not the step of stored frequencies, determines where the motion is needed.
+Coefficients are smooth there and come from `between_frequencies`. The height of a peak depends on damping alone, and so
+does its uncertainty.
 """
 
 from dataclasses import dataclass
@@ -77,12 +78,11 @@ def _resonances(body):
 
 
 def about(body, found, beside=()):
-    """Frequencies that show the shape of each peak of `found`, resonances of the body, within the stored ones, rad/s;
-    shape (q,)
+    """Frequencies that show the shape of each peak of `found`, within the stored frequencies, rad/s; shape (q,)
 
     beside : (p,) rad/s, frequencies that are known already.  Roll and pitch of a round body resonate at one frequency
     except for rounding. A frequency too near to an earlier one, or to a frequency of `beside`, is left out, so that
-    splines can pass through the rest.
+    splines can pass through the remaining frequencies.
     """
     low, high = body.between.span
     omega = np.concatenate([[], *(_places(one.omega, one.damping) for one in found)])
@@ -105,8 +105,8 @@ def natural_modes(inertia, stiffness):
 def positive(inertia):
     """Symmetric inertia (…, n, n), with eigenvalues of 0 and less replaced by the smallest positive one
 
-    At resonance of the water in a gap or a moonpool, negative added mass exceeds the mass of the body: λ grows without
-    limit towards this frequency, and the search continues beyond it.
+    At resonance of the water in a gap or a moonpool, negative added mass exceeds the mass of the body. λ then grows
+    without limit towards this frequency, and the search continues beyond it.
     """
     values = np.linalg.eigvalsh(inertia)
     if np.all(values[..., 0] > 0):
@@ -134,8 +134,8 @@ def by_motion(energies):
 
 
 def zeros(functions, low, f, high, g):
-    """Frequencies ω at which m functions, nearly straight, are zero between low (m,), value f, and high (m,), value g;
-    shape (m,)
+    """Frequencies ω between low (m,) and high (m,) at which m nearly straight functions with the values f and g there
+    are zero; shape (m,)
 
     functions : (m,) → (m,).  A secant within a bracket: the value at an end that stays for a second step is halved
     (Illinois; Dowell and Jarratt, BIT 11, 1971). The error is squared every three steps.

@@ -66,7 +66,8 @@ def _datasets(group, within=""):
 
 
 def check_seal(path, remedy=seals.REMEDY):
-    """Raise DamagedError, which names the damaged part, unless a file is as it was sealed, or has no seal."""
+    """Raises DamagedError with the name of the damaged part if a file differs from its seal; a file without a seal
+    passes."""
     try:
         damaged = seals.damage(path)
     except OSError as error:

@@ -1,7 +1,8 @@
 """The database of one scene: an HDF5 file that is filled row by row and survives a kill at any instant.
 
-Every quantity is a full grid over frequencies and headings, allocated and set to NaN when the file is made, so that an
-append changes numbers in place and never the structure of the file.  The group /stored has one mark per frequency (and
+Every quantity is a full grid over frequencies and headings, allocated and set to NaN when the file is made. An append
+therefore changes numbers in place and never the structure of the file.
+The group /stored has one mark per frequency (and
 heading).  Data are written first, then flushed, then marked.  The file is made under another name and renamed, so that
 it is never incomplete; `widening` replaces it by a new file.
 """
@@ -82,8 +83,7 @@ def estimate_of(name):
 
 
 def row_values(file, omega, headings, names):
-    """{name: values, in the shape that `append` needs} of one frequency, or None if any of these values is not
-    stored."""
+    """{name: values, in the shape that `append` needs} of one frequency; None if one of these values is not stored"""
     (i,) = places_on(file, [omega], "omega")
     columns, found = places_on(file, headings, "wave_direction"), {}
     for name in names:
@@ -179,7 +179,7 @@ class Database:
             return value[self.rows] if _first_axis(name) == "omega" else value
 
     def require(self, *names: str) -> None:
-        """Raise DatabaseError if one of the quantities is missing; the message gives the addition to the command."""
+        """Raises DatabaseError if one of the quantities is missing; the message says what to add to the command."""
         for name in names:
             if name not in QUANTITIES:
                 raise DatabaseError(f"{name!r} is not a quantity of a database; allowed: {', '.join(QUANTITIES)}")
@@ -273,8 +273,8 @@ class Database:
         return reader(self)
 
     def at(self, omega: Any, name: str, headings: Any = None) -> tuple[np.ndarray, np.ndarray]:
-        """A quantity at omega (q,) rad/s and headings (p,) rad, None for the stored headings: value (q, …) as stored,
-        estimated error (q, …).
+        """A quantity at omega (q,) rad/s and headings (p,) rad (None for the stored headings). Returns its stored value
+        (q, …) and its estimated error (q, …).
 
         raises : `bem.database.between_frequencies.BetweenError`, a ValueError, outside the stored range and for unknown
             values
@@ -350,8 +350,8 @@ class Database:
 
     @property
     def sizes(self) -> dict[str, float]:
-        """`dimensions`, m; for a hull that is neither box nor ship the dimensions of the box about the origin that
-        encloses the hull, and the radius of a round one"""
+        """Dimensions, m. For a hull that is neither box nor ship they are those of the box about the origin that
+        encloses the hull, with the radius of a round hull"""
         if self.is_round:
             points = np.zeros((1, 3)) if self.mesh is None else self.mesh.whole().points
             found = {"radius": float(np.hypot(*points[:, :2].T).max()), "draft": float(-points[:, 2].min())}
@@ -365,7 +365,7 @@ class Database:
 
     @property
     def is_round(self) -> bool:
-        """Whether the hull is one of revolution about the vertical through the origin, and no wall is beside it"""
+        """Whether the hull is a body of revolution about the vertical through the origin, without a wall beside it"""
         return self.wall is None and (
             set(self.dimensions) == {"radius", "draft"} or (self.mesh is not None and self.mesh.is_round)
         )

@@ -1,7 +1,7 @@
 """Storing of frequencies in a database: data first, then a flush, then the mark that they are stored.
 
-A write takes HDF5 0.1 to 0.2 ms, and a frequency has some forty: those that follow one another are stored together,
-each quantity in one write.  A kill loses only what was not yet given to `store`.
+A write takes HDF5 0.1 to 0.2 ms, and a frequency has about forty writes. Frequencies that follow one another are stored
+together, each quantity in one write.  A kill loses only what was not yet given to `store`.
 """
 
 import json

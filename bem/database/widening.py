@@ -1,8 +1,8 @@
 """Widening of a database by frequencies, headings and quantities: a new file that copies the rows of the old one.
 
 The new file is made beside the old file and renamed when complete, so that a run can be killed at any instant.  Groups
-beside the grid over frequencies are written whole, sealed with the file and kept when it is widened; a group has
-datasets with axes of its own, named in their attribute `axes`.
+beside the grid over frequencies are written whole and sealed with the file, and are kept when the file is widened. A
+group has datasets with their own axes, named in their attribute `axes`.
 """
 
 import numpy as np
@@ -128,7 +128,8 @@ def fill(file, name, datasets, attributes):
 
 
 def read_group(db, name):
-    """{dataset: (axes, unit, values)} and attributes of a group of an opened `Database`, or None where it has none"""
+    """{dataset: (axes, unit, values)} and attributes of a group of an opened `Database`, or None if it has no such
+    group"""
     with db.opened() as file:
         return content(file, name)
 

@@ -5,8 +5,8 @@
     outside   Z₀ = cosh kζ / cosh kh,  k tanh kh = K;    Zₙ = cos kₙζ,  kₙ tan kₙh = −K
     beneath   cos l_qζ,  l_q = qπ/s
 
-At the keel's edge, with an angle of 270° in the water, the horizontal velocity u(ζ) is singular like distance^(−1/3),
-then ^(+1/3), then regular.  u(ζ) is expanded in three Gegenbauer families
+At the keel's edge, where the water has an angle of 270°, the horizontal velocity u(ζ) is singular like distance^(−1/3),
+then ^(+1/3), then regular. u(ζ) is expanded in three Gegenbauer families
 
     U = (s² − ζ²)^(ν−½) C₂ₚ^(ν)(ζ/s),   ν = 1/6, 5/6, 1/2,   p = 0 … terms − 1,
 

@@ -1,9 +1,10 @@
 """Velocity profiles in the gap: linearly independent, orthonormal combinations of the functions of `gap`.
 
 The three families are nearly dependent: with nine functions the eigenvalues of ⟨U, Σ cos l_qζ cos l_qζ / l_q U⟩ reach
-down to 1e-13.  Combinations that are small in this norm are dropped, the others are normalised, which magnifies the
+down to 1e-13.  Combinations that are small in this norm are dropped. The others are normalised, which magnifies the
 truncation error of the sums over modes.  With 8 T² modes per gap height, T functions in each family, this error is
-3e-8, with 24 T² it is 7e-11: at a tolerance of 1e-6 yaw of 100 × 50 × 10 m in 100 m was wrong by 7e-6 with fewer.
+3e-8; with 24 T² it is 7e-11. At a tolerance of 1e-6 fewer modes gave an error of 7e-6 in yaw of 100 × 50 × 10 m in 100
+m of water.
 """
 
 from dataclasses import dataclass

@@ -2,7 +2,7 @@
 
     u(x) = Σ c_k |x − x_k|³ + a + Bx        (polyharmonic spline; it reproduces rigid motions to rounding)
 
-Points in a plane or on a line do not determine the shape across it: there the shape is assumed constant.
+Points in a plane or on a line do not determine the shape normal to it; the shape is assumed constant in that direction.
 """
 
 from dataclasses import dataclass

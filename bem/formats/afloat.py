@@ -91,10 +91,10 @@ def _check(values, still):
         return
     ratio = C[2, 2] / expected
     raise FormatError(
-        f"heave stiffness is {C[2, 2]:.5g} N/m in the files, {ratio:.3g} times ρ g times the waterplane of the hull, "
-        f"{expected:.5g} N/m; allowed: within {100 * SAME_STIFFNESS:g} %; either the files are made dimensionless by "
-        f"a length {ratio**-0.5:.4g} times as large (--length-unit), or the hull (--mesh), --density or --gravity is "
-        f"not that of the files"
+        f"heave stiffness in the files is {C[2, 2]:.5g} N/m, {ratio:.3g} times ρ g times the waterplane of the "
+        f"hull, {expected:.5g} N/m; allowed: within {100 * SAME_STIFFNESS:g} %; either the length that makes the "
+        f"files dimensionless is {ratio**-0.5:.4g} times as large (--length-unit), or --mesh, --density or "
+        "--gravity differ from those of the files"
     )
 
 
@@ -123,7 +123,10 @@ def _about_mass(values, still, body):
             f"{FAR_MASS:g} times the displaced mass; check the unit of the mass (--mass, kg), the hull and the density"
         )
     if abs(ratio - 1) > 0.01:
-        yield f"mass {body['mass']:.6g} kg is not the displaced {displaced:.6g} kg; allowed where lines carry the rest"
+        yield (
+            f"mass {body['mass']:.6g} kg is not the displaced mass of {displaced:.6g} kg; allowed if lines carry "
+            "the difference"
+        )
 
 
 def _about_weight(C, still, values):
@@ -157,10 +160,10 @@ def _about_motions(values):
     worst = int(off.argmax())
     if off[worst] > SAME_MOTIONS:
         yield (
-            f"the motions in the files are stored, and differ from those of this mass, centre of gravity and radii of "
-            f"gyration by up to {100 * off[worst]:.3g} % of the largest {DOFS[worst].lower()}; if the files are for "
-            f"another body, 'hakobune body' with the same flags replaces them, and leaves out the drift that follows "
-            f"from them"
+            f"the motions in the files are stored; they differ by up to {100 * off[worst]:.3g} % of the largest "
+            f"{DOFS[worst].lower()} from motions with this mass, centre of gravity and radii of gyration; if the "
+            "files are for another body, 'hakobune body' with the same flags replaces these motions and leaves out "
+            "the drift computed from them"
         )
 
 

@@ -1,8 +1,9 @@
 """AQWA's NAME.AH1, which has numbers only, and its listing NAME.LIS (Aqwa Reference Manual, "AH1 file", "Listing
 file").
 
-    .AH1   structures, headings, frequencies; GENERAL depth ρ g; COG, MASS, HYDSTIFFNESS, DISPLACEMENT of each structure
-           ADDEDMASS, DAMPING   two structures, frequency, A (6, 6);  FORCERAO  structure, heading, frequency, F, φ
+    .AH1   structures, headings, frequencies; GENERAL depth ρ g; COG, MASS, HYDSTIFFNESS, DISPLACEMENT : of each
+           structure; ADDEDMASS, DAMPING : two structures, frequency, A (6, 6);
+           FORCERAO  structure, heading, frequency, F, φ
     .LIS   the same in tables of each structure
 
 SI, exp(−iωt), directions that waves travel to, as ours; everything, including phases, is about the centre of gravity.
@@ -30,7 +31,8 @@ class Water(NamedTuple):
 
 
 def read(place, known=None):
-    """The Values of a structure of NAME.AH1 or NAME.LIS; known : {"body": from 1} of several.  Raises FormatError."""
+    """The Values of one structure of NAME.AH1 or NAME.LIS; known : {"body": number from 1} if the file has several
+    Raises FormatError."""
     place = Path(place)
     kind = _listing if place.suffix.lower() == ".lis" else _numbers
     try:

@@ -1,5 +1,5 @@
 """The HDF5 file of BEMIO, which WEC-Sim and HydroChrono read: a group for each body, normalised, exp(+iωt), rising
-frequencies.  Rows are of the body, columns of the motions of all N bodies.
+frequencies.  Rows are motions of the body, columns are motions of all N bodies.
 
     added_mass/all A/ρ (6, 6N, n);  radiation_damping/all B/ρω (6, 6N, n);  excitation re, im, mag, phase X/ρg (6, m, n)
     linear_restoring_stiffness C/ρg;  mean_drift/momentum_conservation/val F/ρg (6, m, n), of heave, roll, pitch zero
@@ -7,8 +7,9 @@ frequencies.  Rows are of the body, columns of the motions of all N bodies.
     impulse response of radiation  K/ρ = 2/π ∫ B̄ ω cos ωt dω,  of excitation  1/π ∫ (re cos ωt − im sin ωt) dω,
 
 Forces, motions and coefficients are about the centre of gravity, the origin of bodies in WEC-Sim.  Impulse responses
-are by the trapezoidal rule between the lowest and the highest stored frequency, B̄ and X interpolated linearly: a start
-for WEC-Sim, limited by the band.  Layout: WEC-Sim documentation, "BEMIO", and its writeBEMIOH5.
+are computed by the trapezoidal rule between the lowest and the highest stored frequency, with linear interpolation of
+B̄ and X. They are a start for WEC-Sim, limited by the band.
+Layout: WEC-Sim documentation, "BEMIO", and its writeBEMIOH5.
 """
 
 from contextlib import contextmanager
@@ -164,7 +165,8 @@ def linear(w, omega, values):
 
 
 def read(place, known=None):
-    """The Values of a body of NAME.h5; known : {"body": from 1} of several.  Raises FormatError."""
+    """The Values of one body of NAME.h5; known : {"body": number from 1} if the file has several
+    Raises FormatError."""
     with _opened(place) as file:
         return _read(file, Path(place).stem, body_of(place, _bodies(file) or 1, known))
 

@@ -1,10 +1,10 @@
 """The netCDF file of Capytaine (documentation, "Outputs"): labelled, SI, exp(−iωt), directions travelled to, as ours.
 
-Complex numbers have a last axis `complex` of re, im, as `capytaine.export_dataset` splits them.  The names are ours,
-which follow Capytaine's; modes are labelled, so that their order does not matter.  Mean drift is that of
-`far_field_mean_drift_force`, whose pairs of different headings are NaN here. With several bodies modes are called
-`barge__Surge`, along the axes of the scene and about the point of each, and quantities of one body have an axis `body`.
-netCDF 3 files, which Capytaine writes without netCDF4, are read too.
+Complex numbers have a last axis `complex` of re, im, as `capytaine.export_dataset` splits them.  The names follow
+Capytaine's. Modes are labelled, so their order does not matter.  Mean drift is `far_field_mean_drift_force`; its pairs
+of different headings are NaN in our files. With several bodies modes are called `barge__Surge`. They are along the axes
+of the scene and about the point of each body, and quantities of one body have an axis `body`. netCDF 3 files, which
+Capytaine writes without netCDF4, are read too.
 """
 
 from pathlib import Path
@@ -100,7 +100,8 @@ def _drift(file, values):
 
 
 def read(place, known=None):
-    """The Values of a body of NAME.nc; known : {"body": from 1} of several.  Raises FormatError."""
+    """The Values of one body of NAME.nc; known : {"body": number from 1} if the file has several
+    Raises FormatError."""
     try:
         with _opened(Path(place)) as file:
             return _read(file, Path(place).stem, known)

@@ -5,7 +5,7 @@
     ω rad/s   values for each heading   phases in degrees for each heading
 
 SI, with exp(+iωt): the conjugates of ours; waves travel to the heading.  Matrices may have only the lower triangle.
-Derived from files of HydroStar 8 and of HAMS, whose numbers are also in WAMIT's files beside them.
+The format was derived from files of HydroStar 8 and of HAMS whose numbers are also in WAMIT's files beside them.
 """
 
 import re

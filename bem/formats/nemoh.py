@@ -3,7 +3,8 @@
 RadiationCoefficients.tec has a zone for each motion j: ω, then A_ij and B_ij of i = 1 … 6; ExcitationForce.tec,
 DiffractionForce.tec and FKForce.tec one for each heading: ω, then amplitude and phase (rad) of i = 1 … 6. Nemoh.cal
 gives frequencies and headings by first, last and count; sets that are not evenly spaced are refused.  Zones are
-counted, not named: Nemoh 2 calls those of the excitation "Diffraction force" too.  With N bodies there are zones for
+counted, not named: Nemoh 2 calls the zones of the excitation "Diffraction force" too.
+With N bodies there are zones for
 each motion, 6N columns, and files Hydrostatics_0.dat, KH_0.dat and so on; a fixed body has no motions.  File names are
 accepted in any case, as Nemoh 3 writes results/.  G. Delhommeau, C. Lheea, École centrale de Nantes, Nemoh v3 manual.
 """
@@ -309,8 +310,8 @@ def _zones(path, count, columns):
         raise FormatError(f"{path} has no table of numbers")
     if len(tables) != count or rows.shape[2] != 2 * columns + 1:
         raise FormatError(
-            f"{path} has {len(tables)} zones of {rows.shape[2]} numbers a line; allowed: {count}, with "
-            f"{2 * columns + 1}, as Nemoh.cal says"
+            f"{path} has {len(tables)} zones of {rows.shape[2]} numbers a line; Nemoh.cal asks for {count} "
+            f"zones of {2 * columns + 1} numbers"
         )
     first = rows[0, :, 0]
     first = 2 * np.pi * first if "(Hz)" in head else 2 * np.pi / first if "T (s)" in head else first

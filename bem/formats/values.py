@@ -191,7 +191,7 @@ def _along_scene(values):
 def body_of(place, count, known):
     """Index from 0 of the body given by known["body"], from 1.  Raises FormatError.
 
-    Its coefficients are those of the moving body with the others fixed.
+    Its coefficients are those of this body moving while the other bodies are fixed.
     """
     body = (known or {}).get("body")
     if body is None and count == 1:

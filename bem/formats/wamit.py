@@ -11,9 +11,9 @@
 with p = 0 for translations and 1 for rotations, L = ULEN; PER as given by IPEROUT, by default the period in s, −1 at ω
 = 0 and 0 at ω = ∞; BETA in degrees that the waves travel to, phases in degrees of exp(+iωt): the conjugates of ours.
 Pairs I, J and modes I that are 0 by symmetry are omitted.  Written with L = 1 m.  The .8 file is for the free body if
-motions are stored (a .4 file then lies beside it), otherwise for the fixed body. It is omitted for several bodies,
+motions are stored (then a .4 file lies beside it), and otherwise for the fixed body. It is omitted for several bodies,
 whose modes are numbered 7 to 12 and so on.  These files contain neither depth, density, gravity nor hull; ULEN and the
-point of moments are in the inputs beside them (`wamit_inputs`).
+reference point of moments are in the input files beside the results (`wamit_inputs`).
 """
 
 from pathlib import Path
@@ -77,7 +77,7 @@ def write(values, place, names=None):
 
 
 def stands_for(values, name):
-    """Matrix of a limit, with entries of the frequency next to it where the limit is missing or not finite; (6, 6)"""
+    """Matrix of a limit (6, 6); entries that are missing or not finite are taken from the nearest frequency"""
     limit, nearest = values.get(name), values.get("added_mass")[0 if name == "added_mass_zero" else -1]
     return nearest if limit is None else np.where(np.isfinite(limit), limit, nearest)
 

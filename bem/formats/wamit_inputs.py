@@ -5,8 +5,9 @@
     NAME.cfg   KEY = value, in any order                       IPEROUT: kind of the first column of results
     NAME.out   the listing has all of this, and its periods show the kind of the first column of NAME.1
 
-Results are about the body's own axes, whose origin is XBODY(1-3) in those of the water; the .gdf is in the body's axes
-too.  Lengths are in feet where GRAV is; wavenumbers in the first column are times ULEN (chapter 4).  Lists are read as
+Results are about the body's own axes, whose origin in the axes of the water is XBODY(1-3). The .gdf is in the body's
+axes too.
+Lengths are in feet if GRAV is; wavenumbers in the first column are multiplied by ULEN (chapter 4).  Lists are read as
 in Fortran: text after the wanted numbers of a line is a remark.
 """
 
@@ -244,7 +245,8 @@ class Potential(NamedTuple):
     bodies: list
 
     def of_body(self, number):
-        """Name of the .gdf and XBODY of a body from 1, of the last for a larger number; "" and None without bodies"""
+        """Name of the .gdf and XBODY of a body, numbered from 1; those of the last body for a larger number; "" and
+        None without bodies"""
         return self.bodies[min(number, len(self.bodies)) - 1] if self.bodies else ("", None)
 
 

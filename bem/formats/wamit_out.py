@@ -1,9 +1,9 @@
-"""NAME.out of WAMIT, a listing for readers: the numbers of NAME.1, .3, .8 and of still water in one file.
+"""NAME.out of WAMIT, a listing for readers. It has the numbers of NAME.1, .3, .8 and of still water in one file.
 
     Gravity, Length scale, Water depth; for each body XBODY, volumes, centres, C(3,3) … C(5,6) and radii of gyration
     for each period ADDED-MASS AND DAMPING COEFFICIENTS, EXCITING FORCES AND MOMENTS, … DRIFT FORCES (Momentum …)
 
-Phases are whole degrees there: forces are within 1 % in phase.  NAME.mmx has volume, centres and mass:
+Phases in this file are whole degrees, so forces are within 1 % in phase.  NAME.mmx has volume, centres and mass:
 
     WAMIT  Ouputs for body N = …      each with volumes, centres in the body's axes, and one of
     Normalized mass matrix:           I J M/ρ                IALTFRC = 1

@@ -1,7 +1,8 @@
 """Exact forms of the finite-depth Green function that fill its tables (equations in `bem.green.finite_depth`).
 
-For R < h/2 a quadrature of the integral, beyond it John's (1950) eigenfunction series.  Every term of both is a
-product of a function of R and one of a depth, so that a table is a product of two matrices.  The classes, for positive,
+For R < h/2 a quadrature of the integral is used, and beyond it John's (1950) eigenfunction series.
+Every term is a product of a function of R and a function of a depth, so a table is a product of two matrices.
+The classes, for positive,
 zero and infinite frequency, have
 
     near(R, Y, V)   g₁ − 2KF (R, Y) and g₂ (R, V), smooth as far as the next images in surface and bed
@@ -108,7 +109,8 @@ class PositiveFrequency:
 
 
 class ZeroFrequency:
-    """ω = 0, ∂φ/∂z = 0 on the surface; G is defined up to a constant, here that of the regularised integrals."""
+    """ω = 0, ∂φ/∂z = 0 on the surface; G is defined up to a constant; this constant is that of the regularised
+    integrals."""
 
     mirror = 1.0
 

@@ -2,8 +2,8 @@
 
 In each piece both variables run from −1 to 1; f = Σ c[b, a] xᵃ yᵇ through 8 × 8 Chebyshev nodes, whose error for a
 function with its nearest singularity at a distance d from the middle of a piece of half-width a is of order (2d/a)⁻⁸,
-and that of its gradient 64 times as much per half-width.  The 64 coefficients of a piece are adjacent in memory:
-Horner's rule in y runs on SIMD vectors of the eight coefficients of a power of y, then the eight sums are summed in x.
+and that of its gradient 64 times as much per half-width.  The 64 coefficients of a piece are adjacent in memory.
+Horner's rule in y runs on SIMD vectors of the eight coefficients of a power of y; then the eight sums are summed in x.
 Two functions of the same x are added between the two sums.  7 ns with the gradient.
 """
 

@@ -1,10 +1,10 @@
 """Tables of the Green function's wave part for one frequency, of the accuracy asked for (equations in
 `bem.green.finite_depth`).
 
-The singular and oscillating parts are subtracted: for R < h/2 the deep-water function, beyond that the wave, both
+The singular and oscillating parts are subtracted: the deep-water function for R < h/2, and the wave beyond. Both are
 known for every frequency (`bem.green.deep_water`).  The remainder varies over the larger of h/2 and R at every
-frequency, so that few piecewise polynomials of degree 7 represent it: pieces in R that grow with R until the remainder
-is negligible, pieces of equal size in the two depth variables.
+frequency, so few piecewise polynomials of degree 7 represent it. Pieces in R grow with R until the remainder is
+negligible; pieces in the two depth variables have equal size.
 """
 
 import math
@@ -69,8 +69,8 @@ def whole_table(omega, depth, gravity):
 def limit_table(which, depth, reach, draft, accuracy=1e-5):
     """Table of the limit "zero" (rigid lid) or "infinity" (φ = 0 on the surface) of the frequency.
 
-    At zero frequency in finite depth G contains −(2/h) ln R and is determined only up to a constant, which has no
-    effect on modes without net flux.  At infinite frequency 1/r₁ is negative, and g₁ is the rest of G without it.
+    At zero frequency in finite depth G contains −(2/h) ln R and is determined only up to a constant. The constant has
+    no effect on modes without net flux.  At infinite frequency 1/r₁ is negative, and g₁ is the rest of G without it.
     """
     form = (
         None if np.isinf(depth) else (ZeroFrequency if which == "zero" else InfiniteFrequency)(depth, _digits(accuracy))

@@ -1,6 +1,7 @@
 """Numba's part of `in_memory`: the type of an address, how its fields are read, and what Python hands over.
 
-A field is read word by word, and said never to change (`invariant.load`): what is read in a loop is loaded before it.
+A field is read word by word and marked as never changing (`invariant.load`): what a loop reads is loaded before the
+loop.
 """
 
 import hashlib

@@ -1,7 +1,7 @@
 """Named tuples that kernels take by address, not by value.
 
-By value a tuple of ninety arrays is six hundred arguments of every kernel that it is handed to, each written and read
-again: a quarter of the time that all kernels of bodies in time took to compile.  A class marked `in_memory` is laid out
+By value a tuple of ninety arrays is six hundred arguments of every kernel that receives it, each written and read
+again. This took a quarter of the time to compile all kernels of bodies in time.  A class marked `in_memory` is laid out
 word after word at every call from Python, and kernels pass its address.  Kernels read such a tuple, but neither make
 nor change one; the contents of its arrays may change.  How numba reads it: `addresses`.
 """

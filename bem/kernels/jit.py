@@ -1,7 +1,7 @@
 """The single way to compile a kernel: numba, each kernel once, with a cache that detects changes of its sources.
 
-numba stamps a cached function with its own file only: a callee edited in another file would continue to return its old
-values, and so would a constant imported from there, which is frozen into the machine code.  The folder of a kernel
+numba stamps a cached function with its own file only. A callee edited in another file would continue to return its old
+values, and so would an imported constant, which is frozen into the machine code.  The folder of a kernel
 therefore has a digest of the sources of its module and of all modules of this repository that it imports directly or
 through others (`sources`).  `kept` describes how kernels are stored and called by others.  Without write access kernels
 are compiled for the process alone, which a message reports.

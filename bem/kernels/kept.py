@@ -1,9 +1,10 @@
 """Storage of compiled kernels on disk by numba, and calls between kernels.
 
-Numba links the code of a kernel into all its callers and optimises and assembles it there again: a kernel six calls
+Numba links the code of a kernel into all its callers, and optimises and assembles it there again. A kernel six calls
 deep is compiled six times.  Here a kernel of more than a few instructions is compiled once.  Its callers use its symbol
-alone, and their files list the kernels to be loaded before them.  Processes share the work: a kernel that another
-process is compiling is waited for (`claimed`).  None waits in a circle, since kernels wait for their callees alone.
+alone, and their files list the kernels to be loaded before them.  Processes share the work: a process waits for a
+kernel that another process is compiling (`claimed`).
+None waits in a circle, since kernels wait for their callees alone.
 
 Private parts of numba, all used only here: `CompileResult._reduce` and `_rebuild`, the pickled form of a kernel;
 `CodeLibrary._shared_module`, which callers link, and `_reload_init`, called before a kernel is loaded.
@@ -91,8 +92,8 @@ class Kept:
         return result
 
     def save_overload(self, signature, result):
-        """Let other kernels call a kernel that was just compiled by its symbol, and store it unless another process has
-        done so"""
+        """Let other kernels call a newly compiled kernel by its symbol, and store it unless another process has stored
+        it"""
         file = self._file(signature, result.target_context)
         try:
             self._save(file, signature, result)

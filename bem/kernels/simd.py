@@ -1,7 +1,7 @@
 """SIMD vectors of 2, 4 or 8 doubles inside a kernel, for numbers that are adjacent in memory.
 
-The compiler may or may not vectorise a loop over eight numbers; these operations are always vector instructions, split
-into those of the width that the processor has, and add in a fixed order.  Numba intrinsics, by LLVM vector types.
+The compiler may or may not vectorise a loop over eight numbers. These operations are always vector instructions, split
+into the width that the processor has, and add in a fixed order.  Numba intrinsics, by LLVM vector types.
 A polynomial of 8 × 8 coefficients with its gradient takes 7.3 ns, by plain loops on numbers
 18.6 (`python tests/bench/simd.py`).  Vectors and numbers are added, subtracted, multiplied and divided with + − * /.
 

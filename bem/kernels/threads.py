@@ -1,9 +1,9 @@
 """Threads of linear systems (BLAS) and of kernels that fill a matrix row by row.
 
-A linear system of less than about 700 unknowns gains nothing from a second BLAS thread, and where another program
-holds the core every step waits for it: 316 unknowns took 915 ms instead of 10 on a busy machine with two cores.
-Kernels of a few milliseconds lose time too: the threads of BLAS keep their cores busy for a while after their work,
-and 2 ms took 30 in a pool of threads.
+A linear system of less than about 700 unknowns gains nothing from a second BLAS thread. If another program holds the
+core, every step waits for it: 316 unknowns took 915 ms instead of 10 on a busy machine with two cores.
+Kernels of a few milliseconds lose time too. The threads of BLAS keep their cores busy for a while after their work, and
+2 ms took 30 ms in a pool of threads.
 
 A kernel computes a range of rows and releases the interpreter lock; Python threads call it.  Loops that numba
 distributes itself (`prange`) run as fast and take two to three times as long to compile.

@@ -1,10 +1,11 @@
 """Errors of many frequencies from the differences between two resolutions at a few of these frequencies.
 
 Both resolutions of the contour method increase in steps over the frequency; between steps their difference is smooth.
-Frequencies with the same resolutions form a range.  A range is halved until, at its middle frequency, the difference is
-close to the straight line between its ends, and its ends are less than half an oscillation of a wave along the body
-apart.  At the other frequencies of such a range the difference is taken from the parabola through these three values,
-and its bound is `MARGIN` times the largest of the three.
+Frequencies with the same resolutions form a range.  A range is halved until two conditions hold. At its middle
+frequency the difference is close to the straight line between its ends, and its ends are less than half an oscillation
+of a wave along the body apart.
+At the other frequencies of such a range the difference is taken from the parabola through these three values. Its bound
+is `MARGIN` times the largest of the three.
 
 The choice of these frequencies depends only on the list of frequencies, not on the order of solution.
 """

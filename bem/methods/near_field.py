@@ -6,11 +6,11 @@ mean over a period (Pinkster 1980), n out of the body, ζ_r the wave elevation r
 of a hull point, X_c that of the rotation centre, α the rotations; F₁ and M₁ the first-order load of water and weight
 about the rotation centre, equal to inertia times acceleration for a body without other restraint.
 
-The error of the drift is that of the pressures as a fraction of ρgζ² times the breadth, however small the drift is: in
-long waves the error exceeds the drift.
+The error of the drift is the error of the pressures, as a fraction of ρgζ² times the breadth, however small the drift
+is. In long waves this error exceeds the drift.
 
-A surface in the water around the hull would be no check: every flow by Green's theorem or by eigenfunctions has the
-same momentum flux through it as far away, right or wrong.
+A surface in the water around the hull would be no check: for every flow by Green's theorem or by eigenfunctions, right
+or wrong, the momentum flux through it equals that far away.
 """
 
 import numpy as np
@@ -39,11 +39,10 @@ def near_field_error(run, moving):
     Per metre of breadth and wave amplitude squared the terms are up to ρg(1 + v)² at the waterline, water standing up
     to twice the wave at a wall, and ρω²d a² on the sides, v the vertical motion there and a that of any point of the
     hull.  A relative error of the pressures causes twice this relative error in these terms.  The relative error of the
-    pressures is taken from the estimated errors of coefficients and forces; by the contour method, whose forces are
-    wrong at second order and whose pressures at first, no less than
-    `bem.contour.pressure_drift.PRESSURES`.  Errors of the motions are not in it: near and far field are equal in any.
-    run, moving : as in `near_field_drift`
-    raises : ValueError as `near_field_drift`, and for panels without an estimate of their errors
+    pressures is taken from the estimated errors of coefficients and forces. For the contour method, whose forces are
+    wrong at second order and whose pressures at first order, it is no less than `bem.contour.pressure_drift.PRESSURES`.
+    Errors of the motions are not included: near and far field are equal for any motions. run, moving : as in
+    `near_field_drift` raises : ValueError as in `near_field_drift`, and for panels without an estimate of their errors
     """
     method, radius, draft = _method(run, moving), run.prepared.radius, run.prepared.draft
     if run.errors is None:

@@ -58,8 +58,8 @@ class ShapeRun(FrequencyRun):
 
     @cached_property
     def differences(self):
-        """Differences from the finer body; None for strips: there the error of strip theory itself, which is not
-        estimated, is larger"""
+        """Differences from the finer body; None for strips, where the larger error of strip theory itself is not
+        estimated"""
         if self.problem.method not in RESOLVED:
             return None
         ours, fine = self.first_order, self.finer

@@ -11,8 +11,8 @@ integrals over F.  With n out of the bodies and ψ = φ + φ_I on F the equation
     damping lid: 4πψ − Dφ − KSφ′ − iεK S_F ψ = −SV + 4πφ_I
     inner lid:   4πφ′ + KSφ′ + Dφ + iεK S_F ψ = SV
 
-φ_I being zero where a body moves in calm water.  The lid absorbs the mean power ½ρωεK ∬ |ψ|² dS, and radiates as
-sources of the strength iεKψ; the exchange of waves (Haskind) and the balance of energy include both.
+φ_I is zero for a body that moves in calm water.  The lid absorbs the mean power ½ρωεK ∬ |ψ|² dS, and radiates like
+sources of the strength iεKψ. The exchange of waves (Haskind) and the balance of energy include both.
 """
 
 from functools import cached_property

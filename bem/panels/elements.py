@@ -1,9 +1,9 @@
 """Panels as boundary elements: axes, nodes, shape functions and integration points.
 
-The potential on a panel is bilinear in the panel's own axes and given at the 2 × 2 Gauss points, which are the
-collocation points too; constant panels (one node, the centroid) are available for meshes of very many panels.
-Collocation at Gauss points converges two orders faster than the interpolation error.  Box 100 × 50 × 10 m, surge added
-mass: 104 bilinear panels are as accurate as 900 constant ones in a tenth of the time.
+The potential on a panel is bilinear in the panel's own axes and given at the 2 × 2 Gauss points, which are also the
+collocation points. Constant panels (one node, the centroid) are available for meshes of very many panels.
+Collocation at Gauss points converges two orders faster than the interpolation error.  Surge added mass of a box 100 ×
+50 × 10 m: 104 bilinear panels are as accurate as 900 constant panels and take a tenth of the time.
 """
 
 from typing import NamedTuple

@@ -1,8 +1,9 @@
 """A frequency from two meshes: results are extrapolated to panels of zero size (Richardson 1911).
 
-The error of a mesh decreases with a known power of its number of panels (`bem.checks.ERROR_ORDER`), so that a coarser
-mesh shows most of the error, with its sign.  After its subtraction a sixth of the error remains at the median of random
-bodies, and at most a third in nine of ten. In short waves more remains: with panels a fifth of a wave long, a third and
+The error of a mesh decreases with a known power of its number of panels (`bem.checks.ERROR_ORDER`). A coarser mesh
+therefore shows most of the error, with its sign.
+After this error is subtracted, a sixth of it remains at the median of random bodies, and at most a third in nine of
+ten. In short waves more remains: with panels a fifth of a wave long, a third and
 two thirds (`left_over`).  This takes no time, whereas twice as many panels, which leave 0.45 of the error, take three
 times as long.
 """
@@ -25,8 +26,8 @@ TRUSTED = 1 / 3
 class ExtrapolatedRun(FrequencyRun):
     """A `bem.panels.one_frequency.PanelRun` extrapolated from two meshes, without most of the error of its mesh.
 
-    Every quantity linear in the potentials is extrapolated, motions and drift forces follow from these; `pressure` is
-    that on the mesh.
+    Every quantity that is linear in the potentials is extrapolated, and motions and drift forces follow from these
+    quantities. `pressure` is that on the mesh.
     """
 
     def __init__(self, run):

@@ -9,8 +9,8 @@ auxiliary density φ' on the interior free surface (the lid) satisfy
 The exact solution has φ' = 0.  The lid row imposes ∂w/∂z = 0 on the free surface of the fictitious flow inside the
 hull, so that this flow has no resonance: no irregular frequency at any ω (cf. Lee, Newman & Zhu 1996).
 
-Mirror planes split the unknowns into classes, even or odd in x and in y; a class sees each panel together with
-its images, their potentials equal or opposite.
+Mirror planes split the unknowns into classes that are even or odd in x and in y. A class sees each panel together with
+its images, whose potentials are equal or opposite.
 """
 
 import math

@@ -9,7 +9,7 @@ Continued by zero, such a flow is also one of the box around the hull, whose min
     K ≥ κ coth κd,    κ² = π² (1/L² + 1/B²),    equal for a box of length L, beam B, draft d.
 
 A hull that stands on the bed, where ∂φ/∂z = 0, has κ tanh κd in place of it.  Of all boxes with a side along an edge of
-the convex hull of the plan the one with the largest κ is used: rotating the hull does not change it.
+the convex hull of the plan, the box with the largest κ is used. A rotation of the hull does not change it.
 """
 
 import numpy as np

@@ -33,8 +33,7 @@ class PanelRun(FrequencyRun):
         self.refined = refined
         if self.far_field and prepared.problem.wall is not None:
             raise ValueError(
-                "beside a wall the far field does not reach all round: there are no Kochin functions and "
-                "no drift forces"
+                "beside a wall waves do not travel in all directions: there are no Kochin functions and no drift forces"
             )
         self.geometry = prepared.geometry.at(self.omega**2 / prepared.problem.gravity)
         self.whole_field = bool(self.want & {"pressure", POWER, *OF_EACH})

@@ -1,7 +1,8 @@
 """Real wave part of S and D between all nodes, from one evaluation of G for both ends of a pair.
 
-G is symmetric in its two points, and its ∂/∂R, ∂/∂z and ∂/∂ζ follow from the same polynomials: half of all evaluations
-are enough.  The imaginary part is in `bem.panels.standing_waves`.  Integrals are those of `bem.panels.wave_influence`:
+G is symmetric in its two points, and its ∂/∂R, ∂/∂z and ∂/∂ζ follow from the same polynomials. Half of all evaluations
+are therefore enough.
+The imaginary part is in `bem.panels.standing_waves`.  Integrals are those of `bem.panels.wave_influence`:
 at the nodes, and with the fine points on panels whose surface image is close.
 """
 

@@ -2,7 +2,7 @@
 
 S and D are the integrals of G and ∂G/∂n over panels (`bem.panels.influence`, where their Rankine part 1/r + 1/r₁ + 1/r₂
 is); here G is the remainder of `bem.green.finite_depth`, by Gauss quadrature.  The imaginary part of G is as smooth as
-the wave: close panels take fine points for the real part alone, unless the wave is short beside them.
+the wave. Close panels take fine points for the real part alone, unless the wave is short relative to them.
 """
 
 import math

@@ -1,9 +1,10 @@
 """First-order waves of a box or vertical cylinder by the contour method, for forces of pairs.
 
-Integrals over sides and bottom contain the edge's flow exactly, that of the bound wave is over the wall of the plan
-(`bem.contour.hull`), and the surface around a cylinder is a sum of Bessel functions outwards from its side
-(`contour_surface`).  The flow under a box is known only in the mean: a box must be fixed, its heave, roll and pitch
-loads are unknown, and so is the forcing of the surface around it.
+The integrals over sides and bottom contain the flow at the edge exactly. The integral of the bound wave is over the
+wall of the plan (`bem.contour.hull`), and the surface around a cylinder is a sum of Bessel functions outwards from its
+side (`contour_surface`).
+The flow under a box is known only in the mean. A box must therefore be fixed; its heave, roll and pitch loads and the
+forcing of the surface around it are unknown.
 """
 
 import numpy as np

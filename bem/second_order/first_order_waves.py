@@ -138,9 +138,9 @@ class WavesOfBodies(PanelWaves):
     """Like `PanelWaves`, for several bodies; flows are lists, one `HullFlow` for each body, forces and motions (…, 6N).
 
     Products of first-order quantities are integrated over each hull separately.  Haskind's relation gives the force of
-    the bound wave on a body a, and that of the potential of moving hulls: with ψ the radiation potential of a motion of
-    a, each hull b that moves adds −iρΩ ∬ ψ_a ∂φ₂/∂n dS over itself (`body_forces`).  A fixed body has such a ψ too.
-    The far field gives the drift of all bodies together only, so it cannot correct the drift of one.
+    the bound wave on a body a. For the potential of moving hulls, with ψ the radiation potential of a motion of a, each
+    moving hull b adds −iρΩ ∬ ψ_a ∂φ₂/∂n dS over itself (`body_forces`).  A fixed body has such a ψ too.
+    The far field gives only the drift of all bodies together, so it cannot correct the drift of one body.
 
     raises : ValueError with `surface`, and for lines that hold the bodies
     """

@@ -2,8 +2,9 @@
 
     F(t) = Re Σᵢ Σⱼ aᵢ āⱼ T_ij exp{−i(ωᵢ − ωⱼ)t},        F(t) = Re Σᵢ Σⱼ aᵢ aⱼ T⁺_ij exp{−i(ωᵢ + ωⱼ)t}
 
-A real wave Re φ exp(−iωt) is also Re φ̄ exp(−i(−ω)t): the effect of two waves at the sum of their frequencies is the
-effect, at the difference, of the first wave and of the second wave written in this form.  A formula for differences
+A real wave Re φ exp(−iωt) is also Re φ̄ exp(−i(−ω)t). The effect of two waves at the sum of their frequencies is
+therefore the effect, at the difference, of the first wave and of the second wave written in this form.
+A formula for differences
 becomes one for sums with −ωⱼ for ωⱼ and without the conjugates of the second wave; T⁺_ij = T⁺_ji.
 """
 

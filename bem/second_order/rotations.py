@@ -1,4 +1,4 @@
-"""Second-order loads on a rotating body: its first-order loads turned with the body, and a part from the pressure of
+"""Second-order loads on a rotating body: the first-order loads turned with the body, and a part from the pressure of
 still water.
 
     T_ij = ¼ {αᵢ × F̄ⱼ + ᾱⱼ × Fᵢ},    moments  ¼ {αᵢ × M̄ⱼ + X_cᵢ × F̄ⱼ + conjugates with i and j exchanged}

@@ -1,7 +1,7 @@
 """Forces of wave pairs in a database: groups `qtf`, of differences, and `qtf_sum`, and T between frequencies of `qtf`.
 
-Between stored pairs T is interpolated over the mean (ω₁ + ω₂)/2, cubically at each stored difference, then over the
-difference, in which its real part is even and its imaginary part odd.
+Between stored pairs T is interpolated cubically over the mean (ω₁ + ω₂)/2 at each stored difference, and then over the
+difference. In the difference the real part is even and the imaginary part odd.
 """
 
 from dataclasses import dataclass

@@ -5,15 +5,16 @@ On z = 0 the second-order potential of a pair (i, j) has Ω² φ₂ − g ∂φ�
     Q = ½iΩ (∇φᵢ·∇φ̄ⱼ + KᵢKⱼ φᵢφ̄ⱼ) − ¼iωᵢ φᵢ (φ̄ⱼ,zz − Kⱼ² φ̄ⱼ) + ¼iωⱼ φ̄ⱼ (φᵢ,zz − Kᵢ² φᵢ),        T = (iΩρ/g) ∬ ψ Q
     dS
 
-minus the same of the incident waves alone, which the bound wave satisfies (ψ as in `body_forces`; Molin 1979).  With
+minus the same force by the incident waves alone, which the bound wave satisfies (ψ as in `body_forces`;
+Molin 1979).  With
 φ,zz = −∇²φ along the surface and Green's theorem no second derivative remains:
 
     ∬ ψQ dS = ∬ ψ {¼iΩ ∇φᵢ·∇φ̄ⱼ + ¼i (2Ω KᵢKⱼ + ωᵢKⱼ² − ωⱼKᵢ²) φᵢφ̄ⱼ} − ¼i ∇ψ·(ωᵢ φᵢ∇φ̄ⱼ − ωⱼ φ̄ⱼ∇φᵢ) dS
               − ¼i ∮ ψ (ωᵢ φᵢ ∂φ̄ⱼ/∂n − ωⱼ φ̄ⱼ ∂φᵢ/∂n) dl
 
 ∇ along the surface, n out of the body; sum frequencies as in `kinds`.  Inside a circle about the body the waves come
-from the panels (`surface_near`). Outside they are sums of Hankel functions, first with a local part on rings
-(`surface_far`), then without local part (`surface_tail`).
+from the panels (`surface_near`). Outside the circle they are sums of Hankel functions: first with a local part on rings
+(`surface_far`), then without it (`surface_tail`).
 """
 
 from dataclasses import dataclass

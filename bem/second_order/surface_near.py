@@ -2,9 +2,10 @@
 points.
 
 Each panel side on the waterline begins a strip that ends on the circle.  The points of a strip are Radau points from
-waterline to circle, the first on the hull, and Gauss points along the side; derivatives are those of the polynomials
-through them.  Potentials at points on the hull are interpolated (`hull_interpolation`); potentials off the hull follow
-from the solved φ and its normal derivative V on the panels,
+waterline to circle, the first on the hull, and Gauss points along the side. Derivatives are those of the polynomials
+through these points.
+Potentials at points on the hull are interpolated (`hull_interpolation`). Potentials off the hull follow from the solved
+φ and its normal derivative V on the panels,
 
     4πφ = ∬ (φ ∂G/∂n − V G) dS.
 """
@@ -97,9 +98,9 @@ def strips_about(mesh, line, circle, k):
     turn = np.angle(np.exp(1j * (end - start)))
     if not (np.all(turn > 0) and abs(np.sum(turn) * len(mesh.reflections()) - 2 * np.pi) < 1e-6):
         raise ValueError(
-            "the free-surface forcing needs a waterline that is one closed curve, with each point visible from "
-            "its middle; give --level body, which includes all other parts of the force (between several columns no "
-            "level includes this part)"
+            "the free-surface forcing needs a waterline that is one closed curve, with each point visible from its "
+            "middle; give --level body, which leaves out this part of the force only (between several columns every "
+            "level leaves it out)"
         )
     length = np.hypot(*(sides[:, 1] - sides[:, 0]).T)
     counts = np.clip(np.ceil(2 + k * np.maximum(turn * circle.radius, length)), FEWEST, MOST).astype(int)

@@ -3,15 +3,15 @@
     ½φ(p) = ∫ (φ ∂G/∂n − G ∂φ/∂n) dl,    2πG = ln|τ − p| + ln|τ − p′|,    p′ the image below the bed, n out of the water
 
 over the body (∂φ/∂n given), the surface on both sides of it (∂φ/∂n = Kφ) and two verticals one depth away, where the
-modes of the depth leave,  ∂φ/∂n = Σ λₙ Zₙ ⟨φ, Zₙ⟩ / ⟨Zₙ, Zₙ⟩,  λ₀ = ik,  λₙ = −kₙ.  The kernels have no frequency: the
-body is eliminated once for a shape, and a frequency costs one small linear system.  Green's identity is applied to the
-water itself, so there are no irregular frequencies.
+modes of the depth leave,  ∂φ/∂n = Σ λₙ Zₙ ⟨φ, Zₙ⟩ / ⟨Zₙ, Zₙ⟩,  λ₀ = ik,  λₙ = −kₙ.  The kernels do not depend on
+frequency. The body is eliminated once for a shape, and each frequency costs one small linear system.
+Green's identity is applied to the water, not to the inside of the body, so there are no irregular frequencies.
 
 An edge at z = 0 between others is the water of a gap between two sections, with ∂φ/∂n = K(1 + iε)φ of the total φ, ε
 its damping (`bem.panels.damping_lid`).
 
-Panels shrink four times each towards corners, where φ is like distance^(π/β), β the angle of water, and carry Gauss
-points (`product_integration`).  Conventions and `Section` are those of `coefficients`.
+Panels become four times smaller each towards corners, where φ is like distance^(π/β), with β the angle of the water.
+They carry Gauss points (`product_integration`).  Conventions and `Section` are those of `coefficients`.
 """
 
 from functools import cached_property, lru_cache

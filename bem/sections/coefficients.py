@@ -11,7 +11,7 @@ Exciting forces and radiated waves are related by (Haskind 1957; Newman 1975; n 
     F = ±2iρg (n/k) η,     B = 2ρg (n/kω) |η|²,     |R|² + |T|² = 1,     R = ½(e^{2iε_H} + e^{2iε_S})
 
 with η the elevation radiated towards +y per unit motion, − for heave, + for sway and roll.  For waves at an angle θ to
-the normal, and motions that also vary as exp(ikx sinθ) along the body, n cosθ replaces n.  The tables 2.1.3.1-20 of
+the normal, and for motions that vary as exp(ikx sinθ) along the body, n cosθ replaces n.  The tables 2.1.3.1-20 of
 the SR179 report (1982) follow from a `Section` by `report_row`.
 """
 

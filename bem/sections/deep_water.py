@@ -4,8 +4,8 @@
     2πG = ln r − ln r′ − 2I,   I = Re C(x) + iπ e^{KZ} cos KY,   C = eˣ (E₁(x) + iπ),   x = K(Z + iY)
 
 Y = |y − η|, Z = z + ζ, r′ from the image above the surface, K = ω²/g; C′ = C − 1/x.  Wehausen and Laitone (1960),
-eq. 13.31, with exp(−iωt).  The half contour y > 0 carries Gauss points on panels that shrink four times each
-towards the edge, where φ is like distance^(2/3), and towards the waterline; even and odd flows are solved apart.
+eq. 13.31, with exp(−iωt).  The half contour y > 0 carries Gauss points on panels that become four times smaller each
+towards the edge, where φ is like distance^(2/3), and towards the waterline. Even and odd flows are solved separately.
 
 - The logarithms of ∮ G ∂φ/∂n are integrated in closed form.  In ∮ φ ∂G/∂n the sum of every row is corrected to the
   angle that the contour subtends, so that φ counts as constant, not as zero, on the unresolved last panels at the edge.

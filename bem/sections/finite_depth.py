@@ -20,9 +20,10 @@ Oblique waves, all with exp(iκx) along the body, κ = k sinθ: kₙ and l_q bec
 T and f, R₀ = 1/ik cosθ; the mean q = 0 is a mode of the rest, l₀ = κ, and ψ of heave is cosh κζ / κ sinh κs, for then
 there is no free constant; λₘ = √(μₘ² + κ²) stands in cosh and coth of roll and aₘ = 2 (−1)^(m+1) coth(λₘs) / bμₘ²λₘ.
 
-Galerkin: both potentials are equal on the gap when tested with every function of `bem.depth_modes.gap`, in the
-orthonormal combinations of `gap_profiles`, since they are nearly dependent.  Energy is then conserved to 1e-12 in the
-highest gaps, where the functions themselves give 4e-10, and another figure with another number of threads.  Unit
+Galerkin: both potentials are equal on the gap when tested with every function of `bem.depth_modes.gap`. The functions
+are nearly dependent, so the orthonormal combinations of `gap_profiles` are used.
+Energy is then conserved to 1e-12 in the highest gaps. The functions themselves give 4e-10, and another value with
+another number of threads.  Unit
 velocities; y to port, z up, roll from y to z about the origin; exp(−iωt).  SR179 report (1982), section 2.1.3;
 Garrett, Journal of Fluid Mechanics 46 (1971) for the method; Porter and Evans, in the same journal, 294 (1995), for the
 functions of the gap.

@@ -4,8 +4,8 @@
             heave sends away what it displaces, φ ~ |y| − b, and B/ω grows like 1/k
     ω → ∞   φ = 0 on z = 0:     kₙ = (n − ½)π/h
 
-The results are the limits of `coefficients.section`: at ω → 0 the wave's part 1/ik of the potential is imaginary, so
-that the added mass of heave stays finite, other than in deep water.
+The results are the limits of `coefficients.section`. At ω → 0 the wave's part 1/ik of the potential is imaginary, so
+the added mass of heave stays finite, unlike in deep water.
 """
 
 import numpy as np
@@ -20,7 +20,7 @@ WHICH = ("zero", "infinity")
 def added_mass_limit(beam, draft, depth, which, *, density=1025.0, tolerance=1e-6):
     """Added mass of sway, heave and roll, kg/m, kg, kg m; shape (3, 3); which : "zero" or "infinity" of the frequency.
 
-    Raises ValueError for what cannot be solved, deep water included.
+    Raises ValueError for a section that cannot be solved, also in deep water.
     """
     if which not in WHICH:
         raise ValueError(f"limit is {which!r}; allowed: {' or '.join(WHICH)}")

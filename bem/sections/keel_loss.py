@@ -6,10 +6,10 @@ To every flow that is odd in y a flow g is added, driven by a potential of ±1 o
 
     δ = iκU,   κ = (2C/3πω) |U|,      U = U₀ + δ U_g,      φ = φ₀ + δ φ_g,      δ = iκ U₀ / (1 − iκ U_g)
 
-so that for a resistance κ, in m, a `Section` follows, in which a body moves as in any other.  The lost power is that of
-the head, ½ (4/3π) ρ C |U|³ s.  The symmetric flow (heave) carries no water under the keel from one side to the other.
-Linearised as in
-`mooring.breakwater.loss`, which applies to any section but only to the propagating wave.
+so a `Section` follows for a resistance κ, in m, in which a body moves as in any other.  The lost power is the power of
+the head loss, ½ (4/3π) ρ C |U|³ s.
+The symmetric flow (heave) carries no water under the keel from one side to the other.
+It is linearised as in `mooring.breakwater.loss`, which applies to any section but only to the propagating wave.
 """
 
 from typing import NamedTuple

@@ -2,9 +2,9 @@
 
     {−ω²[M + A] − iωB + C} ξ = F + Gᵀμ,    G ξ = 0
 
-over sway, heave and roll of each, about its centre of gravity, per metre of length.  A row of G requires that the point
-of a hinge moves equally on both sections or, for a rigid hinge, that both sections rotate equally; μ is the hinge force
-(in three dimensions `bem.hinges`).  Conventions are those of `coefficients`.
+over sway, heave and roll of each section, about its centre of gravity, per metre of length.
+A row of G requires that the point of a hinge moves equally on both sections or, for a rigid hinge, that both sections
+rotate equally. μ is the hinge force (in three dimensions `bem.hinges`).  Conventions are those of `coefficients`.
 """
 
 from typing import NamedTuple

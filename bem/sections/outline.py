@@ -2,8 +2,8 @@
 
     τ(u) = s + (e − s) u,      or the arc  c + (s − c) exp(iφu),  φ = 4 arctan b,      0 ≤ u ≤ 1
 
-s, e the ends of an edge and b its bulge, the tangent of a quarter of the arc's angle, positive where the edge turns to
-the left, as in DXF files; points are complex, y + iz.  Outlines run counterclockwise, the body on their left.
+s and e are the ends of an edge. b is its bulge, the tangent of a quarter of the arc's angle, positive where the edge
+turns to the left, as in DXF files. Points are complex, y + iz.  Outlines run counterclockwise, the body on their left.
 """
 
 from dataclasses import dataclass

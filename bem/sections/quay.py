@@ -9,10 +9,10 @@ A floating section adds its radiated waves, with X its motions per unit amplitud
 
     T = T₀ + Σ Xⱼ ηⱼ,    R = R₀ + Σ Xⱼ η′ⱼ;    without other losses  |T| = |sin(ε_z − ε_y)|,  |R| = |cos(ε_z − ε_y)|
 
-ε_z, ε_y the phases of heave and of the motions across (SR179 report (1982), eq. 3.7.3.8, with cos(ε_z − ε_H) for its
-ε_z + ε_H).  The report, section 3.7.3, stops at c = T e^{2ikP}, and multiplies the motions by |1 + c| (π of
+ε_z and ε_y are the phases of heave and of the motions across (SR179 report (1982), eq. 3.7.3.8, with cos(ε_z − ε_H) for
+its ε_z + ε_H).  The report, section 3.7.3, stops at c = T e^{2ikP}, and multiplies the motions by |1 + c| (π of
 eq. 3.7.3.14, in which χ = δ_T − 2kP has δ_T = −arg T).  Both need a gap to the wall of more than a water depth or a
-beam, so that only waves cross it.  The panel method with a wall (`bem.methods.panel_problem.PanelProblem`) has no such
+beam, so only waves cross the gap.  The panel method with a wall (`bem.methods.panel_problem.PanelProblem`) has no such
 limit.
 """
 

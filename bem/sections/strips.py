@@ -1,6 +1,6 @@
 """A box as a row of two-dimensional sections: strip and inverse strip method.
 
-Ordinary strips are sections B × d in a row along x; inverse strips are sections L × d in a row across, for the motions
+Ordinary strips are sections B × d in a row along x. Inverse strips are sections L × d in a row across, for the motions
 along the box (SR179 report, 1982, section 2.4.4).  Strips do not interact.  In a frame with x′ along the row and y′
 across it, a the half length of the row, per metre a sectional impedance Zᵢⱼ (sway, heave, roll):
 
@@ -8,15 +8,15 @@ across it, a the half length of the row, per metre a sectional impedance Zᵢⱼ
     pitch  ∫x′² Z₃₃ dx′ = ⅔a³ Z₃₃                              yaw    ∫x′² Z₂₂ dx′ = ⅔a³ Z₂₂
 
 Froude–Krylov forces are exact, for the whole box.  The diffraction force is that of Salvesen, Tuck and Faltinsen,
-Transactions of SNAME 78 (1970), at zero speed: Haskind's relation with the radiated flow of the section and the oblique
-wave,
+Transactions of SNAME 78 (1970), at zero speed. It is Haskind's relation with the radiated flow of the section and the
+oblique wave,
 
     fⱼ = iρω ∮ φⱼ ∂φ_I/∂n dl,  φ_I = −(ig/ω) Z₀ exp(iky′ sinβ′),    Fⱼ = ∫ fⱼ exp(ikx′ cosβ′) dx′
 
 for sway, heave, roll; the pitch moment follows from heave, −∫x′f₃, and the yaw moment from sway, ∫x′f₂.  Surge along
 the row is no sectional motion. It is the sway of a row in the other direction, whose sides are the ends of the body.
-This surge is not coupled to pitch, which comes from other sections; with a coupling the damping matrix would not remain
-positive.  Waves around the ends are neglected, and with them drift and the far field.
+This surge is not coupled to pitch, which comes from other sections. With a coupling the damping matrix would not remain
+positive.  Waves around the ends are neglected, and therefore also drift and the far field.
 
 Against a panel method in water of twice the draft, B/d = 5, L/B = 2, 4, 8, waves on the beam: the error of the
 exciting force in heave is 28, 6, 4 %, in sway 5, 2, 1 %, in roll 5, 2, 1 %.

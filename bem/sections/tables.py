@@ -1,7 +1,8 @@
 """Tables of sectional coefficients over B/d, H/d and ξ_B.
 
-The SR179 report (1982) gives twenty, 2.1.3.1-20: H/d in the outer, B/d in the inner order, ten ξ_B each; its design
-guideline interpolates them in B/d and H/d.  Here any shape is solved in milliseconds, without interpolation.
+The SR179 report (1982) gives twenty tables, 2.1.3.1-20: H/d in the outer order, B/d in the inner order, and ten values
+of ξ_B each. Its design guideline interpolates them in B/d and H/d.
+Here any shape is solved in milliseconds, without interpolation.
 """
 
 import numpy as np

@@ -1,6 +1,7 @@
 """The fewest states of coupled motions whose passive system is within tolerance of a transform.
 
-Poles are those of `rational`, states are selected by balancing, outputs follow from `passive_fit`.  Within the band the
+Poles are those of `rational`. States are selected by balancing, and outputs follow from `passive_fit`.
+Within the band the
 fit is more accurate than the tolerance where the body is sensitive to its error (`sensitivity`).
 """
 

@@ -1,7 +1,7 @@
 """Fits of the memory, and other arrays, from earlier runs, kept with the compiled kernels.
 
-A fit takes seconds, and every study of a database needs the same fit.  It depends on arrays alone: a digest of them, of
-the source files and of the versions of numpy and scipy names its file, so that any change leads to a new fit.
+A fit takes seconds, and every study of a database needs the same fit.  It depends on arrays alone. A digest of the
+arrays, of the source files and of the versions of numpy and scipy names its file, so any change leads to a new fit.
 """
 
 import hashlib

@@ -3,8 +3,8 @@
     (M + A(∞)) ν̇ + y + … = F,    ẋ = a x + b ν,    y = c x,    c (−iω − a)⁻¹ b ≈ B + iω [A(∞) − A]
 
 with velocities ν (6,) about the rotation centre, in axes of the body. For several bodies ν has (6N,) velocities, body
-by body, each about its own centre in its own axes, then those of shapes of bodies that bend; the whole system is
-passive.  The n states x are r
+by body, each about its own centre in its own axes. The velocities of shapes of bodies that bend follow; the whole
+system is passive.  The n states x are r
 that decay and p pairs that turn as well, r + 2p = n, in the order: r, first of each pair, second of each pair,
 
     ẋ_k = −decay_k x_k + Σ_j input_jk ν_j                                            k < r
@@ -12,8 +12,8 @@ that decay and p pairs that turn as well, r + 2p = n, in the order: r, first of 
     ẋ_{k+p} = −decay_k x_{k+p} − turn_i x_k + Σ_j input_j,k+p ν_j
     y_j = Σ_k output_jk x_k
 
-Motions uncoupled by symmetry have their own states.  Damping at every frequency and A(∞) are those of `whole_axis`,
-their poles those of `rational`, and output follows from a matrix P ≥ 0 such that (`passive_fit`)
+Motions uncoupled by symmetry have their own states.  Damping at every frequency and A(∞) are those of `whole_axis`, and
+their poles are those of `rational`. The output follows from a matrix P ≥ 0 such that (`passive_fit`)
 
     d/dt ½ xᵀP x = yᵀν − ½ |lossᵀ x|²,    y = 0 in steady motion.
 
@@ -173,8 +173,8 @@ def _memory(body, tolerance, motions):
 def no_memory(body):
     """`Memory` without states of a `Reader`, for runs that use coefficients at one frequency instead
 
-    Resonances of water before a wall cannot be represented by a few states; its added mass at the highest frequency
-    replaces that at infinite frequency.
+    A few states cannot represent resonances of water before a wall; added mass at the highest frequency then replaces
+    that at infinite frequency.
     """
     band = body.between.span
     count = len(body.words)
@@ -240,9 +240,9 @@ def _by_causality(body, goal, motions):
     if found.deviation.max() > CLOSE[1]:
         return goal
     warn(
-        f"the stored added mass at infinite frequency contradicts the band by {goal.deviation.max():.2g} of the "
-        f"largest, allowed: {CLOSE[1]:g}; the memory uses the value that follows from damping instead; the band "
-        f"deviates from this value by {found.deviation.max():.2g}",
+        f"the stored added mass at infinite frequency differs by {goal.deviation.max():.2g} of the largest from the "
+        f"value that the stored frequencies imply; allowed: {CLOSE[1]:g}; the memory uses the value that follows "
+        f"from damping, from which the stored frequencies deviate by {found.deviation.max():.2g}",
         stacklevel=4,
     )
     return found

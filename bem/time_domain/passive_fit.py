@@ -59,8 +59,8 @@ def passive_fit(A, B, s, H, tolerance=0.0, weight=None):
 
     tolerance : tolerance of H times weight (q, m, m), 1 by default, at which no more is tried; 0 : as near as it goes
     with these modes
-    returns : also its largest weighted error; None and the error of an output without the condition P ≥ 0, if
-    already this is clearly beyond the tolerance
+    returns : also its largest weighted error; None and the error of an output without the condition P ≥ 0, if this
+    error is already clearly beyond the tolerance
     """
     weight = np.ones(H.shape) if weight is None else weight
     modes = _modes(A, B)

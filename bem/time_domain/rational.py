@@ -5,8 +5,8 @@
 by vector fitting (Gustavsen and Semlyen, IEEE Transactions on Power Delivery 14, 1999; relaxed, 2006): poles move to
 the zeros
 of σ = d + Σ c_k / (s − a_k) for which σ H has the poles a_k, until they stay.  The states, as many as poles times
-inputs, are reduced in balance: those that are weakly reached and weakly seen are taken to follow the others at once
-(Liu and Anderson, International Journal of Control 50, 1989), and what remains is stable.
+inputs, are reduced in balance. States that are weakly reached and weakly seen are taken to follow the others
+immediately (Liu and Anderson, International Journal of Control 50, 1989), and the remaining system is stable.
 """
 
 from typing import NamedTuple

@@ -1,13 +1,14 @@
 """Sensitivity of a moored body to an error of its memory: for lightly damped motion, memory must be more accurate.
 
 An error E (6, 6) of the impedance changes a free decay by up to E / (e B) of its start, with B all damping at the
-natural frequency: by the admittance of the body on its springs.  With the restoring forces C of the water, and a little
+natural frequency. It acts by the admittance of the body on its springs.
+With the restoring forces C of the water, and a little
 damping in addition to that of the waves, as every moored body has,
 
     Y = [H − iω (M + A∞) + iC/ω + 2ζω (M + A)]⁻¹,        its diagonal times that of the largest H.
 
-Springs of moorings are unknown here.  Moorings restrain surge, sway and yaw, more softly than hydrostatics restrains
-heave: below the natural frequency of heave these count as resonant at every frequency, if that gives a larger
+Springs of moorings are unknown here.  Moorings restrain surge, sway and yaw more softly than hydrostatics restrains
+heave. Below the natural frequency of heave these motions count as resonant at every frequency, if that gives a larger
 sensitivity.
 """
 

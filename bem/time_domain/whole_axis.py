@@ -7,16 +7,18 @@ powers,
 
     Bᵢⱼ = Mᵢⱼ(ω) + [Bᵢⱼ(ω₁) − Mᵢⱼ(ω₁)] (ω/ω₁)^{(pᵢ + pⱼ)/2} below,    Bᵢⱼ = Bᵢⱼ(Ω) (Ω/ω)^{(rᵢ + rⱼ)/2} above,
 
-with pᵢ, rᵢ from the slopes of the diagonal, so that a matrix that dissipates energy at an end does so beyond it too.
-Further damping required by the added mass of the band, as where damping still rises at Ω, is added there in the shapes
-(Ω/ω)³ − (Ω/ω)⁵ and (Ω/ω)⁵ − (Ω/ω)⁹, by least squares, as far as it adds no energy. M are the waves of a body that
+with pᵢ, rᵢ from the slopes of the diagonal. A matrix that dissipates energy at an end of the band then also does so
+beyond it.
+The added mass of the band may require further damping, as where damping still rises at Ω. It is added there in the
+shapes (Ω/ω)³ − (Ω/ω)⁵ and (Ω/ω)⁵ − (Ω/ω)⁹, by least squares, as far as it adds no energy.
+M are the waves of a body that
 changes the volume below the surface by qᵢ m² per unit of motion, ω → 0 (the pulsating source; Newman, Marine
 Hydrodynamics, 1977, section 6.18, and its limit in shallow water):
 
     M = ρ ω q qᵀ / 4h  in water of depth h,    M = ρ ω³ q qᵀ / 2g  in deep water.
 
-Motions without change of volume are dipoles, B like ω³ and more; a vertical side damps like ω⁻³ in short waves, a
-horizontal one less than any power.
+Motions without change of volume are dipoles, with B like ω³ and more. A vertical side damps like ω⁻³ in short waves, a
+horizontal side less than any power.
 """
 
 from dataclasses import dataclass

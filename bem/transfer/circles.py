@@ -1,8 +1,8 @@
 """Whether bodies are far enough from each other for partial waves: the circles around them are apart.
 
-Two squares of 20 m × 5 m in 20 m of water, one wave: errors are 3e-4 with 10 m between them (circles 1.7 m apart). With
-6 m the circles overlap by 2.3 m, and the error stays above 3e-3 with any number of orders; with 4 m above 3e-2.  Of
-what decays over the depth, the more modes get across a gap the narrower it is.
+Two squares of 20 m with 5 m draft in 20 m of water, one wave: with 10 m between them (circles 1.7 m apart) errors are
+3e-4. With 6 m between them the circles overlap by 2.3 m, and the error stays above 3e-3 for any number of orders; with
+4 m it stays above 3e-2.  The narrower the gap, the more of the modes that decay over the depth cross it.
 """
 
 import numpy as np

@@ -1,7 +1,8 @@
 """Answers of a box or a vertical cylinder to partial waves, by the contour method.
 
-The wave f of one depth mode n before a rigid wall down to the bed is f − N(kₙ) ∂f/∂n on the plan contour; what goes
-under the keel is solved as for plane waves (`bem.contour.matching`).  By Green's theorem a flow that leaves the contour
+The wave f of one depth mode n before a rigid wall down to the bed is f − N(kₙ) ∂f/∂n on the plan contour. The part that
+goes under the keel is solved as for plane waves (`bem.contour.matching`).
+By Green's theorem a flow that leaves the contour
 with the velocity w in mode n sends
 
     b = −∮ w (f − N ∂f/∂n) ds / {π (1 + δₘ₀) W},    W the Wronskian of `partial_waves`

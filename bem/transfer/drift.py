@@ -5,12 +5,12 @@ N = ∫Zₙ² dz and g = ∂f/∂x, ∂f/∂y or ∂f/∂θ for the force along 
 
     F = −¼ρN Re Q,    Q = ∮ (g ∂f*/∂n − f* ∂g/∂n) ds
 
-since ∫Zₙ′² dz holds the square of the elevation at the waterline, and modes are orthogonal.  f and g are sums of Jₘ and
-Hₘ or of Iₘ and Kₘ with coefficients a, b and α, β, and Wronskians are what the products leave:
+since ∫Zₙ′² dz contains the square of the elevation at the waterline, and modes are orthogonal. f and g are sums of Jₘ
+and Hₘ, or of Iₘ and Kₘ, with coefficients a, b and α, β. The products leave Wronskians:
 
     Q = −4i Σ (αₘ bₘ* + βₘ aₘ* + 2 βₘ bₘ*),    of modes that decay  2π Σ (βₘ aₘ* − αₘ bₘ*)
 
-The water inside has the same momentum after a period: body held or afloat, nothing else acts on it.
+The water inside has the same momentum after a period. Whether the body is held or afloat, nothing else acts on it.
 """
 
 import numpy as np

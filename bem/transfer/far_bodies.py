@@ -1,11 +1,13 @@
-"""Bodies far from each other: each shape is solved once a frequency, and coupled by partial waves.
+"""Bodies far from each other: each kind of body is solved once per frequency, and the bodies are coupled by partial
+waves.
 
-With T what a body scatters of regular waves, R what its motions send, E the forces of waves and S what one sees of
-what another sends (`partial_waves`),
+T is what a body scatters of regular waves, R what its motions send, E the forces of waves, and S the waves that one
+body receives from what another sends (`partial_waves`);
 
     a = a₀ + S b,    b = T a + R v,    force = E a + Z v
 
-a, b regular and outgoing waves about all bodies, a₀ those of the plane wave, v the motions: Kagemoto & Yue, J. Fluid
+a, b are the regular and outgoing waves about all bodies, a₀ those of the plane wave, v the motions: Kagemoto & Yue, J.
+Fluid
 Mech. 166 (1986).  A body answers to few combinations y = Q a of the waves about it alone, the singular vectors of T and
 E, 20 to 40 of 150, so that
 
@@ -231,7 +233,7 @@ class Coupled:
         """Return ((i, j), S) of all pairs, S [(q, q)] of each mode, or None where nothing arrives: waves about i that j
         sends
 
-        Pairs of equal bodies at equal distance and direction come one after another and share one matrix S.
+        Pairs of equal bodies at equal distance and direction follow one after another and share one matrix S.
         """
         alike = {}
         for i, j in product(range(len(self.each)), repeat=2):
@@ -345,7 +347,8 @@ class Coupled:
             residual = max(one.residual for one in self.alone.values())
             if not (residual < 1e-6 and np.all(np.isfinite(radiation)) and np.all(np.isfinite(excitation))):
                 raise FloatingPointError(
-                    f"ω = {omega:.6g} rad/s: the equations of the bodies left {residual:.1e}, or are not finite"
+                    f"ω = {omega:.6g} rad/s: the equations of the bodies leave a residual of {residual:.1e}, or "
+                    "are not finite"
                 )
         return FirstOrder(radiation, known, excitation - known, haskind, kochin, far[:, d:], residual)
 

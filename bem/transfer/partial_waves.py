@@ -7,7 +7,8 @@ A body in a circle of radius a sends Σ Zₙ(z) bₙₘ Sₙₘ(r) exp(imθ), al
     decaying    Iₘ(κr) / Iₘ(κa)            Kₘ(κr) Iₘ(κa)             evanescent modes
     laplace     (r/a)ᵐ                     (a/r)ᵐ, log r             κ → 0
 
-with |m| for m, scaled so that neither overflows.  Graf's addition theorem (DLMF 10.23.7) turns what an axis sends into
+with |m| for m, scaled so that neither function overflows.
+Graf's addition theorem (DLMF 10.23.7) turns what an axis sends into
 regular waves of a second axis, at points nearer to the second axis than the first axis is: with R, α of the second axis
 from the first,
 
@@ -106,7 +107,7 @@ class PartialWaves(NamedTuple):
 def highest_order(kind, k, a, apart, gap, tolerance, most):
     """Highest order that bodies in circles of radius a, `apart` from axis to axis and `gap` from hull to hull (m) need
 
-    Order m of the waves that a box sends decreases like (a / apart)ᵐ on the way to the next axis, and waves that pass a
+    Order m of the waves that a box sends decreases like (a / apart)ᵐ on the way to the next axis. Waves that pass a
     body have no more orders than plane waves have on its circle.  Of the decaying waves only those count that cross the
     gap and return.
     """

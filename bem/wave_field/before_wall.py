@@ -2,7 +2,7 @@
 reflections.
 
 The wall is at y = w; ′ mirrors a point in it.  Sources s of a body's waves (`sources`) respond to the incident waves:
-the wave towards β, its reflection, and the waves of the image's equal sources:
+the wave towards β, its reflection, and the waves of the equal sources of the image:
 
     s = F [H(β) + e^{2ikw sinβ} H(−β) + M s],    M_ti = η(p′_i; θ_t + π)
     f = F(β) + e^{2ikw sinβ} F(−β) + C Σ s_i ηⱼ(p′_i),    C = −4iρg n/k²,  n = C_g/C
@@ -13,13 +13,13 @@ for a source as near as that.  Sources of motion j give ω²ΔA + iωΔB in plac
 
     D = (2ρg n/k²) Σ Im s_i ∇η*(p_i),
 
-η all incident waves and the regular part J₀ of the body's own sources; the yaw moment is that of these forces.
+η are all incident waves and the regular part J₀ of the body's own sources. The yaw moment is that of these forces.
 
-The report (SR179, 1982, section 3.7.3) stops at one wave that passes under the body and returns, in two dimensions, and
-multiplies motions by its factor π (`bem.sections.quay`).  Here ends, every reflection, added mass, damping and drift
-are included.  Local waves between hull and image are `neglected`.  Against panels with the wall (200 × 50 × 10 m, 0.15
-to 0.95 rad/s) forces differ by 0.4 % of the largest with 25 m between hull and wall in 20 m of water, 2.3 % with 10 m,
-60 % with 3 m; in 100 m of water 4 % and 33 %.
+The report (SR179, 1982, section 3.7.3) is two-dimensional and stops at one wave that passes under the body and returns.
+It multiplies motions by its factor π (`bem.sections.quay`).  Here ends, every reflection, added mass, damping and drift
+are included.  Local waves between hull and image are `neglected`.  Compared with panels and the wall (200 × 50 × 10 m,
+0.15 to 0.95 rad/s), forces differ by 0.4 % of the largest with 25 m between hull and wall in 20 m of water, by 2.3 %
+with 10 m, and by 60 % with 3 m. In 100 m of water they differ by 4 % (25 m) and 33 % (10 m).
 """
 
 from dataclasses import replace
@@ -45,7 +45,7 @@ class WallError(ValueError):
 
 
 def neglected(body, wall):
-    """Height of a local wave at the hull after the way to the image and back, as a share of the height at the start
+    """Height of a local wave at the hull after its way to the image and back, as a share of its height at the start
 
     exp(−2πg/b), g the gap from hull to wall, b the depth or, in deeper water, the breadth of the hull: sway of the box
     of the module is off by 0.04 and 0.30 where it says 0.04 and 0.28 in 100 m, forces by 0.004, 0.02, 0.6 for 0.0004,

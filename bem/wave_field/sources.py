@@ -3,14 +3,15 @@
     η(p) = Σ_j s_j H₀(k|p − p_j|),      H(θ) = Σ_j s_j exp(−ik(x_j cosθ + y_j sinθ))
 
 H₀ Hankel's function of the first kind, sources on two convex curves inside the plan of the body.  The far field
-determines the propagating wave everywhere outside; the sources are its least-squares fit after Tikhonov: combinations
-of them that send less than `SMALLEST` away, which are errors of H magnified, fade out.  Around a circle that reflects,
+determines the propagating wave everywhere outside. The sources are its least-squares fit after Tikhonov: combinations
+of sources that send less than `SMALLEST` away, which are errors of H magnified, fade out.
+Around a circle that reflects,
 with H a thousandth off, the water at the hull is at most 0.009 m/m off (k times radius up to 6.5); where they were cut
 at once it was 0.015, and stepped by 0.014 from one frequency to the next (0.001 now).  Waves that stand within one
 curve alone send nothing away near their resonance, and a fit to it moves the water at the hull by metres (4.3 m/m at
 the bow of a box of 100 × 50 m in 20 m of water at 0.8325 rad/s, waves 60° off the bow, where it is 1.25): the few
-sources of the second, deeper one have other resonances.  Beyond the circle about the body the fit is as good as H;
-within it, beside a long body, detail finer than half a wave length is smoothed. Waves that decay over the depth, like
+sources of the second, deeper one have other resonances.  Beyond the circle about the body the fit is as good as H.
+Within it, beside a long body, detail finer than half a wave length is smoothed. Waves that decay over the depth, like
 exp(−πr/h), are left out. Unit of H: m per m of wave amplitude or of motion (`bem.kochin`).
 """
 
@@ -132,7 +133,7 @@ def spaced(plan, count):
 def regular_inverse(matrix, smallest):
     """Inverse (n, m) after Tikhonov: singular values s of an (m, n) matrix become s/(s² + (smallest · largest)²)
 
-    By eigenvalues of the smaller square, a fifth of the time of singular values; `smallest` of 1e-3 keeps 10 digits.
+    Eigenvalues of the smaller square take a fifth of the time of singular values; `smallest` of 1e-3 keeps 10 digits.
     """
     square, right = np.linalg.eigh(matrix.conj().T @ matrix)
     return (right / (square + smallest**2 * square[-1])) @ (right.conj().T @ matrix.conj().T)

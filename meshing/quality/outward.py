@@ -10,8 +10,8 @@ SAME_POINT = 1e-6  # points closer than this share of the mesh size are one poin
 
 
 def outward(mesh) -> PanelMesh:
-    """A copy in which neighbouring panels run along their common edge in opposite directions; reversed if they already
-    do and no part differs from the others.
+    """A copy in which neighbouring panels run along their common edge in opposite directions. If they already
+    do, and no part differs from the others, all panels are reversed.
 
     Each part that edges of two panels join is turned so that its volume ∬ x·n dS / 3 is positive, which an open
     waterplane in z = 0 and halves that end at x = 0 or y = 0 do not change.

@@ -75,8 +75,8 @@ def connected(a, b, count):
     """Number of the connected part of each node, which is the smallest node in the part; shape (count,); edges join a
     (e,) and b (e,).
 
-    Of two parts joined by an edge the later takes the number of the earlier, until no edge joins two parts; the import
-    of scipy.sparse.csgraph would take longer than the whole check.
+    Of two parts joined by an edge, the later part takes the number of the earlier, until no edge joins two parts. The
+    import of scipy.sparse.csgraph would take longer than the whole check.
     """
     root = np.arange(count)
     while True:

@@ -1,12 +1,13 @@
-"""Seams where panels lie side by side without common corners: closed for the water, though every edge there is free.
+"""Seams where panels lie side by side without common corners: water cannot pass, although every edge there is free.
 
 Free edges, directed as in their panels, form rings.  Each ring encloses an open area,
 
     a = ½ Σ x × Δx        with a straight closing line where a border ends at the surface
 
-whose mean width is 2|a| over the length of the ring.  A missing panel leaves a width of half an edge; edges that
-coincide leave zero, and chords of unequal length on a curved side leave their sagittas.  Two rims that lie along each
-other without a common corner, such as rims of 12 and 16 sides, are one seam; its area is the sum of their areas.
+whose mean width is 2|a| over the length of the ring.  A missing panel leaves a width of half an edge. Edges that
+coincide leave zero, and chords of unequal length on a curved side leave the difference of their sagittas.
+Two rims that lie along each other without a common corner, such as polygons of 12 and 16 sides, are one seam. Its area
+is the sum of the two areas.
 """
 
 from collections import defaultdict

@@ -21,7 +21,7 @@ class BerthingError(ValueError):
 
 
 class Ship(NamedTuple):
-    """length (over all), beam, draft : m; mass : kg; gyration : m, radius in yaw; density : kg/m³ of the water"""
+    """length over all, beam, draft : m; mass : kg; gyration : radius in yaw, m; density : of the water, kg/m³"""
 
     length: float
     beam: float
@@ -75,7 +75,7 @@ def virtual_mass_pianc(ship, depth):
 
 
 def virtual_masses(ship, depth=None):
-    """{method: C_M}; PIANC's if the depth, m, is given.  Raises BerthingError where the ship is aground."""
+    """{method: C_M}; PIANC's if the depth, m, is given.  Raises BerthingError if the ship is aground."""
     if depth is not None and not depth > ship.draft:
         raise BerthingError(f"the depth is {depth:g} m with a draft of {ship.draft:g} m; allowed: more than the draft")
     found = {"Ueda 1981": virtual_mass_ueda(ship), "Vasco Costa": virtual_mass_vasco_costa(ship)}

@@ -1,14 +1,16 @@
-"""A berthing in time: sway and yaw with the water's added mass and memory, met by fenders anywhere along the side.
+"""A berthing in time: sway and yaw with the added mass and memory of the water, against fenders anywhere along the
+side.
 
     (M + A∞) ν̇ + y = −Σ (1, x_k)ᵀ R_k,    ẋ = a x + b ν,    y = c x,    δ_k = η₂ + x_k η₆ − gap_k
 
 η₂, η₆ sway towards the berth and yaw about the rotation centre, R_k of `mooring.fenders` with its hysteresis; a fender
 is in series with its dolphin (`mooring.fenders.dolphin`).  The memory is that of `bem.time_domain.memory`.  The ship
-has approached at constant speed for ever: states −a⁻¹ b ν, whose force is 0, and the water has A(0).  Energy:
+has approached at constant speed for a long time: the states are −a⁻¹ b ν, their force is 0, and the water has A(0).
+Energy:
 
     ½ νᵀ(M + A∞) ν + ½ xᵀP x + Σ ∫R dδ + ∫ ½ |lossᵀx|² dt = energy before contact,
 
-`ledger` is the largest violation of this balance; ∫R dδ is computed from fender curves along the deflections, not from
+`ledger` is the largest violation of this balance. ∫R dδ is computed from fender curves along the deflections, not from
 the power in the time integration.  C_M = 2 max Σ∫R dδ/(C_e M V²) is the virtual mass for which the kinetic-energy
 method gives the same energy (α² of Ueda 1981, eq. 3.2, for a linear fender).
 """

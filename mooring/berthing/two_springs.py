@@ -1,4 +1,5 @@
-"""Ueda's closed form of a berthing: a ship with constant virtual mass, a dolphin K₁ and a fender K₂ up to a plateau R.
+"""Ueda's closed form of a berthing: a ship of constant virtual mass meets a dolphin K₁ and a fender K₂ with a plateau
+R.
 
     β = √(K_d/(C_e M₂)),   K_d = K₁ K₂/(K₁ + K₂)
     y₁ = (V/β)(K_d/K₁) sin βt,   y₂ = (V/β)(K_d/K₂) sin βt                       until y₂ = y₂₁ = R/K₂, at t₁

@@ -3,7 +3,8 @@
     K = Σ Jᵀ {(EA/S) u uᵀ + (P₀/S) (1 − u uᵀ)} J + P₀ u·r e_θ e_θᵀ,      δP = −(EA/S) u · J x
 
 with u from a line's end on the body to its anchor, r from the centre of gravity to that end, J the motion of that end.
-The second term is P₀ on a line that rotates, the last term the path of the line's end about the centre of gravity.
+The second term is P₀ on a line that rotates. The last term is due to the path of the line's end about the centre of
+gravity.
 EA/S → ∞ is the constraint of `taut`.
 """
 

@@ -4,8 +4,8 @@
     y_B = g k(h−d) f_B² / (ω² l n),          a − a_T = a / (1 + i y_B) for the fixed body,
     f_M = (−k z₀ sinh kh + k(d+z₀) sinh k(h−d) − cosh kh + cosh k(h−d)) / (kd kl cosh kh) + l f_B / 3d
 
-l half width, d draft, z₀ < 0 the centre of gravity, n = C_g/C.  The difference of pressure between both sides drives
-the water under the body; of the waves outside only the propagating mode is included, so that energy is conserved.
+l half width, d draft, z₀ < 0 the centre of gravity, n = C_g/C.  The pressure difference between both sides drives the
+water under the body. Of the waves outside only the propagating mode is included, so energy is conserved.
 Kihara, Kitatani & Todoroki (1975), eq. 3.1 to 3.13 and 4.7.
 """
 
@@ -49,7 +49,9 @@ def equal_area(diameter, draft):
 def long_wave(half, draft, depth, omega, gravity):
     """`LongWave`; half, draft, depth : m; omega : (...,) rad/s.  Raises ValueError for lengths that form no section."""
     if not (half > 0 and 0 < draft < depth < np.inf):
-        raise ValueError(f"half width {half:g} m, draft {draft:g} m, depth {depth:g} m; allowed: 0 < draft < depth")
+        raise ValueError(
+            f"half width is {half:g} m, draft {draft:g} m and depth {depth:g} m; allowed: 0 < draft < depth"
+        )
     k = wavenumber(omega, depth, gravity)
     n = group_factor(k, depth)
     under, tanh = depth_factor_slope(-draft, k, depth) / k, np.tanh(k * depth)

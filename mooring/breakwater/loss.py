@@ -11,7 +11,7 @@ before a wall.  The loss is added to its impedance:
 The even part, K_R + K_T, has no flow underneath and is unchanged.  The difference of the tensions of a fixed body grows
 with the head; motions and tensions of a moving one remain those of potential flow, since its odd waves depend on more
 than the head: `bem.sections.keel_loss` has the same loss for rectangles in the exact flow, with motions and tensions.
-The lost power is that of the head, ½ρg Re ΔH Q*.  s keel clearance; C by the user.
+The lost power is the power of the head loss, ½ρg Re ΔH Q*. s keel clearance; C by the user.
 """
 
 from typing import NamedTuple

@@ -4,8 +4,8 @@
 Lines are hawsers: straight, T = (EA/S) e of their elongation, zero when slack, wherever the body moves.  The memory of
 the water is that of the section over a band of frequencies; without lines the body floats Δ = 2P₀ sin α / ρgB_w above
 its place, the hydrostatic pressure being linear.  Surge, pitch and yaw are not excited. Peaks grow nearly with the
-square root of EA: the four periods of Table 3.2 of Kihara, Kitatani & Todoroki (1975) with snapping agree to 5 % for EA
-of 1e4 N per metre, less than chains have, as if the gauges yielded (`tests/bench/breakwater.py snap`).
+square root of EA. The four periods of Table 3.2 of Kihara, Kitatani & Todoroki (1975) with snapping agree to 5 % for EA
+of 1e4 N per metre, which is less than chains have, as if the gauges yielded (`tests/bench/breakwater.py snap`).
 """
 
 from typing import NamedTuple

@@ -7,8 +7,8 @@ With q the coordinate along which the lines allow motion, for lines at angle α 
     C = 2ρgdl GM cos²α + V/sin α {(l₁ cos α + (d+z₀) sin α)(l₁/S + cos α) cos α + l₁ sin α X/S},
     GM = l²/3d − d/2 − z₀
 
-which hold from α = 0 through 90°, where Q is at infinity, to 180°, since they are eq. 4.1 to 4.5 times cos α. C < 0:
-the upright position is unstable, of which both theories warn. Ito and Chiba's water adds I₁ to I and (F = f_H X − l f_M
+which hold from α = 0 through 90°, where Q is at infinity, to 180°, since they are eq. 4.1 to 4.5 times cos α. If C < 0
+the upright position is unstable; both theories warn of it. Ito and Chiba's water adds I₁ to I and (F = f_H X − l f_M
 cos α)
 
     y = y_B + y_Q,   y_Q = 2ρg kd² F² / (n (ω²J − C)),   a_T = iy a/(1 + iy),   (C − ω²J) q = 2ρgd F (a − a_T)

@@ -3,8 +3,9 @@
     water   C = ρg {L B_w,  L B_w³/12 + V (z_B − z),  L³ B_w/12 + V (z_B − z)}  of heave, roll, pitch
     lines   K = Σ Jᵀ {(EA/S) u uᵀ + (P₀/S)(1 − u uᵀ)} J  +  P₀ {(u·r) 1 − ½ (u rᵀ + r uᵀ)}  for rotations
 
-J the motion of a line's upper end at r, u its direction to the anchor, summed over pairs of lines along the body; the
-same per metre as `elastic` in sway, heave and roll.  Moments are about (0, 0, z) and hold the weight at z₀.  EA/S of
+J is the motion of a line's upper end at r and u its direction to the anchor, summed over pairs of lines along the body.
+Per metre it is the same as `elastic` in sway, heave and roll.
+Moments are about (0, 0, z) and hold the weight at z₀.  EA/S of
 taut lines is chosen so that the lines are `STIFF` times as stiff as the water; the relative error of this constraint is
 1/`STIFF`.
 """

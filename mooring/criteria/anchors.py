@@ -54,7 +54,7 @@ class Anchor(NamedTuple):
         return self.friction * (self.weight - np.maximum(up, 0.0)) if self.kind == "sinker" else self.holding
 
     def mass(self, along, up):
-        """kg, of a drag anchor of a chart: its own, or the required one; nan of other anchors"""
+        """Mass of a drag anchor of a chart, kg: its own, or the required one; nan for other anchors"""
         if self.chart is None or np.isnan(self.holding):
             return self.needed(along, up) if self.kind == "drag" else np.nan
         return self.chart.reference * (self.holding / self.chart.holding) ** (1 / self.chart.exponent)
@@ -117,18 +117,19 @@ def anchor_findings(names, anchors, along, up, where="at the largest tension"):
         worst = max(lifted, key=lambda i: up[i] / along[i])
         angle = np.degrees(np.arctan2(up[worst], along[worst]))
         yield (
-            f"{len(lifted)} of {len(known)} anchors are drag anchors under uplift {where}, the most "
-            f"{names[worst]} with {up[worst] / 1e3:.3g} kN, {angle:.3g}° above the bed: their holding capacity is "
-            "valid for a horizontal pull only; give more chain, or use a sinker or pile"
+            f"{len(lifted)} of {len(known)} anchors are drag anchors that are pulled upward {where}, most of "
+            f"all {names[worst]} with {up[worst] / 1000.0:.3g} kN at {angle:.3g}° above the bed: their holding "
+            "capacity is for a horizontal pull only; give more chain, or use a sinker or pile"
         )
     mass = {i: anchors[i].mass(along[i], up[i]) for i in known if anchors[i].chart}
     small = [i for i, kg in mass.items() if kg < SMALL * anchors[i].chart.reference]
     if small:
         least = min(small, key=lambda i: mass[i] / anchors[i].chart.reference)
         yield (
-            f"{len(small)} of {len(known)} anchors {where} are far below their charts, the smallest {names[least]} "
-            f"with {mass[least]:.3g} kg, limit a tenth of the chart's {anchors[least].chart.reference:.4g} kg: the law "
-            "of the chart is extrapolated; give holding_kN of the maker"
+            f"{len(small)} of {len(known)} anchors {where} are far lighter than those of their charts; the "
+            f"lightest is {names[least]} with {mass[least]:.3g} kg, and the limit is a tenth of the chart's "
+            f"{anchors[least].chart.reference:.4g} kg: the curve of the chart is extrapolated; give holding_kN of "
+            "the maker"
         )
     charted = [anchors[i].chart for i in known if anchors[i].chart]
     unsure = dict.fromkeys(chart.source for chart in charted if chart.status == "unverified")

@@ -5,8 +5,8 @@
 
 Cycles are counted in a record by rainflow (ASTM E1049-85, the library `rainflow`).
 
-Curves: from a table, or the user's own; SR179 report (1982), chapter 4, 2.1 and 2.2, whose curves are lost, states what
-they depend on: corrosion, preload, terminations, bending over a fairlead.
+Curves: from a table, or the user's own; SR179 report (1982), chapter 4, 2.1 and 2.2. Its curves are lost; it states
+what they depend on: corrosion, preload, terminations, bending over a fairlead.
 """
 
 from typing import NamedTuple
@@ -92,7 +92,8 @@ def rainflow_cycles(tension) -> Cycles:
 def miner(cycles, curve, diameter, breaking_load):
     """Miner's sum D of Cycles, and Q, the sum of the squared damages of the cycles; diameter mm, breaking_load N
 
-    The sum has random terms, one of each cycle: D²/Q is their effective number, and its standard error is √Q.
+    The sum has one random term for each cycle. D²/Q is the effective number of terms, and √Q is the standard error of
+    the sum.
     """
     each = damages(cycles, curve, diameter, breaking_load)
     return float(cycles.count @ each), float(cycles.count @ each**2)

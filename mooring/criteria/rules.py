@@ -97,7 +97,8 @@ def read_rules(path=None):
 def unit_of(where, quantity, unit):
     """The unit of a known quantity, if `unit` is the same or missing; `unit` for an unknown quantity
 
-    Nothing is converted: another unit raises RuleError that begins with `where`.  A ratio, "… / …", has the unit -.
+    Nothing is converted: another unit raises RuleError, whose text begins with `where`.
+    A ratio, "… / …", has the unit -.
     """
     own = UNITS.get(quantity, "-" if " / " in quantity or quantity.startswith(NUMBERS) else None)
     if own is not None and unit not in ("", own):

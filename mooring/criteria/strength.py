@@ -2,7 +2,8 @@
 
 Chain loses diameter by wear and corrosion; break and proof loads follow d² (44 − 0.08 d) of the remaining diameter
 (`lines.catalogue`).  SR179 report (1982), chapter 4, 2.2 and 3.1; equipment numbers table 4.3.1.  Terminations: TM
-5-3810-305-10, table 4, with steel or fibre core; hand splices, 0.86 there at 13 mm, lose more in thicker rope.
+5-3810-305-10, table 4, with steel or fibre core. The value 0.86 for hand splices holds at 13 mm; thicker rope loses
+more.
 """
 
 import re
@@ -48,7 +49,7 @@ def larger_sizes(name, most):
 
 
 def kind_and_size(name):
-    """Kind and nominal diameter, mm, of a name of the catalogue: ("R3 studless", 76.0) of "R3 studless 76 mm" """
+    """Kind and nominal diameter, mm, of a name of the catalogue: "R3 studless 76 mm" gives ("R3 studless", 76.0)"""
     kind, _, size = name.strip().removesuffix("mm").strip().rpartition(" ")
     return kind, float(size)
 

@@ -17,7 +17,7 @@ class AtQuay(NamedTuple):
 
 
 def at_quay(body, fenders, across, conditions, family):
-    """`AtQuay` of a body in the sea of its Conditions, None where the loads press no fender.
+    """`AtQuay` of a body in the sea of its Conditions; None if the loads compress no fender.
 
     body : `bem.database.reader.Reader`, before a quay if there is one; fenders : sequence of `QuayFender`
     across : N of wind and current; family : function of height, mean_period= → spectrum

@@ -5,7 +5,7 @@
     Y_MAX = δ₀ + 3.87 σ,  compared with δ₀/H ≤ 10 % and Y_MAX/H ≤ 35 %
 
 3.87 = √(2 ln 1000) + γ/√(2 ln 1000), the expected largest of 1000 waves.  The spring is given for each fender, or is
-the equivalent one of its curve and hysteresis about δ₀ with the amplitude √2 σ, found by iteration (`linearised`).
+the equivalent spring of its curve and hysteresis about δ₀ with the amplitude √2 σ, found by iteration (`linearised`).
 SR179 report (1982), sections 3.7.1.1 and 3.7.5.
 """
 

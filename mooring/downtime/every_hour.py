@@ -7,7 +7,7 @@ of the largest m_n; hours are grouped by those six, and each group is one produc
 shape scales with its period: S(ω; H, T) = H² τ S₁(ωτ), τ = T/T₁, so that no table over periods is needed.
 
 The frequencies are those of `response.linear.frequencies` for all waves together, with as many between them as the peak
-of a spectrum needs; the same for every hour.  Systems of waves add.
+of a spectrum needs. They are the same for every hour.  Systems of waves add.
 
 For shapes that depend on the period, such as TMA or spreading after Mitsuyasu, the harmonics over β are tabulated,
 

@@ -1,6 +1,6 @@
 """Columns of a hindcast by name, converted to SI from the units of their headers: CSV, netCDF, NDBC, SWAN tables.
 
-A header is a name, or a name with its unit in brackets, `hs [cm]`, `wind (knots)`; in netCDF the unit is an attribute,
+A header is a name, or a name with its unit in brackets: `hs [cm]`, `wind (knots)`. In netCDF the unit is an attribute;
 in files of NDBC (`#YY MM DD hh mm WDIR …`) and tables of SWAN (`% Time Hsig …`) it is in a line of its own. The default
 units are m, s, degrees, m/s.
 """

@@ -125,14 +125,14 @@ def _seasons(found):
     if none:
         named = ", ".join(none)
         yield (
-            f"the record has nothing of {named}: hours a year, and all shares, are those of the other months, as if "
-            "the whole year were like them; give whole years"
+            f"the record has no rows of {named}: hours a year and all shares represent the other months only; give "
+            "whole years"
         )
     elif days.max() > UNEVEN * days.min():
         most, least = (MONTHS[int(pick(days))] for pick in (np.argmax, np.argmin))
         yield (
-            f"the record has {days.max():.2g} months of {most} and {days.min():.2g} of {least}: hours a year, and all "
-            f"shares, lean to {most}; give whole years"
+            f"the record has {days.max():.2g} months of {most} and {days.min():.2g} of {least}: hours a year "
+            f"and all shares give {most} too much weight; give whole years"
         )
 
 

@@ -2,7 +2,7 @@
 
     y = ln used = a + b ln H + f(x) + e,    f ~ GP(0, c² Matérn₅⸝₂(x/ℓ)),    e ~ N(0, σ²)
 
-σ is the scatter of seeds in the same sea, pooled over the states; it is the randomness of the sea and not an error.  An
+σ is the scatter of seeds in the same sea, pooled over the states. It is the randomness of the sea and not an error.  An
 hour stops its operation with the probability
 
     P = Φ(μ / √(σ² + s²))

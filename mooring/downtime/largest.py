@@ -3,8 +3,8 @@
     hour    x̄ = σ (s + γ_E/s),  s = √(2 ln n),  n = duration / T_zero                     (`response.extremes`)
     year    P(x_y < x) = exp(−Σ_h n_h exp(−x²/2σ_h²)),  h over the hours of the year
 
-One largest value is drawn from each year's law, as a measurement would give it: the randomness of the sea is included
-in the yearly maxima, and so in the interval of the return value (`site.extremes`).
+One largest value is drawn from the distribution of each year, as a measurement would give it. The randomness of the sea
+is then included in the yearly maxima, and in the interval of the return value (`site.extremes`).
 """
 
 import numpy as np

@@ -2,8 +2,8 @@
 
     p = Σ_y d_y / Σ_y n_y,   p₍y₎ the same without year y,   s² = (Y − 1)/Y Σ_y (p₍y₎ − p̄₍·₎)²,   p ± t s
 
-d_y down hours and n_y known hours of year y, t of Student's law with Y − 1 degrees of freedom (delete-one jackknife
-with years as blocks, Tukey 1958).  Hours of one storm are not independent, years nearly are.
+d_y are the down hours and n_y the known hours of year y; t is from Student's distribution with Y − 1 degrees of freedom
+(delete-one jackknife with years as blocks, Tukey 1958).  Hours of one storm are not independent, years nearly are.
 """
 
 import numpy as np

@@ -4,7 +4,7 @@ import numpy as np
 
 
 def positive(thing, value, unit):
-    """The value as a float.  Raises ValueError unless it is above 0 and finite."""
+    """The value as a float.  Raises ValueError unless the value is above 0 and finite."""
     if not 0 < value < np.inf:
         raise ValueError(f"{thing} is {value:g} {unit}; allowed: above 0, finite")
     return float(value)

@@ -1,8 +1,8 @@
 """Waves of a record between zero crossings, and the distribution of their heights in a narrow spectrum.
 
 A wave lasts from one crossing to the next of the same kind; its height is its crest minus its trough.  Crossing times
-are interpolated linearly, crests and troughs by the parabola through the highest values, without which the heights of
-waves of 16 values would be 1 % too low.
+are interpolated linearly, crests and troughs by the parabola through the highest values. Without the parabola the
+heights of waves of 16 values would be 1 % too low.
 
     Rayleigh: P(H > h) = exp(−h²/8m₀);  mean of the highest part p = √8m₀ {√L + √π/(2p) erfc √L},  L = ln 1/p
     width of the spectrum  ε² = 1 − m₂²/(m₀m₄) = 1 − (zero crossings / maxima)²   (Cartwright & Longuet-Higgins 1956)

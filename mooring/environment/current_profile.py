@@ -38,7 +38,7 @@ class CurrentProfile:
     def over_draft(self, draft):
         """Speed m/s and direction rad of the uniform current with the mean ½ρU² over a draft (m), each way.
 
-        Box and hull coefficients come from uniform currents; where the profile turns over the draft this is a guess.
+        Box and hull coefficients come from uniform currents. If the profile turns over the draft, they are a guess.
         """
         positive("draft", draft, "m")
         x, weight = np.polynomial.legendre.leggauss(32)
@@ -100,9 +100,8 @@ def wind_drift(speed_10, direction, depth):
 def table(z, speed, direction):
     """CurrentProfile through points: z (n,) m rising from the bed to the surface, speed m/s, direction rad (n,) or one.
 
-    The components along x and y are monotone cubics between the points; the last point applies up to the surface, below
-    the first there is no current.
-    raises : ValueError for points that are no profile
+    The components along x and y are monotone cubics between the points. The last point applies up to the surface; below
+    the first point there is no current. raises : ValueError for points that are no profile
     """
     z, speed = row_of_numbers("z of the current profile", z, 2), row_of_numbers("current speed", speed, 2)
     direction = row_of_numbers("current direction", np.broadcast_to(np.asarray(direction, float), z.shape))

@@ -9,8 +9,8 @@ Each spectrum is a variance, a time scale T and a dimensionless shape over X = T
     NPD        σ² = S(0)/(s(0) T)   T = f̃/f                  s = (1 + Xⁿ)^(−5/(3n)) / c,  c = B(1/n, 2/(3n))/n
     Kaimal     σ = I U              T = L/U                  s = 4 (1 + 6X)^(−5/3)
 
-Davenport and Hino: SR179 report (1982), chapter 4, section 5.2, with the exponent 4/3 and the 1/f that are illegible in
-the report's prints, and β with 10⁻³ where 10⁻² is printed, which would put the energy at 2 Hz. NPD: NORSOK N-003 and
+Davenport and Hino: SR179 report (1982), chapter 4, section 5.2. The exponent 4/3 and the 1/f are illegible in the
+report's prints. β has 10⁻³, where 10⁻² is printed, which would put the energy at 2 Hz. NPD: NORSOK N-003 and
 API RP 2A-WSD, S = 320 (U₀/10)² (z/10)^0.45 / (1 + f̃ⁿ)^(5/(3n)), n = 0.468, f̃ = 172 f (z/10)^⅔ (U₀/10)^(−¾), U₀ the
 one-hour mean at 10 m. Kaimal: IEC 61400-1, L = 8.1 Λ, Λ = 0.7 z up to 60 m and 42 m above.
 """
@@ -116,8 +116,9 @@ def gust_record(spectrum, t, seed, low, high, count):
 
         u(t) = Σ √(2 σ² share(ωᵢ, ωᵢ₊₁)) cos(ω t + ε)
 
-    The band from `low` to `high` rad/s is divided into `count` pieces of equal ratio; each has the energy of its piece,
-    a random frequency within it and a random phase, so that the record does not repeat.  Enough components excite a
+    The band from `low` to `high` rad/s is divided into `count` pieces of equal ratio. Each component has the energy of
+    its piece, a random frequency within it and a random phase, so the record does not repeat.
+    Enough components excite a
     resonance with damping ζ where their ratio (high/low)^(1/count) is below 1 + ζ.  The report's band, 0.001 to 1 Hz,
     contains 92 to 88 % of Davenport's variance at 25 to 50 m/s.
     seed : whole number from 0; the same seed gives the same record
@@ -154,8 +155,8 @@ def _tell_missing(spectrum, low, high):
     if held < 1 - MISSED:
         warnings.warn(
             f"the gust band {low:.3g} to {high:.3g} rad/s contains {100 * held:.1f} % of the variance of "
-            f"{spectrum.name} at {spectrum.speed:g} m/s, at least {100 * (1 - MISSED):g} % is needed; "
-            "widen the band, or scale the record",
+            f"{spectrum.name} at {spectrum.speed:g} m/s; at least {100 * (1 - MISSED):g} % is needed; widen the "
+            "band, or scale the record",
             MissingVariance,
             stacklevel=4,
         )

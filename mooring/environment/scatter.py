@@ -5,8 +5,8 @@
     0.25,               12,  30,   4
     0.75,                0,  18,  22
 
-The first word names the kind of period, the row has the middles of the classes of period (s), the first column those of
-the significant height (m).  Empty fields count as 0.
+The first word names the kind of period. The row has the middles of the classes of period (s), and the first column
+those of the significant height (m).  Empty fields count as 0.
 """
 
 from dataclasses import dataclass

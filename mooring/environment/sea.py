@@ -3,9 +3,9 @@ components.
 
     η(x, y, t) = Σ aᵢ cos{ωᵢ t − kᵢ (x cos βᵢ + y sin βᵢ) − εᵢ}
 
-Every component has its own direction.  Several directions at one frequency would be phase-locked, and the wave height
+Every component has its own direction.  Several directions at one frequency would have fixed phases, and the wave height
 would differ from place to place (Jefferys 1987, Applied Ocean Research 9).  Neighbours in frequency have directions
-distributed over the circle by multiples of the golden ratio, so that any narrow band contains all of them.
+distributed over the circle by multiples of the golden ratio, so any narrow band contains all directions.
 """
 
 import warnings

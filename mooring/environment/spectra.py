@@ -15,8 +15,8 @@ JONSWAP (Hasselmann et al. 1973; the report's guideline 2.5):
     S(f) = α g² (2π)⁻⁴ f⁻⁵ exp{−5/4 (f/f_p)⁻⁴} γ^exp{−(f−f_p)²/(2σ²f_p²)},    σ = 0.07 to f_p, 0.09 above
     by fetch x:  f_p U/g = 3.5 x̃^−0.33,  α = 0.076 x̃^−0.22,  x̃ = g x/U²
 
-A family accepts one period of any kind, by name; a kind other than the printed one is converted by the moments of its
-own shape.  T̄ of the paper of 1975 is the mean of a record, not T01 of the spectrum, which is 0.81 T1/3.
+A family accepts one period of any kind, by name. A kind other than the printed one is converted by the moments of the
+family's own shape.  T̄ of the paper of 1975 is the mean of a record, not T01 of the spectrum; the latter is 0.81 T1/3.
 """
 
 import warnings
@@ -101,8 +101,8 @@ def jonswap_fetch(wind_speed, fetch, *, gamma=3.3, gravity=GRAVITY):
     longest = FULLY_DEVELOPED * speed**2 / g
     if fetch > longest * (1 + 1e-9):
         raise ValueError(
-            f"fetch is {fetch:g} m; beyond {longest:.4g} m the sea of a wind of {speed:g} m/s is fully developed, f_p "
-            "U/g = 0.13; give at most that fetch"
+            f"fetch is {fetch:g} m; beyond {longest:.4g} m the sea of a wind of {speed:g} m/s is fully "
+            "developed (f_p U/g = 0.13); give a fetch up to this limit"
         )
     x = g * fetch / speed**2
     peak_omega = 2 * np.pi * 3.5 * x**-0.33 * g / speed

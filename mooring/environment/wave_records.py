@@ -2,8 +2,8 @@
 
     η(t) = Re Σ aᵢ exp{i(kᵢ (x cos βᵢ + y sin βᵢ) + εᵢ − ωᵢ t)},    ω² = g k tanh kh
 
-On equal steps exp(−iω(t₀ + pΔ + qδ)) is a product of a coarse and a fine phase, so that a record of n values takes
-2√n exponentials for each component and one product of matrices, exact to rounding.
+On equal steps exp(−iω(t₀ + pΔ + qδ)) is a product of a coarse and a fine phase. A record of n values then takes 2√n
+exponentials for each component and one product of matrices, exact to rounding.
 """
 
 from typing import NamedTuple

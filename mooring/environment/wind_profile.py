@@ -4,7 +4,7 @@
     U(z) = U₀ [1 + C ln(z/10)] [1 − 0.41 I(z) ln(T/T₀)]      NORSOK N-003 and API RP 2A-WSD (Frøya measurements)
     C = 0.0573 √(1 + 0.15 U₀),   I = 0.06 (1 + 0.043 U₀) (z/10)^−0.22,   T₀ = 1 h
 
-U₁₀ is a 10-minute and U₀ a one-hour mean, both 10 m above the sea.  C_H multiplies the speed, not the pressure: it is
+U₁₀ is a 10-minute and U₀ a one-hour mean, both 10 m above the sea.  C_H multiplies the speed, not the pressure. It is
 the square root of the height coefficient of classification rules.  C_H is a step table; each band includes its lower
 and excludes its upper bound; in the middle of the bands α varies from 1/17 at 23 m to 1/11 above 130 m (the report says
 about 1/12 to 1/14).
@@ -106,8 +106,8 @@ def mean_over(speed, given, wanted, height=10.0):
     reached = np.array([froya_speed_at(height, hourly, given) for hourly in tried])
     if reached.max() < speed:
         raise ValueError(
-            f"the wind is {speed:.4g} m/s over {given:g} s at {height:g} m; the Frøya formula reaches at most "
-            f"{reached.max():.4g} m/s there; give the wind at 10 m"
+            f"the wind speed is {speed:.4g} m/s as a mean over {given:g} s at a height of {height:g} m; the "
+            f"Frøya formula reaches at most {reached.max():.4g} m/s at this height; give the wind at 10 m"
         )
     upper = tried[np.argmax(reached >= speed)]
     hourly = brentq(lambda u: float(froya_speed_at(height, u, given)) - speed, 1e-9, upper)

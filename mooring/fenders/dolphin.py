@@ -2,8 +2,8 @@
 
     R_dolphin(y₁) = R_fender(y₂),    y(y₂) = y₂ + y₁(R_fender(y₂))
 
-The pair is again a fender, in y.  Where the fender buckles faster than the dolphin is stiff, dy/dy₂ ≤ 0, the pair snaps
-through, and no static characteristic exists: this is refused with the required stiffness.  The pair keeps the fender's
+The pair is again a fender, in y.  If the fender buckles faster than the dolphin is stiff, dy/dy₂ ≤ 0, the pair snaps
+through and no static characteristic exists. This is refused with the required stiffness.  The pair keeps the fender's
 unloading: at equal force the dolphin returns all of its energy.
 """
 
@@ -17,8 +17,8 @@ from .fender import Fender, FenderError
 
 @dataclass(frozen=True, eq=False, repr=False)
 class OnDolphin(Fender):
-    """A fender and its dolphin as one fender; deflections are of both together, and strains are these deflections over
-    the height of the fender.
+    """A fender and its dolphin as one fender. Deflections are those of both together, and strains are these deflections
+    over the height of the fender.
 
     strains : (2, n), of both together and of the fender, on loading; own_allowable : strain, of the fender itself
     """
@@ -61,7 +61,7 @@ def bilinear(stiffness, yield_force=np.inf, stiffness_beyond=None):
 
 def in_series(fender, deflection_of, points=400):
     """`OnDolphin` of a fender and a dolphin whose deflection at a force is `deflection_of` (`bilinear`), in straight
-    lines between `points` and the points of the fender.  Raises FenderError where it snaps through."""
+    lines between `points` and the points of the fender.  Raises FenderError if the pair snaps through."""
     y2 = _grid(fender, points)
     up, down = fender.loading(y2), fender.unloading(y2)
     y, back = (y2 + deflection_of(force) for force in (up, down))

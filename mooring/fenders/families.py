@@ -1,7 +1,8 @@
 """Fenders by family, generic, and by tables of makers.
 
-A family is a shape, reaction over rated reaction by strain, scaled by size and grade: `tables/shapes.csv`, with marks
-in `tables/families.csv` and their sources in both.  A maker's table is a CSV with the columns
+A family is a shape, reaction over rated reaction by strain, scaled by size and grade. The shapes are in
+`tables/shapes.csv`, the marks in `tables/families.csv`, with sources in both.
+A maker's table is a CSV with the columns
 
     strain (of the height) or deflection_m,  reaction_kN,  and, if measured, unloading_kN.
 """
@@ -86,8 +87,8 @@ def fender_of_family(family, height, *, length=None, rated_reaction=None, pressu
 def _ordinary(label, family, intensity, height, length):
     if intensity is None:
         raise FenderError(
-            f"{label}: no public source gives its reaction; give the rated reaction of the manufacturer, "
-            f"rated_reaction; allowed without it: {', '.join(_with_reaction())}"
+            f"{label}: no public source gives its reaction; give rated_reaction, the rated reaction of the "
+            f"manufacturer; families that do not need it: {', '.join(_with_reaction())}"
         )
     if family != "cell" and length is None:
         raise FenderError(f"{label}: its length is missing; give the length, or the rated reaction of the manufacturer")

@@ -77,7 +77,7 @@ class Fender:
         return float(np.sum(half * w * force) + self.unloading.integral(below))
 
     def deflection_at_energy(self, energy):
-        """m, deflection that absorbs an energy, J.  Raises FenderError if the table ends before."""
+        """m, deflection that absorbs an energy, J.  Raises FenderError if the table ends before this deflection."""
         last = np.inf if self.overload else self.limit
         most = self.loading.integral(self.limit)
         if energy > most and np.isfinite(last):
@@ -188,7 +188,10 @@ def _check_points(name, height, x, up, down):
         what = f"begin at {x[0]:g}" if x[0] != 0 else f"go from {x[falling[0]]:g} to {x[falling[0] + 1]:g}"
         raise FenderError(f"{name}: deflections {what}; allowed: increasing from 0")
     if up[0] != 0 or down[0] != 0:
-        raise FenderError(f"{name}: its reaction without deflection is {up[0]:g} and {down[0]:g} N; allowed: 0")
+        raise FenderError(
+            f"{name}: without deflection its reaction is {up[0]:g} N on the loading and {down[0]:g} N on the "
+            "unloading curve; allowed: 0"
+        )
     for what, values in (("reaction", up), ("unloading", down)):
         if values.min() < 0:
             raise FenderError(

@@ -2,8 +2,8 @@
 
     R = U(δ) + s w(δ),    w = L − U ≥ 0,    ds = dδ/ℓ, limited to 0 … 1;    s = 1 without contact
 
-s is a stop operator with the length ℓ: from first contact the reaction follows L, a return leads to U within ℓ, and a
-reloading back to L within ℓ.  With δ = p + ℓ s and Φ = ℓ ∫₀^s σ w(p + ℓσ) dσ
+s is a stop operator with the length ℓ. From first contact the reaction follows L; a return leads to U within ℓ, and a
+reloading leads back to L within ℓ.  With δ = p + ℓ s and Φ = ℓ ∫₀^s σ w(p + ℓσ) dσ
 
     s w dδ = dΦ + (∫₀^s w(p + ℓσ) dσ) dp,
 

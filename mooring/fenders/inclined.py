@@ -3,9 +3,10 @@
     R_α(δ) = (1/w) ∫₀^w R(δ − s tan α) ds = [E(δ) − E(δ − a)]/a,    a = w tan α,    E(x) = ∫₀^x R,  0 for x < 0
 
 δ is the deflection of the most compressed edge, and the fender's rated strain refers to that edge.  The unloading curve
-is also the mean over strips: they turn together, so that all in contact have one state of `hysteresis`.  Exact for many
-fenders of equal height behind one stiff panel, and for a profile without stiffness along its length; for a single cell
-or cone an estimate.  SR179 report (1982), chapter 3.4, requires the maker's curve of inclined compression where a side
+is also the mean over strips. The strips turn together, so all that are in contact have one state of `hysteresis`.
+This is exact for many fenders of equal height behind one stiff panel, and for a profile without stiffness along its
+length. For a single cell or cone it is an estimate.
+SR179 report (1982), chapter 3.4, requires the maker's curve of inclined compression where a side
 force exceeds a tenth of the axial one, and prints none.
 """
 

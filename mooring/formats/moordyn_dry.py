@@ -1,11 +1,10 @@
 """Lines of a MoorDyn file out of the water: parts above the surface have their weight in air.
 
 A line that cannot reach the water has a type with the weight in air. If its length is L and its ends are at z_a and
-z_b, no point of it is lower than (z_a + z_b − L)/2. A free point at one end is at most L below the other end.  Other
-lines with an
-end above the water have the weight in air for their parts above the water (`mooring.lines.system.surfacing`); lines
-that float or have
-a table of stiffness keep their weight in water there, which a warning reports.
+z_b, none of its points is lower than (z_a + z_b − L)/2.
+A free point at one end is at most L below the other end.  Other lines with an end above the water have their weight in
+air for the parts above the water (`mooring.lines.system.surfacing`). Lines that float or have a table of stiffness keep
+their weight in water there, and a warning reports this.
 """
 
 from dataclasses import replace
@@ -83,8 +82,8 @@ def weighed_differently(system):
 
 
 def out_of_water(lines, points, bodies, dry, water):
-    """The lines; a line with a given end above the water has its weight in air, and a message names the lines that do
-    not.
+    """The lines, and a message. A line with a given end above the water has its weight in air; the message names the
+    lines that do not.
 
     dry : names of `in_air`
     """

@@ -7,8 +7,9 @@ with ξ = (ε − ε₀) / (ε_max − ε₀):
     LINEAR T_max ξ,    QUADRATIC T_max ξ (k₂ ξ + 1 − k₂),    EXP T_max (e^{k₂ ξ} − 1) / (e^{k₂} − 1)
 
 ε₀ = k₁ ε_max, or for a LINEAR k₁ of 1 or more, ε_max − T_max / k₁.  Above T_max the original curve applies.  At rest
-the tension is therefore one rising curve over strain, independent of the path below T_max; the fast stiffness EA_Dc +
-EA_D_Lm T applies only in motion.  A rope with a stretch ε₀ is one of (1 + ε₀) times the length. MoorDyn 2.7
+the tension is therefore one rising curve over strain, independent of the path below T_max. The fast stiffness EA_Dc +
+EA_D_Lm T applies only in motion.  A rope with a stretch ε₀ is computed as a rope of (1 + ε₀) times the length.
+MoorDyn 2.7
 documentation, "Inputs", Nonlinear Stiffness and Syrope Model for Polyester Lines; Wei, Bingham and Shao, "Extended
 Moordyn Solver and Validation Report" (2026).
 """

@@ -3,8 +3,8 @@
 Coupled points and bodies are fixed at their given places: a run in time would move them with the vessel. The points
 belong to one body named "vessel" at the origin, those of bodies 1, 2 … to "body 1" …; other names are the ids of the
 file.  Ends of a fixed rod are points "R1A", "R1B"; a free rod without length is one free point "R1", one with a length
-a body "rod 1" that floats or sinks as a whole.  A free body has its weight at its CG and its buoyancy, as a whole, at
-its origin.  Submerged weight is (mass − ρ π/4 d²) g, that of lines above the water mass g: `moordyn_dry`. Content that
+a body "rod 1" that floats or sinks as a whole.  A free body has its weight at its CG, and its whole buoyancy at its
+origin.  Submerged weight is (mass − ρ π/4 d²) g; for lines above the water it is mass g (`moordyn_dry`). Content that
 statics cannot represent is refused by name, or omitted with a warning for each kind.
 """
 

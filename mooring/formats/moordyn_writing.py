@@ -5,8 +5,9 @@ An axial wave of the shortest segment, l long, has the angular frequency and the
     ω = 2 √(EA/m) / l,    σ = 4 BA / (m l²) = 2 ζ ω,
 
 a node at the bed ω² = k d/m and σ = c d/m with the bed's kBot and cBot, a bent one ω = 4 √(EI/m) / l².  A free point
-has half the mass of the segments at it and its own mass. With ω² ≤ 2 Σ(EA/l) / (½ Σ m l + M) it is no faster than the
-fastest of its lines.  MoorDyn's scheme, Runge–Kutta of second order, is stable for a decaying motion up to σ dt = 2; an
+has half the mass of the segments at it and its own mass. With ω² ≤ 2 Σ(EA/l) / (½ Σ m l + M) the point is not faster
+than the fastest of its lines.
+MoorDyn's scheme, Runge–Kutta of second order, is stable for a decaying motion up to σ dt = 2; an
 undamped one grows by (ω dt)⁴/8 a step.  dtM is the least of 0.2/ω and 1/σ, rounded down.  Masses are masses in air;
 added mass, which only slows the nodes down, is not included. MoorDyn 2.7 documentation, "Inputs" (names of options) and
 "Troubleshooting" (time step).
@@ -116,8 +117,8 @@ def _differences(system):
     lighter = weighed_differently(system)
     if lighter:
         yield (
-            f"line {', '.join(lighter)} comes out of the water; its part in the air has its weight in water here, but "
-            "its weight in air in MoorDyn"
+            f"line {', '.join(lighter)} comes out of the water; its part in the air has its weight in air in "
+            "MoorDyn, and its weight in water in hakobune"
         )
     lost = [line.name for line in system.lines if np.isfinite(line.breaking_load)]
     told = f"; breaking loads are not in the file: those of {', '.join(lost)} are lost" if lost else ""
@@ -126,7 +127,7 @@ def _differences(system):
         yield f"the MoorDyn file has numbers instead of names for lines: {numbers}{told}; keep the original file"
     moved = [body.name for body in system.bodies if body.freedom]
     if moved:
-        yield f"{', '.join(moved)} may move here, but the MoorDyn file fixes it at its given place (Coupled)"
+        yield (f"{', '.join(moved)} may move in hakobune, but the MoorDyn file holds it at its given place, as Coupled")
 
 
 def _positive(name, text):

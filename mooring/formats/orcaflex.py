@@ -130,7 +130,7 @@ def _end(row, line, number, letter, vessels, units, depth, path):
         return Anchor(name, (*place[:2], place[2] - depth)), None
     if kind not in vessels:
         raise FormatError(
-            f"{path}: end {letter} of line {line} is on {kind}; allowed: Fixed, Anchored, or one of Vessels"
+            f"{path}: end {letter} of line {line} is connected to {kind}; allowed: Fixed, Anchored, or one of Vessels"
         )
     return Fairlead(name, kind, place), _vessel(vessels[kind], kind, units, path)
 

@@ -91,14 +91,14 @@ def _chain(row, missing, path):
     kind, d = str(row.get("type", "diameter")), row.get("diameter")
     if kind.lower() != "chain" or len(missing) == 1 or not isinstance(d, int | float) or not 0 < d <= THICKEST:
         raise FormatError(
-            f"{path}: line type {row['name']} of windIO has no {' and no '.join(missing)}, and its {kind} of {d} m "
-            f"is no chain by the diameter of its bar (up to {THICKEST:g} m); give both, in kg/m and N"
+            f"{path}: line type {row['name']} of windIO has no {' and no '.join(missing)}, and its {kind} of "
+            f"{d} m is too large for the bar of a chain (up to {THICKEST:g} m); give both, in kg/m and N"
         )
     made = {"diameter": SAME_VOLUME * d, "mass_density": CHAIN_MASS * d**2, "stiffness": CHAIN_STIFFNESS * d**2}
     warnings.warn(
-        f"{path}: line type {row['name']} is taken as studless chain with a bar of {d:g} m, as WISDEM takes it: "
-        f"{made['mass_density']:.4g} kg/m, EA {made['stiffness']:.4g} N; if {d:g} m is the diameter of the same "
-        f"volume, the chain is {SAME_VOLUME**2:.2f} times lighter: give mass_density and stiffness",
+        f"{path}: line type {row['name']} is taken as studless chain with a bar diameter of {d:g} m, as WISDEM "
+        f"does: {made['mass_density']:.4g} kg/m, EA {made['stiffness']:.4g} N; if {d:g} m is the diameter of a "
+        f"rod of the same volume, the chain is {SAME_VOLUME**2:.2f} times lighter: give mass_density and stiffness",
         stacklevel=4,
     )
     return row | made

@@ -11,8 +11,8 @@ coefficient with the same energy in a cycle is B₁ + (8/3π) ωX B₂; one coef
 B₂.
 
 Noise without memory on the force perturbs B₁ and B₂ by the covariance of least squares, s² (MᵀM)⁻¹, M the columns of
-the fit and s its residual: no unbiased estimate has less (Cramér and Rao).  Noise on the motion shifts its phase by δφ,
-which moves a part A ω δφ of the inertia into B₁.
+the fit and s its residual: no unbiased estimate has less (Cramér and Rao).  Noise on the motion shifts its phase by δφ.
+This moves a part A ω δφ of the inertia into B₁.
 """
 
 from typing import NamedTuple

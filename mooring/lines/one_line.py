@@ -1,6 +1,7 @@
 """One uniform line between an anchor and a fairlead: its forces, its shape, and its pull from slack to taut.
 
-The line lies on a bed, level or a plane; a line lighter than water floats in the sea surface instead.  Its kernels run
+The line lies on a bed, which is level or a plane. A line lighter than water floats in the sea surface instead.
+Its kernels run
 as Python, which takes less time for one line than numba's import.
 """
 
@@ -74,7 +75,7 @@ class OneLine:
 def tension_curve(one, points=120, span=0.0):
     """Spans from slack to the breaking load (or a taut line), or to `span`, m, and the forces: (m,) m, LineSolution
 
-    No span lies behind the anchor, or where the bed would be above the fairlead.
+    No span lies behind the anchor, or at a place where the bed would be above the fairlead.
     """
     weight = abs(one.type.weight)
     top = 0.8 * one.type.breaking_load if np.isfinite(one.type.breaking_load) else 20 * weight * one.length

@@ -120,9 +120,9 @@ def harmonic_tension(
     line = solve_lines(np.array([x, x + out]), np.array([z, z + up]), length, weight, axial_stiffness)
     if np.any(line.status != State.GROUNDED):
         raise ValueError(
-            f"the line of {length:g} m at x = {x:g} ± {_rounded(out)} m, z = {z:g} ± {_rounded(up)} m does not keep "
-            "both a part on the bed and a tension, at rest and at its outermost position; the simplified method needs "
-            "both"
+            f"the line of {length:g} m with its fairlead at x = {x:g} ± {_rounded(out)} m, z = {z:g} ± "
+            f"{_rounded(up)} m does not always have a part on the bed and a tension; the simplified method needs "
+            "both, at rest and at the outermost position"
         )
     H, V = line.horizontal_fairlead, line.vertical_fairlead
     span = H / weight * np.arcsinh(V / H)

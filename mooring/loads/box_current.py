@@ -12,8 +12,9 @@ moment is not tabulated; the report's text gives the lever 0.09 (sin 2χ)^1.2 of
 
 A square has the mean of both sides of L/B = 1.2, so that it has no side of its own; boxes up to 1.2 are in between.
 
-Beyond the tests coefficients are extrapolated, and a note says so: longer boxes, and smaller or larger B/d, have those
-of the nearest proportion; L/B < 2 with an untested B/d has the trend of L/B = 2 over B/d; and in water shallower than
+Beyond the tests coefficients are extrapolated, and a note says so. Longer boxes, and smaller or larger B/d, have the
+coefficients of the nearest proportion;
+L/B < 2 with an untested B/d has the trend of L/B = 2 over B/d; and in water shallower than
 the tests C_y increases as for ships (UFC 4-159-03, Design: Moorings, 2005, eq. 11), to 3.2 abeam when aground:
 
     C = C₁ + (3.2 − C₁) ((d/H)² − (d/H₁)²) / (1 − (d/H₁)²),    C₁ of the shallowest test H₁

@@ -1,7 +1,8 @@
 """Steady wind force on the part of a box above water.
 
 SR179 report (1982), table 3.6.1.1 and eq. 3.6.6: C_x on B(D−d), C_y on L(D−d), lever a/L.  The report gives the
-direction χ the wind comes from, 0 ahead; here it is the direction blown to, which changes no acute angle.
+direction χ from which the wind comes, 0 from ahead. Here it is the direction in which the wind blows; no acute angle
+changes.
 Superstructures add their front and side areas a_f, a_s to those of the box (chapter 4, section 5.2).
 """
 

@@ -2,8 +2,8 @@
 
     F_x = C_x q A_x,   F_y = C_y q A_y,   M_z = C_n q A_n L,   q = ½ρU²
 
-Signs are those of the axes (x forward, y port, M_z turning the bow to port) and of the direction the stream travels
-to; the angle of OCIMF, Mooring Equipment Guidelines (2nd edition, 1997), counted anticlockwise from the stern, is the
+Signs are those of the axes (x forward, y port, M_z turning the bow to port) and of the direction in which the stream
+goes. The angle of OCIMF, Mooring Equipment Guidelines (2nd edition, 1997), counted anticlockwise from the stern, is the
 same.  OCIMF writes q as ρ V²/7600 in kN for V in knots, which takes a knot as 0.5130 m/s.
 """
 

@@ -4,7 +4,8 @@
 
 per metre, all vectors normal to the axis: u velocity of the water, waves and current together, a its acceleration, u_b,
 a_b those of the member, V the displaced volume and A that of the added mass, per metre. SR179 report (1982), chapter 4,
-section 5.3 (there for a member at rest); the drag uses one velocity for waves and current, since |w| w is not additive.
+section 5.3 (there for a member at rest). The drag uses one velocity for waves and current together, since |w| w is not
+additive.
 """
 
 from functools import cache

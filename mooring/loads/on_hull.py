@@ -4,13 +4,14 @@
 
 Z : height of the centre of pressure above the point that moments are about.  Wind on a box acts at half the exposed
 height, on superstructures at their middle.  The report gives a current no heeling moment (eq. 3.7.1.10), as if it acted
-at the centre of gravity; a uniform current has equal pressure over the draft and acts at half of it.
+at the centre of gravity. A uniform current has equal pressure over the draft and acts at half the draft.
 
 A round hull, for which the report has no tests, is a vertical cylinder: F = ½ρ C_D D d U² along the stream, without a
-moment.  In a current C_D is ROUGH, an upper bound: a smooth cylinder has 0.65, short ones less than long ones
-(Gonçalves et al., OMAE 2013), columns of OC4 0.56 to 0.68 (NREL/TP-5000-60601).  Water at rest only damps the motion,
-where such a value is unsafe (API RP 2A-WSD, 22nd edition, B.5.3.1.2.8.3), so that STILL is low.  Between them C_D
-follows the speed V of the current over that of the hull, v: a current that carries the wake away counts as steady,
+moment.  In a current C_D is ROUGH, an upper bound. A smooth cylinder has 0.65, short cylinders less than long ones
+(Gonçalves et al., OMAE 2013), and columns of OC4 0.56 to 0.68 (NREL/TP-5000-60601).
+Water at rest only damps the motion, where such a large value is unsafe (API RP 2A-WSD, 22nd edition, B.5.3.1.2.8.3).
+STILL is therefore low.  Between them C_D follows the ratio of the speed V of the current to that of the hull, v. A
+current that carries the wake away counts as steady:
 
     C_D = STILL + (ROUGH − STILL) x² (3 − 2x),    x = min(1, V/(STEADY v))
 

@@ -36,7 +36,7 @@ def over_wave(member, wave, phases, density):
 def wet_part(start, end, wave, phase):
     """Two ends (3,) m of the part of a straight member below the surface, None if the member is dry.
 
-    A member is cut once: the method does not apply to one longer than half a wave that lies in the surface.
+    A member is cut once; the method does not apply to a member in the surface that is longer than half a wave.
     """
     from scipy.optimize import brentq
 

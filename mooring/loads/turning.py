@@ -4,7 +4,7 @@
     u = V cos β,   v = −V sin β,   r' = r L / V
 
 u, v are the velocity of the box relative to the water in its own axes and r its yaw rate.  SR179 report (1982), section
-2.3 (eq. 2.3.1, 2.3.2, tables 2.3.4.1–3: tests on a rotating arm) and eq. 3.6.8: the tests contain the inertia of the
+2.3 (eq. 2.3.1, 2.3.2, tables 2.3.4.1–3: tests on a rotating arm) and eq. 3.6.8. The tests contain the inertia of the
 turning model, which the terms with M + m subtract.  Signs are those required by this inertia and a yaw damping: A₂ of
 C_y is about −2B/L, A₂ of C_m negative.
 
@@ -14,8 +14,8 @@ discontinuous there.  A box with symmetry fore and aft and port and starboard ha
     (C_x, C_y, C_m)(β + 180°, r') = (−C_x, −C_y, C_m)(β, r')
     (C_x, C_y, C_m)(−β, −r') = (C_x, −C_y, −C_m)(β, r')
 
-so that each term A βⁿ r'ᵏ is even or odd about β = 90°.  The term is used as printed up to 60°; from there a parabola
-continues its value and slope to 90°, where an odd term is 0 and an even one has zero slope.  Slopes are continuous at
+so that each term A βⁿ r'ᵏ is even or odd about β = 90°.  The term is used as printed up to 60°. From there a parabola
+continues its value and slope to 90°, where an odd term is 0 and an even term has zero slope.  Slopes are continuous at
 all angles. For H/d = 1.2 C_x falls to −0.02 near 80°. A₀ of C_y and C_m, 0 for such a box, is omitted.
 
 Beyond the end of the tests, |r'| = 0.5, force and moment are those at 0.5: a kink in r', but extrapolated polynomials

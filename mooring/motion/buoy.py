@@ -4,10 +4,10 @@
     hawser  T = B (e/(L ε_B))ⁿ + c min(1, e/e_c) ė where it is longer than L, never below 0; 0 where it is shorter
     tilt    ΣT h cos θ = c_θ sin θ,   c_θ = mg (z_B + I/∇ − z_G),   hawsers yield by h sin θ
 
-w is the velocity of the buoy; q and a are velocity and acceleration of the water (incident waves and current) at the
-middle of its draft; B, ε_B and n are those of a rope (`mooring.lines.ropes`).  The vertical equation has the added
+w is the velocity of the buoy; q and a are the velocity and acceleration of the water (incident waves and current) at
+the middle of its draft; B, ε_B and n are those of a rope (`mooring.lines.ropes`).  The vertical equation has the added
 mass, without the ρ∇ a of the buoyancy.  The damping of a hawser grows with its elongation up to e_c, the elongation at
-a tenth of B, so that the force is continuous where the hawser comes taut.  A buoy with hawsers at a height h over its
+a tenth of B. The force is then continuous where the hawser becomes taut.  A buoy with hawsers at a height h over its
 lines tilts under their pull without delay; its centre of gravity is at half its height.  The tilt of a small buoy
 exceeds the elongation of its hawsers, and reduces their snap loads.  Apart from the tilt, hawsers run from the deck of
 the body to the axis of the buoy.  Lines have their static form.  Waves scattered by the body are not included.  The
@@ -171,8 +171,8 @@ def buoy_arrays(buoy):
     righting = body.metacentric_height(density)
     if body.lever != 0 and not (body.lever > 0 and righting > 0):
         raise ValueError(
-            f"a buoy on hawsers {body.lever:.3g} m over its lines, its metacentric height {righting:.3g} m, does not "
-            "float upright; allowed: both above 0"
+            f"a buoy whose hawsers are {body.lever:.3g} m above its lines and whose metacentric height is "
+            f"{righting:.3g} m does not float upright; allowed: both above 0"
         )
     upright = body.upright(system) if body.lever > 0 else 1.0
     displaced = density * area * draft

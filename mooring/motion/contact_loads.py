@@ -5,13 +5,13 @@ body) at the distance s from their origin x₀ + η; q = Rᵀ(a − x₀ − η)
 
     δ = s − c − m·q,    force on the body −N(δ) R m − T at a,    T = k_t u,  |T| ≤ μ N
 
-u is the displacement of the body's point at the fender along its face, limited where it slips (return mapping).
-−N R m at a is the derivative of ∫N dδ, so that an elastic fender conserves energy.  A rope runs from a to the point p
+u is the displacement of the body's point at the fender along its face, limited where it slips (return mapping). −N R m
+at a is the derivative of ∫N dδ, so an elastic fender conserves energy.  A rope runs from a to the point p
 of the body:
 
     e = |x₀ + η + R p − a| − L₀,    pull T(e) towards a.
 
-On another body a moves with that body, which receives the opposite force there; u then turns with the touched body.
+On another body, a moves with that body, which receives the opposite force there. u then turns with the touched body.
 Quantities with a history (`mooring.fenders.hysteresis`, u) keep their value from the start of a step; `settle` stores
 the value at the end of the step.
 """

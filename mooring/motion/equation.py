@@ -7,16 +7,16 @@
 which is unlimited.  ν = (u, v, w, φ̇, θ̇, ψ̇), forces and memory are in axes that turn with the heading.  νₛ is the
 slow
 velocity (after a filter, below): the centripetal forces of wave-frequency motion are part of the drift.  C(νₛ) is skew,
-so that it does no work; with a current its moment on the added mass (Munk's) is part of the current coefficients and is
-not included here.  Hinges between bodies (`links`) add their constraint forces.
+so it does no work. With a current its moment on the added mass (Munk's) is part of the current coefficients and is not
+included here.  Hinges between bodies (`links`) add their constraint forces.
 The memory is a linear system with the input ν (`bem.time_domain.memory`).  A buoy with mass between hawsers and lines
 of its own (`buoy`) and a hull that slews in a current (`tables.hull_water`) are terms of the same equation.
 Filter of the slow pose:  s̈ = ωc² (p − s) − 2 ωc ṡ  for x, y and ψ.
 
 State of a body: η (6), ν (6), slow pose (3) and its rate (3), work done on the body by each of WORKS, J.  The state
 contains that of every body, one after another, displacement (3) and velocity (3) of a buoy in space, and the memory of
-all.  Several bodies, N, have one equation: M + A∞ and B′ are (6N, 6N), the memory is that of the whole, and lines,
-fenders and ropes between two bodies act on both with opposite sign.  ψ is the heading of each, not 0 at rest for all.
+all.  N bodies have one equation. M + A∞ and B′ are (6N, 6N), the memory is that of the whole system, and lines, fenders
+and ropes between two bodies act on both with opposite sign. ψ is the heading of each body, not 0 at rest for all.
 
 Shapes of bodies that bend have amplitudes ξ beside these motions, and the same equation without the terms of slow
 motion: mass, memory, damping and restoring forces of all motions together, first-order waves at the slow pose of the

@@ -1,7 +1,7 @@
 """The largest value of a run, from runs that differ only in their seed, without an assumed distribution.
 
-For n independent runs let x₁ ≤ … ≤ xₙ be their largest values, and m the median of the largest value of such a run:
-half of all runs exceed it.
+For n independent runs let x₁ ≤ … ≤ xₙ be their largest values, and m the median of the largest value of a run: half of
+all runs exceed m.
 
     P(x_d ≤ m ≤ x_{n+1−d}) = 1 − 2 P(B < d),   B binomial (n, ½)                                   (1)
     at most a share 1 − (1−c)^(1/n) of such runs exceeds the largest of n, with confidence c       (2)

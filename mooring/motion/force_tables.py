@@ -6,8 +6,9 @@ polynomials, complete to third degree, of the values and derivatives at its four
 
     ∂f/∂c at z = (c/x) ∂f/∂x,    ∂f/∂z at c = ∂f/∂z − (z/x) ∂f/∂x.
 
-A cell is halved, along the axis with the larger error, until the polynomial is accurate in its middle and in those of
-its edges, within a tolerance of the tension there or at rest, whichever is larger.  The cells become small along the
+A cell is halved, along the axis with the larger error, until the polynomial is accurate in its middle and in the
+middles of its edges. The tolerance is relative to the tension there or at rest, whichever is larger.
+The cells become small along the
 curves on which a sinker lifts, a buoy dives or the part above a sinker is taut, wherever these run.  Beyond the
 greatest chord, at which the line is taut, its pull increases with its stiffness there.
 """

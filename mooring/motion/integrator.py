@@ -3,8 +3,8 @@ the error of the step.
 
 The error of a step is the difference of the two orders.  The limit of this error is a share of the tolerance, of the
 scale of each motion, times the step over the time in which an error decays; positions and velocities count.  Where a
-line becomes taut or a fender is touched the force has a corner, and the error of a step over it falls only like h²:
-such a step may have the error of a share of the usual step, which is the mean of steps over time.  Steps end where a
+line becomes taut or a fender is touched, the force has a corner, and the error of a step over it falls only like h².
+Such a step may have the error of a share of the usual step, which is the mean of steps over time.  Steps end where a
 window of wave forces ends and where a line breaks, so that no step contains a jump.  Samples between steps are Hermite
 polynomials, of fifth degree for quantities with known velocity and acceleration.
 

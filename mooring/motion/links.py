@@ -5,8 +5,9 @@
 g (r,) are the quantities that a link keeps at zero: d, the distance of its point on the second body from that on the
 first, in space, or for a slider h · R₁ᵀd along two axes h of the first; and for Q = R₁ᵀR₂R₀ᵀ, the rotation of the
 second from its position at rest in axes of the first, the parts h · ½(Q₃₂ − Q₂₃, …) about the constrained axes h.  G is
-the derivative of g by the motions, along the axes of the forces, at the present angles; so μ, force and moment on the
-second body, does no work while the constraint is satisfied.  A spring and a damper of a slider or a hinge give −k (s −
+the derivative of g by the motions, along the axes of the forces, at the present angles. μ, the force and moment on the
+second body, therefore does no work while the constraint is satisfied.
+A spring and a damper of a slider or a hinge give −k (s −
 rest) − c ṡ along or about its axis R₁h, with the travel s = R₁h · d or the angle of Q about h.  Ġν is a difference
 quotient along the course.  Remainders of g from errors of steps decay at the rate α (Baumgarte 1972).  On a body that
 bends the point of a link moves by R Σ ξ u and its axes turn by exp(Σ ξ w), of shapes with amplitudes ξ; these are then

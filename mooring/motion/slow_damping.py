@@ -1,9 +1,9 @@
 """Damping of slow surge, sway and yaw of a body in time: wave drift, radiated waves, and damping given in a study.
 
-Each is a share ζ = B/2√(CM) of critical damping at the natural period.  Radiated waves damp slow motion very little
-(B → 0 with ω), so that σ of slow motion, which goes like 1/√ζ, depends on the other parts.  With coefficients of one
-wave frequency, as in the SR179 report (1982), the damping at that wave frequency replaces the damping at low frequency:
-a box of 100 m in 20 m of water has 5e6 N s/m at 0.6 rad/s and 2e4 at 0.05.
+Each is a share ζ = B/2√(CM) of critical damping at the natural period.  Radiated waves damp slow motion very little (B
+→ 0 with ω). σ of slow motion, which goes like 1/√ζ, therefore depends on the other parts.  With coefficients of one
+wave frequency, as in the SR179 report (1982), the damping at that wave frequency replaces the damping at low frequency.
+A box of 100 m in 20 m of water has 5e6 N s/m at 0.6 rad/s and 2e4 N s/m at 0.05 rad/s.
 """
 
 import numpy as np

@@ -4,10 +4,11 @@
 
 in axes that turn with the slow heading ψ; r is the origin of the database's axes at its slow position, in the drift the
 rotation centre of the body, so that groups of waves reach several bodies one after another. The drift is Newman's
-approximation with the root of both diagonals (`mooring.response.slow_drift`). On a current V waves at a place
-have ωᵢ + kᵢ·V in the exponent, and Dᵢ is D + B V of each (`mooring.response.wave_drift_damping`). Time is divided into
-windows. A slow pose is predicted for the end of each window, and forces change linearly from those of the pose at its
-begin to those of the pose at its end, so that they are continuous for any motion. Around the instant between two
+approximation, with the square root of both diagonal terms (`mooring.response.slow_drift`).
+On a current V the exponent of waves at a place contains ωᵢ + kᵢ·V, and Dᵢ is D + B V of each wave
+(`mooring.response.wave_drift_damping`). Time is divided into
+windows. A slow pose is predicted for the end of each window. Forces change linearly from those of the pose at its
+beginning to those of the pose at its end, so they are continuous for any motion. Around the instant between two
 windows exp(−iωt) at equal steps is always the same matrix: the waves of a pose are summed once, for the window before
 it and the one after it (`tables.harmonics`). Between two steps a force is the polynomial of fifth degree through its
 values at the six nearest steps.

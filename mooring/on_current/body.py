@@ -2,7 +2,7 @@
 
     {−ω²[M + A(ω)] − iω[B(ω) + B′] + [C + C′]} X = F(σ),    ω = σ + k·V
 
-The incident wave has the length and the pressure of its intrinsic frequency σ, and F is taken at σ; water and body
+The incident wave has the length and the pressure of its intrinsic frequency σ, and F is taken at σ. Water and body
 respond at ω.  The effect of the current on F itself, of the order of V/C, is neglected.
 """
 

@@ -2,10 +2,11 @@
 
     ω = σ + k·V,    σ² = gk tanh kh,    C_g + V·k/k > 0
 
-V is the current, σ the intrinsic frequency, in the moving water, and ω the absolute one, at which a buoy or a moored
-body at rest meets the waves.  The wave length depends on σ.  Wave models (SWAN, WAVEWATCH III) give spectra over σ,
+V is the current. σ is the intrinsic frequency, in the moving water; ω is the absolute frequency, at which a buoy or a
+moored body at rest meets the waves.
+The wave length depends on σ.  Wave models (SWAN, WAVEWATCH III) give spectra over σ,
 "intrinsic"; a moored buoy and a record at a place measure over ω, "absolute".  "still" neglects the current.  The
-direction of a wave is that of k, at right angles to its crests; its energy travels with C_g + V, and waves whose energy
+direction of a wave is that of k, at right angles to its crests, and its energy travels with C_g + V. Waves whose energy
 would come from downstream of the body do not exist there: the current blocks them.
 """
 
@@ -119,16 +120,15 @@ def check_blocked(carrier, sea, depth, gravity):
     if blocked > BLOCKED[0]:
         yield (
             f"the current of {speed:.3g} m/s blocks {100 * blocked:.3g} % of the wave energy, which cannot travel "
-            "against it: here they are included as if they reached the body; give the spectrum at the body, or "
-            f"current.waves = "
-            '"still"'
+            "against it; the program includes the blocked waves as if they reached the body; give the spectrum at "
+            'the body, or current.waves = "still"'
         )
     if steep > MOST:
         yield (
-            f"the current changes the drift to first order in V/C_g, which is valid up to {FIRST_ORDER:g}: V/C_g is "
-            f"{slowest:.2g} at the mean frequency, and above the limit in {100 * steep:.3g} % of the wave "
-            f"energy; treat drift "
-            'on the current as approximate, or compare with current.waves = "still"'
+            "the change of the drift by the current is to first order in V/C_g, current over group velocity, and "
+            f"valid up to {FIRST_ORDER:g}; V/C_g is {slowest:.2g} at the mean frequency, and above the limit for "
+            f"{100 * steep:.3g} % of the wave energy; treat drift on the current as approximate, or compare with "
+            'current.waves = "still"'
         )
 
 

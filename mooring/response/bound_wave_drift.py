@@ -211,9 +211,9 @@ def left_out(body, sea, way='qtf = "auto" in a response study or a simulation in
         return
     if (steep := ursell(body, sea)) > STOKES:
         yield (
-            f"left out: the slow force of bound long waves, which is unknown: Hλ²/h³ is {steep:.3g}, allowed: "
-            f"{STOKES:g} (kh is {kh:.2g} at the mean wave period): the second-order expansion is not valid for such "
-            f"long and high waves"
+            f"left out: the slow force of bound long waves; Hλ²/h³ is {steep:.3g}, allowed: {STOKES:g} (kh is "
+            f"{kh:.2g} at the mean wave period): the second-order expansion is not valid for such long and high "
+            "waves"
         )
         return
     size = f"{bound / newman:.1f} times the slow force by Newman's approximation"

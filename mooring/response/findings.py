@@ -42,7 +42,7 @@ def _solve_to(spectrum, end, share):
 
 
 def missed_response(body, spectrum, transfer, weights):
-    """Variance m₀ of responses to the waves beyond the stored frequencies, with transfer functions equal to the last
+    """Variance m₀ of responses to the waves beyond the stored frequencies; transfer functions there equal the last
     stored ones; shape (c,)"""
     ends = over_headings(np.abs(transfer.value[[0, -1]]) ** 2, weights if weights.ndim == 1 else weights[[0, -1]])
     return np.array(energy_outside(body.omega, spectrum)) @ ends * spectrum.moment(0)
@@ -102,7 +102,7 @@ def errors_between(body, sea, omega, m0, drift, damping):
     The estimated errors of `Reader.at`, as if all of one sign: of σ four times ∫|X|δX S dω of ∫|X|² S dω, of the mean
     force 2∫ δD S dω, of its moment one and a half times that: with factors of three and one, six and seven of a hundred
     seas on headings 30° apart have larger errors than stated, mostly long crests close to an axis of the hull.  Over a
-    gap γ between headings δD oscillates once: its slope is δD 2π/γ, and wave drift damping has the error (2 + 2π/γ) δD
+    gap γ between headings δD oscillates once. Its slope is δD 2π/γ, and wave drift damping has the error (2 + 2π/γ) δD
     / C_g.  A round body needs no interpolation between headings: there is no gap, and no slope.
     """
     places = omega[np.unique(np.linspace(0, len(omega) - 1, PLACES).astype(int))]
@@ -173,9 +173,8 @@ def drift_of_each(body, slow):
         return
     if not body.own:
         yield (
-            "the drift of each body is the stored drift, for free motions; damping, stiffness and hinges that are "
-            "added "
-            "here change the motions and so the true drift"
+            "the drift of each body is the stored drift of free motions; damping, stiffness and hinges of this study "
+            "change the motions and therefore the true drift"
         )
         return
     away = np.abs(sum_about_origin(slow.of_each, body.bodies) - slow.drift)[:2].max()
@@ -197,9 +196,9 @@ def current_along_waves(carrier, heading, weights, damping):
     across = float(share @ np.abs(carrier.velocity[1] * np.cos(heading) - carrier.velocity[0] * np.sin(heading)))
     if across > ACROSS * np.hypot(*carrier.velocity):
         yield (
-            f"the current runs at {across:.2g} m/s across the waves: its effect on their drift is not included, since "
-            f"the database lacks headings on both sides of {np.rad2deg(heading[0]):.4g}°; add these headings to the "
-            f"scene"
+            f"the current has a component of {across:.2g} m/s across the waves; its effect on the drift is not "
+            f"included, since the database lacks headings on both sides of {np.rad2deg(heading[0]):.4g}°; add these "
+            "headings to the scene"
         )
 
 

@@ -5,7 +5,7 @@
     P(largest in a time t < x) = exp(−t N(x))
 
 p_s is the share of time of state s (height, period, direction), σ_s = √m₀ and ν_s = 1/T_zero those of the response in
-it.  Maxima are those of a narrow spectrum; for wide spectra Q is then conservative, and N exact for high x.
+it.  Maxima are those of a narrow spectrum. For wide spectra Q is then conservative, and N is exact for high x.
 """
 
 from typing import NamedTuple
@@ -48,7 +48,8 @@ class LongTerm(NamedTuple):
 def long_term(m0, m2, probability) -> LongTerm:
     """The LongTerm of responses with moments m0, m2 (s,) in sea states with shares `probability` (s,) of the time.
 
-    The shares may sum to less than 1, the rest is calm; raises ValueError for a sum above 1 or a negative share.
+    The shares may sum to less than 1; the rest of the time is calm. Raises ValueError for a sum above 1 or a negative
+    share.
     """
     m0, m2, p = (np.asarray(v, float).ravel() for v in (m0, m2, probability))
     if not len(m0) == len(m2) == len(p) > 0:

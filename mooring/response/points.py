@@ -13,7 +13,7 @@ cargo and on an accelerometer along the deck, with the part of gravity due to ro
 point of the bottom; over a plan it is least at a corner of its hull, since d_z is linear in x and y.  r is the height
 of the water above its mark on the body: at a wall that reflects short waves ζ is doubled.
 
-With several bodies each point belongs to one body, in its coordinates and along its axes, and there is no ζ: the far
+With several bodies each point belongs to one body, in its coordinates and along its axes. There is no ζ, since the far
 field does not describe the water between hulls.  A `Pair` is the displacement of the second of two points relative to
 the first, along the axes of the body of the first.
 """

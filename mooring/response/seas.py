@@ -2,8 +2,8 @@
 
     ∫ D(θ) f(θ) dθ ≈ Σ_i w_i f(β_i),    w_i ∝ D(β_i − β₀),    β_i = i Δβ
 
-On equal steps the error of the rule comes only from harmonics of D f beyond 2π/Δβ: D f is periodic and |X|² has few
-harmonics beyond 2kR.  The headings are equal steps of the whole circle, the same for every sea: seas of several
+On equal steps the error of the rule comes only from harmonics of D f beyond 2π/Δβ, since D f is periodic and |X|² has
+few harmonics beyond 2kR.  The headings are equal steps of the full circle, the same for every sea. Seas of several
 directions then share headings, and a force that is zero at 0° or 90° by symmetry changes its sign exactly at a heading.
 """
 

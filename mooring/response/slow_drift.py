@@ -6,9 +6,9 @@ Newman (1974) approximates the transfer function of a pair of waves by the mean 
 
 which is one sum over the components, |Σ aᵢ √Dᵢ exp(iεᵢ − iωᵢt)|², for D > 0, minus one of √−Dᵢ for D < 0. It contains
 no sum frequencies and its mean is Σ aᵢ² Dᵢ = 2∫SD dω.  Every component has its own direction, and the same T serves
-pairs of one heading and of two: each wave of a pair enters separately, so that a force that changes sign over the
-headings varies although its mean may vanish.  The approximation holds for small ωᵢ − ωⱼ: the force of the bound long
-wave, which increases with the difference and in shallow water, is neglected.  The body is fixed at its mean place and
+pairs of one heading and of two headings. Each wave of a pair enters separately, so a force that changes sign over the
+headings varies although its mean may be zero.  The approximation holds for small ωᵢ − ωⱼ. It neglects the force of the
+bound long wave, which increases with the difference and in shallow water.  The body is fixed at its mean place and
 heading: wave phases and D do not follow its slow motion (for its effect on damping see `wave_drift_damping`). Over
 differences Δω the spectrum of the force is, after Pinkster (1980),
 
@@ -19,9 +19,9 @@ sum over all pairs is ⟨D⁺⟩⟨D⁺⟩ + ⟨D⁻⟩⟨D⁻⟩ of the means o
 
 Half wave by half wave (Remery and Hermans 1971, Hsu and Blenkarn 1970; SR179 report (1982), eq. 3.7.1.5): between two
 zero crossings Δt apart the force is constant, D(ω) ζ² with ω = π/Δt and ζ the largest elevation between them.  In a
-narrow spectrum the mean of this force is 2∫SD dω.  In a broad one it is not: ζ² of the extremes is 12 % more than twice
-the energy
-(ISSC; 8 to 10 % JONSWAP), and half waves lie at other frequencies than their energy.  For a box of 100 × 50 × 10 m in
+narrow spectrum the mean of this force is 2∫SD dω.  In a broad spectrum it is not: ζ² of the extremes is 12 % more than
+twice the energy (ISSC; 8 to 10 % for JONSWAP), and half waves have other frequencies than their energy.
+For a box of 100 × 50 × 10 m in
 20 m of water, whose drift has a peak at 10 s, the mean deviates from the integral by +16, +27, +2 % in head seas and by
 +19, +17, −7 % at 60° (ISSC, T01 8, 10, 12 s), and by +15, +24 % (JONSWAP, Tp 11 s), means of four records of three
 hours. `half_waves(…, amplitude="energy")` removes the first part.

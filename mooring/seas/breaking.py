@@ -46,8 +46,8 @@ def too_high_waves(height, Tp, depth, gravity=GRAVITY):
         )
     if height > SATURATED * depth:
         yield (
-            f"significant height {height:.4g} m is {height / depth:.2g} of the water depth {depth:g} m; seas saturated "
-            f"by breaking reach {SATURATED:g}; give at most {SATURATED * depth:.3g} m"
+            f"significant height {height:.4g} m is {height / depth:.2g} of the water depth {depth:g} m; "
+            f"breaking limits it to {SATURATED:g} of the depth; give at most {SATURATED * depth:.3g} m"
         )
     elif HIGHEST_OF_1000 * height > single:
         yield (

@@ -93,8 +93,9 @@ def history(path, text, x_axis, time):
         raise TableError(f"{path} is a history of Datawell and has no time {time}")
     at, peak, direction, _, _, height = rows[0][:6]
     raise TableError(
-        f"{path} is a Datawell history, not a spectrum; at {at} it has a height of {float(height) / 100:.4g} m, a peak "
-        f"period of {peak} s from {direction}°: give height, peak period and direction, or the .spt"
+        f"{path} is a Datawell history, not a spectrum; at {at} it gives a height of {float(height) / 100:.4g} "
+        f"m and a peak period of {peak} s from {direction}°; give these as height, peak period and direction, or "
+        "give the .spt file"
     )
 
 

@@ -93,7 +93,10 @@ def planes_of(path, location):
             )
         count = data[name].isel({axis: 0}).size // np.prod([n for one, n in data[name].sizes.items() if one in AXES])
         if location is None and count > 1:
-            raise TableError(f"{path} has {count} locations; choose one with location, from 1, the last axis fastest")
+            raise TableError(
+                f"{path} has {count} locations; choose one by its number with location, counted from 1 with the "
+                "last axis fastest"
+            )
         data = _at_place(path, data, name, location or 1, (axis,))
         for first in range(0, data.sizes[axis], AT_ONCE):
             part = data.isel({axis: slice(first, first + AT_ONCE)})
@@ -113,8 +116,9 @@ def _density(path, data):
         other = next((one for one in data if {AXES.get(axis) for axis in data[one].dims} >= {"f", "d"}), None)
         if other is not None:
             raise TableError(
-                f"{path}: {other} has frequencies and directions, but of no layout known here that gives its unit "
-                "and whether waves come from there; rename it efth and give it units and its directions a standard_name"
+                f"{path}: {other} has frequencies and directions, but in an unknown layout: its unit, and whether "
+                "waves come from its directions, are not known; rename it efth and give it units and its directions "
+                "a standard_name"
             )
         raise TableError(f"{path} has no spectrum ({', '.join(DENSITIES)}){_integrals(data)}")
     return name

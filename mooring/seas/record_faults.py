@@ -1,8 +1,9 @@
 """Faults of a measured record before its waves are counted: spikes, a varying level, wrong units.
 
-A Gaussian record of a day has crests of 5 σ, steep waves perhaps 6; a value beyond 8 robust deviations (1.4826 times
-the median distance from the median) is no wave.  Means over stretches of 20 waves have a few thousandths of the
-variance of waves; more is tide, trend or drift of the instrument, which enters the heights and the longest periods. No
+A Gaussian record of a day has crests of 5 σ, in steep waves perhaps 6 σ. A value beyond 8 robust deviations (1.4826
+times the median distance from the median) is no wave.  Means over stretches of 20 waves have a few thousandths of the
+variance of waves. More than that is tide, trend or drift of the instrument, which enters the heights and the longest
+periods. No
 wave is steeper than H/L = 1/7, L = gT²/2π (Michell, 1893): steeper heights and periods are in other units.
 """
 

@@ -47,8 +47,8 @@ class Swan:
     def numbers(self, count, thing):
         """Numbers from as many lines as needed; shape (count,)
 
-        SWAN writes remarks after a single number, none among many: there a word is a fault; otherwise the next line,
-        which may be a time, would be read in its place.
+        SWAN writes remarks after a single number, but none among many numbers, where a word is a fault. Otherwise the
+        next line, which may be a time, would be read in its place.
         """
         found = []
         while len(found) < count:

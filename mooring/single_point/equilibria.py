@@ -1,13 +1,13 @@
 """Equilibria of a body at a single point: all headings and places of rest, and their stability.
 
-Hawsers transmit no moment about the point p of the body where their lines of pull meet, so that headings of rest are
+Hawsers transmit no moment about the point p of the body where their lines of pull meet. Headings of rest are therefore
 the zeros of one function of the heading alone (SR179 report 1982, eq. 3.6.3),
 
     g(ψ) = M(ψ) − (p_x F_y − p_y F_x)
 
 with the external force and moment about the centre of mass; all of them are found (`rings.zeros`).  The lines then hold
-a given force at one place of the buoy (`System`, Newton's method), and the body lies downstream of it.  With two
-hawsers either both are taut, and their pull meets at the apex ahead, or one is, and the other must be slack.
+a given force at one place of the buoy (`System`, Newton's method), and the body lies downstream of the buoy.  With two
+hawsers either both are taut, and their pull meets at the apex ahead, or one is taut and the other must be slack.
 """
 
 from dataclasses import dataclass

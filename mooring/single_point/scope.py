@@ -2,8 +2,9 @@
 
     S₀ = √(V(2T/w − V))        SR179 report (1982), eq. 3.6.15: S₀² = V² + 2aV with T = w(a + V)
 
-V is the height of the upper end over the bed, T the tension there, w the weight in water: an inextensible catenary with
-its vertex at the anchor.  The report's smallest scope is S₀ over the water depth at the peak tension; its tables use
+V is the height of the upper end above the bed, T the tension there and w the weight in water, for an inextensible
+catenary with its vertex at the anchor.
+The report's smallest scope is S₀ over the water depth at the peak tension; its tables use
 the peak T_static + (T_significant − T_static)/(2/3), not the 1.3 times significant of its text.
 """
 

@@ -2,7 +2,7 @@
 
     T ν̇ = F(ψ, ν) + F_mooring − C(ν) ν,   ẋ = R(ψ) ν + U,   ν = (u, v, r) through the water, U the current
 
-T is the mass with added mass, C the inertia of turning axes, without the moment of the added mass (Munk's), which
+T is the mass with added mass. C is the inertia of turning axes, without the moment of the added mass (Munk's), which
 turning tests and current coefficients contain.  With turning tests C cancels in surge and sway: the tests include the
 inertia of the turning model.  SR179 report (1982), eq. 3.6.1 and 3.6.8, with u̇, v̇ for the ü, v̈ printed there; and
 with velocities through the water on both sides, so that a mooring that drifts with the current has no load.

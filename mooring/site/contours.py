@@ -6,7 +6,7 @@
     contour of R years, seas of D hours:  u₁² + u₂² = β_R²,  Φ(β_R) = 1 − D/(8766 R),
     h = F⁻¹(Φ(u₁)),  ln T = μ(h) + σ(h) u₂                             Winterstein et al. (1993)
 
-A plane of the normal space tangent to the contour separates off the seas that occur once in R years: a response with a
+A plane of the normal space tangent to the contour separates off the seas that occur once in R years. A response with a
 plane limit surface there is largest on the contour, for the median of its short-term extremes.  The largest height of
 the contour is the return value of the height alone, with its median period.
 

@@ -20,9 +20,9 @@ def _warn_of_fairlead(line, time, z):
     top = int(np.argmax(z[:, -1]))
     if z[top, -1] > IN_AIR * line.length:
         warnings.warn(
-            f"the fairlead is {z[top, -1]:.3g} m above still water {_when(time, top)}, allowed {IN_AIR:.0%} of the "
-            f"line, {IN_AIR * line.length:.3g} m, but the line is computed as under water there; with surface = true "
-            f"it has its weight in air and no water loads",
+            f"the fairlead is {z[top, -1]:.3g} m above still water {_when(time, top)}; allowed: {IN_AIR:.0%} of "
+            f"the line, {IN_AIR * line.length:.3g} m; the line is computed as if it were under water; with surface "
+            "= true its part above the surface has its weight in air and no water loads",
             stacklevel=3,
         )
 
@@ -35,9 +35,9 @@ def _warn_of_floating(line, time, z):
     node = 1 + int(np.argmax(above[top]))
     if above[top, node - 1] > limit:
         warnings.warn(
-            f"the line is {z[top, node]:.3g} m above still water {_when(time, top)}, {line.nodes[node]:.4g} m from "
-            f"the anchor, but it is computed as under water there; allowed: up to its diameter, {limit:.3g} m; with "
-            f"surface = true its part above the surface has its weight in air and no water loads",
+            f"the line is {z[top, node]:.3g} m above still water {_when(time, top)}, {line.nodes[node]:.4g} m "
+            "from the anchor, but it is computed as if it were under water; allowed: up to its diameter, "
+            f"{limit:.3g} m; with surface = true its part above the surface has its weight in air and no water loads",
             stacklevel=3,
         )
 

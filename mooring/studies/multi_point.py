@@ -1,17 +1,18 @@
 """Multi-point mooring by the simplified method of the SR179 report (1982), section 5.1.1.
 
-Natural periods come first: the method is not on the safe side where one of them lies near the wave period. Then steady
+Natural periods come first, since the method is not on the safe side if one of them lies near the wave period.
+Then steady
 forces of wind, current and wave drift, the position and heel in which lines and water balance them (of the body trimmed
 at rest, so that the weight of the lines there causes no heel), and there the largest motions of the freely floating
 body: in irregular waves, or by the report's regular wave of significant height (`wave_effects`).  All modes are assumed
 in phase, with the signs, per line, that pull the fairlead outward and up; statics give the tension. Angles of the body
-are small throughout: loads and motions are those of its heading at rest. Motions of slow drift are not included.
+are small throughout. Loads and motions are those of its heading at rest. Motions of slow drift are not included.
 
 Several bodies are held by lines to anchors and to each other: forces and motions are six per moving body, one body
 after another, with one equilibrium and one set of natural periods.  A line between two bodies is tightened by the
 largest motions of both.  Fenders and ropes at a berth or between bodies, and hinges, are included in the state of rest,
 the equilibrium and the periods; in waves hinges alone change the motions of the free bodies.  Bodies with hinges are
-not trimmed for the weight of their lines, of which the hinges carry a part.
+not trimmed for the weight of their lines, since the hinges carry a part of it.
 
 Bodies that bend have the amplitudes of their shapes after these motions; lines, fenders and ropes bend them, and their
 fairleads move with the shapes.  They are not trimmed either; wind, current and drift have no force on shapes.
@@ -370,8 +371,9 @@ def _check_bodies(system, hulls):
         if not np.allclose(body.position, one.position, rtol=0, atol=1e-9) or body.freedom != HORIZONTAL:
             turned = f"turned by {one.heading:.4g} rad" if one.heading else "unturned"
             raise ValueError(
-                f"body {body.name} has its axes at {body.position}, moving in {', '.join(body.freedom) or 'nothing'}; "
-                f"allowed: at the rotation centre {one.position[:3]}, {turned}, moving in {', '.join(HORIZONTAL)}"
+                f"body {body.name} has its axes at {body.position} and moves in "
+                f"{', '.join(body.freedom) or 'nothing'}; allowed: axes at the rotation centre "
+                f"{one.position[:3]}, {turned}, and motions in {', '.join(HORIZONTAL)}"
             )
     points = {point.name: point for point in system.points}
     for line in system.lines:

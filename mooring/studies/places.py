@@ -29,9 +29,9 @@ def check_places(system, hulls):
         away = float(np.linalg.norm(fairlead - anchor))
         if away > (1 + LONGEST_STRAIN) * line.length and not isinstance(line, Hawser):
             raise ValueError(
-                f"line {line.name} is {line.length:g} m long and its anchor {away:.4g} m from its fairlead: stretched "
-                f"by {100 * (away / line.length - 1):.3g} %, limit {100 * LONGEST_STRAIN:g} %, where any rope parts; "
-                "give a longer line or a nearer anchor"
+                f"line {line.name} is {line.length:g} m long, and its anchor is {away:.4g} m from its fairlead: "
+                f"the line is stretched by {100 * (away / line.length - 1):.3g} %, limit {100 * LONGEST_STRAIN:g} "
+                "%, where any rope parts; give a longer line or a nearer anchor"
             )
 
 

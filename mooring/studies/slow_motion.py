@@ -17,10 +17,10 @@ from Gaussian: with independent complex normal z_j
 (Kac and Siegert 1947, Naess 1986), to which gusts and waves add a Gaussian.  The characteristic function of the sum
 gives its density f, and a level x is crossed f(x) σ_ẋ/√2π times a second.  The largest value of slow motion in head
 seas is a third above that of a Gaussian of the same variance.  For comparison, DNV-OS-E301 (chapter 2, section 2) takes
-the larger of two sums: significant slow motion + largest wave motion, and largest slow motion + significant wave
-motion, both Gaussian.
+the larger of two sums, both Gaussian: significant slow motion + largest wave motion, and largest slow motion +
+significant wave motion.
 
-Several bodies move together, on the stiffness of lines, fenders and hinges: each body has three slow motions, with its
+Several bodies move together on the stiffness of lines, fenders and hinges. Each body has three slow motions, with its
 own mean drift and the phases of the waves at its place.  Damping and stiffness of a mode are
 then those of the coupled natural mode named after the motion; the drag of each hull is linearised in its own velocity.
 """

@@ -5,8 +5,8 @@
 Slow drift by Newman's approximation with its cross spectra; gusts of a wind of force F̄ and speed U, F̄ (1 + 2u/U), in
 phase over the hull; first-order waves of low frequency, E their exciting force.
 
-Of several bodies each has its own mean drift, and meets the waves at its own place r: between bodies a and b the forces
-of two waves differ in phase by (k₁ − k₂)·(r_a − r_b), so that a wave group reaches them one after another.
+Each of several bodies has its own mean drift and meets the waves at its own place r. Between bodies a and b the forces
+of two waves differ in phase by (k₁ − k₂)·(r_a − r_b), so a wave group reaches them one after another.
 """
 
 from typing import NamedTuple

@@ -253,10 +253,10 @@ def _softest_of_all(approach, table):
     (soft, _), (factor, _) = softest_and_stiffest(table, alone)
     if soft.rated_energy * (1 + 1e-9) < approach.energy <= batch.rated_energy * (1 + 1e-9):
         yield (
-            f"the softest fender by {', '.join(causes_of(table))} ({factor:.3g} times the catalogue's reaction) needs "
-            f"{100 * approach.energy / soft.rated_energy:.4g} % of its rated energy, the softest of a batch "
-            f"{100 * approach.energy / batch.rated_energy:.4g} %; choose a larger fender, or name in fender.causes "
-            f"only those that act together at this berth"
+            f"the softest fender by {', '.join(causes_of(table))} ({factor:.3g} times the catalogue's reaction) "
+            f"needs {100 * approach.energy / soft.rated_energy:.4g} % of its rated energy, and the softest of a "
+            f"batch needs {100 * approach.energy / batch.rated_energy:.4g} %; choose a larger fender, or name in "
+            "fender.causes only the causes that act together at this berth"
         )
 
 

@@ -16,8 +16,8 @@ def failures(optimisation, found):
         yield from _of_pretension(held)
     if held is not None and held.given is not None and sea is not None and (sea.least or 0.0) > held.given:
         yield fails(
-            f"the pretension of {_kN(held.given)} is less than the {_kN(sea.least)} that keep the "
-            "lines taut in the sea; give more pretension"
+            f"the pretension of {_kN(held.given)} is less than the {_kN(sea.least)} that the lines need to stay "
+            "taut in the sea; give more pretension"
         )
     for one in found.anchors:
         if one.utilisation is not None and one.utilisation > 1:

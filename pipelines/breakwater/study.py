@@ -186,7 +186,7 @@ def _check_map(study):
             raise StudyError(f"map.{key} is from {ends[0]:g} to {ends[1]:g} m; allowed: rising, finite")
     if study.loss is not None:
         raise StudyError(
-            "map is given, and loss too: a map is computed from a database, which has no loss; leave out one of them"
+            "map and loss are both given; a map is computed from a database, which has no loss; leave out one of them"
         )
 
 

@@ -33,8 +33,9 @@ def interrupted(command, arguments):
 class Interrupt:
     """Signal handler: KeyboardInterrupt at a point where it cannot be lost and interrupts nothing halfway.
 
-    An interrupt during the import of a module would leave it half loaded; in a callback (of a weak reference, of the
-    compiler) it would be printed and lost.  The handler therefore waits until code of this program runs, but in other
+    An interrupt during the import of a module would leave the module half loaded. In a callback (of a weak reference,
+    of the compiler) it would be printed and lost.
+    The handler therefore waits until code of this program runs, but in other
     code than imports no longer than PATIENCE.
     """
 

@@ -348,7 +348,9 @@ def attached(where, bodies, joints):
             )
             raise StudyError(f"{place}.after_segment is {at}; allowed: {allowed}")
         if found[at - 1] is not None:
-            raise StudyError(f"{place}.after_segment is {at}, where another body is; allowed: one body at a joint")
+            raise StudyError(
+                f"{place}.after_segment is {at}, a joint that has another body; allowed: one body at a joint"
+            )
         for key in ("mass", "volume"):
             if not 0 <= getattr(body, key) < math.inf:
                 raise StudyError(f"{place}.{key} is {getattr(body, key):g}; allowed: at least 0, finite")

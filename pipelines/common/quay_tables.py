@@ -351,8 +351,8 @@ class HingeTable(Table):
             value = getattr(self, name)
             if not (math.isfinite(value) and value >= 0) or (value and self.kind not in DRIVEN):
                 raise StudyError(
-                    f"{where}.{name} is {value:g} for a {self.kind}; allowed: 0 or more for a {' or '.join(DRIVEN)}, "
-                    f"else no such key"
+                    f"{where}.{name} is {value:g} for a {self.kind}; allowed: 0 or more for a "
+                    f"{' or '.join(DRIVEN)}; leave it out for other joints"
                 )
         if not math.isfinite(self.rest) or (self.rest and not self.stiffness):
             raise StudyError(

@@ -1,7 +1,8 @@
 """The smallest sufficient change for each way of changing a mooring, found by running the governing cases.
 
-Each change is a new layout: a heavier line has another shape and another pull.  The changes of one way are tried first
-in doubling steps, then between the last that failed and the first that passed.  The change just below the advised one
+Each change is a new layout, since a heavier line has another shape and another pull.
+The changes of one kind are tried first in doubling steps, then between the last change that failed and the first that
+passed.  The change just below the advised one
 was therefore run, and failed.
 """
 

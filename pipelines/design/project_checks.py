@@ -274,7 +274,7 @@ def _check_earthquakes(project, study, folder):
     if project.earthquakes and not study.get("fender"):
         raise StudyError(
             "earthquakes are given, but the study has no fenders; a hull on lines alone has long natural periods, "
-            "which an earthquake does not excite; leave them out"
+            "which an earthquake does not excite; leave the earthquakes out"
         )
     for i, one in enumerate(project.earthquakes):
         if [other.name for other in project.earthquakes].count(one.name) > 1:

@@ -1,6 +1,6 @@
 """Passing ships, from a list of their times, distances and speeds: the largest forces on the moored ship in each hour.
 
-Under a rigid surface forces are proportional to the square of the speed, so that a few distances are computed once,
+Under a rigid surface forces are proportional to the square of the speed. A few distances are therefore computed once,
 with log-linear interpolation between them.
 """
 

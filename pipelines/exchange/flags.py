@@ -42,7 +42,7 @@ def import_(
     length_unit: Annotated[float | None, Parameter(help="m, ULEN of WAMIT [of the .gdf beside it]")] = None,
     about: Annotated[
         str | None,
-        Parameter(help="m, x,y,z of the reference point of moments [as in the files]", allow_leading_hyphen=True),
+        Parameter(help="reference point of moments, x,y,z in m [as in the files]", allow_leading_hyphen=True),
     ] = None,
     body: Annotated[
         int | None,
@@ -51,17 +51,18 @@ def import_(
     bodies: Annotated[
         str | None, Parameter(help="names of all bodies in the files, all of which move, such as float,spar")
     ] = None,
-    frequencies: Annotated[str | None, Parameter(help="rad/s, from:to, frequencies to import [all]")] = None,
-    mass: Annotated[float | None, Parameter(help="kg [as in the files, else displaced mass]")] = None,
+    frequencies: Annotated[str | None, Parameter(help="frequencies to import, from:to in rad/s [all]")] = None,
+    mass: Annotated[float | None, Parameter(help="mass, kg [as in the files, else displaced mass]")] = None,
     center_of_gravity: Annotated[
         str | None,
         Parameter(
-            help="m, x,y,z [as in the files, else 0,0,0]; for several bodies x,y,z;x,y,z", allow_leading_hyphen=True
+            help="centre of gravity, x,y,z in m [as in the files, else 0,0,0]; for several bodies x,y,z;x,y,z",
+            allow_leading_hyphen=True,
         ),
     ] = None,
     gyration: Annotated[
         str | None,
-        Parameter(help="m, kxx,kyy,kzz: radii of gyration, needed for motions; for several bodies separated by ;"),
+        Parameter(help="radii of gyration, kxx,kyy,kzz in m, needed for motions; for several bodies separated by ;"),
     ] = None,
     output: Annotated[Path | None, Parameter(help="database to write [beside the files, .h5]")] = None,
     correct: Annotated[
@@ -134,8 +135,8 @@ def body_(
     *,
     mass: Annotated[float | None, Parameter(help="kg [as stored, else displaced mass]")] = None,
     center_of_gravity: Annotated[str | None, Parameter(help="m, x,y,z [as stored]", allow_leading_hyphen=True)] = None,
-    gyration: Annotated[str | None, Parameter(help="m, kxx,kyy,kzz: radii of gyration, needed for motions")] = None,
-    frequencies: Annotated[str | None, Parameter(help="rad/s, from:to, frequencies to keep [all]")] = None,
+    gyration: Annotated[str | None, Parameter(help="radii of gyration, kxx,kyy,kzz in m, needed for motions")] = None,
+    frequencies: Annotated[str | None, Parameter(help="frequencies to keep, from:to in rad/s [all]")] = None,
     output: Annotated[Path | None, Parameter(help="database to write [the same file]")] = None,
 ):
     """Give an imported database mass, centre of gravity and radii of gyration, so that all studies can read it.

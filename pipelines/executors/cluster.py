@@ -1,6 +1,7 @@
 """Work through a scheduler: a dask cluster of this machine, an external dask cluster, or jobs of Slurm.
 
-The loss of a worker costs only time: another one repeats its work (dask, up to `LOST` times).  Workers elsewhere need
+The loss of a worker costs only time: another worker repeats its work (dask, up to `LOST` times).
+Workers elsewhere need
 the same hakobune and, for studies, the same folders.
 """
 

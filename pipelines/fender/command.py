@@ -17,12 +17,12 @@ def fender(
         str | None, Parameter(help="CSV of the manufacturer with columns strain or deflection_m, reaction_kN, …")
     ] = None,
     height: Annotated[
-        float, Parameter(help="m, height; for a pneumatic fender the diameter", allow_leading_hyphen=True)
+        float, Parameter(help="height, m; for a pneumatic fender the diameter", allow_leading_hyphen=True)
     ],
     length: Annotated[float | None, Parameter(help="m, of v, h, pneumatic", allow_leading_hyphen=True)] = None,
     rated_reaction: Annotated[float | None, Parameter(help="kN", allow_leading_hyphen=True)] = None,
     pressure: Annotated[
-        float | None, Parameter(help="kPa, initial pressure of a pneumatic fender [50]", allow_leading_hyphen=True)
+        float | None, Parameter(help="initial pressure of a pneumatic fender, kPa [50]", allow_leading_hyphen=True)
     ] = None,
     overload: Annotated[float | None, Parameter(help="kN/m beyond the table", allow_leading_hyphen=True)] = None,
     count: Annotated[int, Parameter(help="side by side", allow_leading_hyphen=True)] = 1,
@@ -31,7 +31,7 @@ def fender(
         float | None, Parameter(help="kN/m, stiffness of the dolphin behind it", allow_leading_hyphen=True)
     ] = None,
     angle: Annotated[
-        float, Parameter(help="degrees, inclination of the pressing face", allow_leading_hyphen=True)
+        float, Parameter(help="inclination of the pressing face, degrees", allow_leading_hyphen=True)
     ] = 0.0,
     width: Annotated[
         float | None, Parameter(help="m, width of the inclined face [length]", allow_leading_hyphen=True)

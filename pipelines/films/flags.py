@@ -18,17 +18,18 @@ def animate(
         float | None, Parameter(help="first second of the film, after the ramp [around the largest tension]")
     ] = None,
     length: Annotated[
-        float | None, Parameter(help="s, length of the film [60; at a single point the whole run]")
+        float | None, Parameter(help="length of the film, s [60; at a single point the whole run]")
     ] = None,
     step: Annotated[
-        float | None, Parameter(help="s between frames; the film shows ten frames a second [1, or 150 frames in total]")
+        float | None,
+        Parameter(help=("time between frames, s; the film shows ten frames a second [1, or 150 frames in total]")),
     ] = None,
-    period: Annotated[float | None, Parameter(help="s, period of the waves around the body of a database")] = None,
+    period: Annotated[float | None, Parameter(help="period of the waves around the body of a database, s")] = None,
     omega: Annotated[float | None, Parameter(help="rad/s, in place of the period")] = None,
     heading: Annotated[
         float | None, Parameter(help="degrees, direction they travel to [180]", allow_leading_hyphen=True)
     ] = None,
-    height: Annotated[float | None, Parameter(help="m, height of these waves [1/30 of their length]")] = None,
+    height: Annotated[float | None, Parameter(help="height of these waves, m [1/30 of their length]")] = None,
     fixed: Annotated[bool, Parameter(help="the body is held", negative="")] = False,
     field: Annotated[str | None, Parameter(help="pressure: colour the panels by it")] = None,
 ):

@@ -22,7 +22,9 @@ def line(
     depth: Annotated[float, Parameter(help="water depth at the anchor, m")],
     fairlead_z: Annotated[float, Parameter(help="m, above still water", allow_leading_hyphen=True)] = 0.0,
     span: Annotated[float | None, Parameter(help="m, horizontal from anchor to fairlead")] = None,
-    tension: Annotated[float | None, Parameter(help="kN, horizontal at the fairlead, instead of a span")] = None,
+    tension: Annotated[
+        float | None, Parameter(help="horizontal tension at the fairlead, kN, instead of a span")
+    ] = None,
     friction: Annotated[float, Parameter(help="coefficient on the bed")] = 0.0,
     slope_deg: Annotated[
         float,
@@ -56,7 +58,7 @@ def lines(
     force: Annotated[
         str | None, Parameter(help="Fx,Fy,Mz in kN and kN m on the body", allow_leading_hyphen=True)
     ] = None,
-    offset: Annotated[float | None, Parameter(help="m, draw and print the offset curve to both sides")] = None,
+    offset: Annotated[float | None, Parameter(help="offset to both sides, m: draw and print the offset curve")] = None,
     direction: Annotated[str | None, Parameter(help="degrees of the offsets: a,b,c", allow_leading_hyphen=True)] = None,
     characteristic: Annotated[
         str | None, Parameter(help="name of a line: print its span and forces, from slack to taut")
@@ -87,7 +89,9 @@ def lines(
             flag for flag, value in (asked | {"--output": output, "--moordyn": moordyn}).items() if value is not None
         ]
         if given:
-            raise ValueError(f"{given[0]} is for a system of lines and {file} is a result; allowed with it: --plot")
+            raise ValueError(
+                f"{given[0]} is for a system of lines and {file} is a result; allowed with a result: --plot"
+            )
         print(draw_result(file, plot))
         return 0
     from .lines_command import lines_command

@@ -206,6 +206,6 @@ def _overloads(one, found):
     strain = largest / one.type.axial_stiffness
     if strain > LONGEST_STRAIN:
         yield fails(
-            f"the line is {100 * strain:.3g} % longer than unstretched, limit {100 * LONGEST_STRAIN:g} %, "
-            "where any rope parts; give a longer line or a shorter span"
+            f"the line is stretched by {100 * strain:.3g} %, limit {100 * LONGEST_STRAIN:g} %, where any rope "
+            "parts; give a longer line or a shorter span"
         )

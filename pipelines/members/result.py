@@ -81,14 +81,17 @@ def findings(standing, force, wave):
     """One line each on members that are never wet or too wide for Morison's formula; force : (p, m, 6)"""
     dry = [one.name for k, one in enumerate(standing) if not force[:, k].any()]
     if dry:
-        yield f"{', '.join(dry)}: no force, since this is never in the water; z is measured upwards from still water"
+        yield (
+            f"{', '.join(dry)}: no force, since a member there is never in the water; z is measured upwards from "
+            "still water"
+        )
     length = 2 * np.pi / wave.k
     wide = [one for one in standing if wave.amplitude > 0 and one.section.width > SLENDER * length]
     if wide:
         widest = max(one.section.width for one in wide)
         yield fails(
-            f"{', '.join(one.name for one in wide)}: {widest:.3g} m wide, limit {SLENDER:g} of the wave's {length:.3g} "
-            "m; such a member scatters the wave: solve it with hakobune box or buoy"
+            f"{', '.join(one.name for one in wide)}: the width is {widest:.3g} m, limit {SLENDER:g} of the "
+            f"wave's {length:.3g} m; such a member scatters the wave: solve it with hakobune box or buoy"
         )
 
 
@@ -99,7 +102,8 @@ def _notes(wave):
             met = f"a fixed point meets a crest every {significant(wave.met_period)} s"
             alone = f" in water that moves with the current; {met}"
         yield (
-            f"wave of {significant(2 * wave.amplitude)} m, {significant(2 * np.pi / wave.k)} m long{alone}; linear "
-            "theory, stretched to the surface (Wheeler); phase 0: crest at the origin"
+            f"the wave is {significant(2 * wave.amplitude)} m high and {significant(2 * np.pi / wave.k)} m "
+            f"long{alone}; the theory is linear, stretched to the surface (Wheeler); at phase 0 the crest is at the "
+            "origin"
         )
     yield "moments are about the foot of each member; totals and wind are about the bed under the origin"

@@ -392,11 +392,12 @@ def make_study(raw):
     study = typed(raw, Study, StudyError)
     if study.site is not None:
         raise StudyError(
-            "site is given in a study that is not a file; put it in a study file and read that by read_study"
+            "site is given in a study that was not read from a file; put it in a study file and read that by read_study"
         )
     if study.lines_file is not None:
         raise StudyError(
-            "lines_file is given in a study that is not a file; put it in a study file and read that by read_study"
+            "lines_file is given in a study that was not read from a file; put it in a study file and read that by "
+            "read_study"
         )
     if study.lines_body:
         raise StudyError(f"lines_body is {study.lines_body!r}, but lines_file is missing; give both")

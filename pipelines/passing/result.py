@@ -90,7 +90,9 @@ def _hull(study, name):
     if len(hull) > MOST * study.panels:
         raise StudyError(f"{body.file} has {len(hull)} panels; allowed: {MOST * study.panels}, {MOST} times panels")
     if hull.draft >= study.water.depth:
-        raise StudyError(f"{body.file} is {hull.draft:g} m deep in water of {study.water.depth:g} m; allowed: less")
+        raise StudyError(
+            f"{body.file} has a draft of {hull.draft:g} m in water of {study.water.depth:g} m; allowed: less"
+        )
     low, high = hull.points[:, :2].min(axis=0), hull.points[:, :2].max(axis=0)
     x, y = 0.5 * (low + high)
     return hull.moved(dx=-x, dy=-y), np.array([x, y, 0.0])
@@ -162,13 +164,17 @@ def _findings(study, track, found, moored, passer):
 def _notes(study, track, gap):
     if study.method == "panels":
         yield (
-            f"both hulls lie under a rigid surface and have about {study.panels} panels each; all six force components"
+            f"both hulls lie under a rigid surface and have about {study.panels} panels each; the result has all "
+            "six force components"
         )
     else:
-        yield "both ships are slender with parabolic section areas; surge, sway and yaw only"
+        yield "both ships are slender with parabolic section areas; the result has surge, sway and yaw only"
     about = ", ".join(map(significant, study.moored.rotation_center or (0.0, 0.0, 0.0)))
     yield (
-        f"{significant(track.through_water)} m/s through the water, {significant(gap)} m between the sides, depth "
-        f"Froude number {track.froude(study.water.depth):.2f}"
+        f"the ship moves at {significant(track.through_water)} m/s through the water, with {significant(gap)} m "
+        f"between the sides; the depth Froude number is {track.froude(study.water.depth):.2f}"
     )
-    yield f"x to the bow, y to port of the moored ship; moments about its rotation_center [{about}]"
+    yield (
+        "forces are along x to the bow and y to port of the moored ship; moments are about its rotation_center "
+        f"[{about}]"
+    )

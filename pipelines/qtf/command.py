@@ -13,7 +13,7 @@ def qtf(
     /,
     *,
     omega: Annotated[str | None, Parameter(help="frequencies at even steps, rad/s, start:stop:count")] = None,
-    heading: Annotated[str | None, Parameter(help="headings, degrees travelled to; all pairs of them")] = None,
+    heading: Annotated[str | None, Parameter(help="headings to which waves travel, degrees; all pairs of them")] = None,
     difference: Annotated[float | None, Parameter(help="largest difference, rad/s", allow_leading_hyphen=True)] = None,
     sums: Annotated[
         bool, Parameter(name="--sum", negative=(), help="forces at the sum of frequencies instead of the difference")

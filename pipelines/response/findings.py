@@ -120,8 +120,9 @@ def _gaps_in_years(result, years):
         term = result.long_term(relative_name(point))
         left = point.clearance - term.level(years * YEAR)
         yield (
-            f"air gap at {point.name}: {left:.3g} of {point.clearance:.3g} m are left by the rise reached once in "
-            f"{years:g} years; water reaches the point {_often(term, point.clearance)}; {_whose_waves(result)}"
+            f"air gap at {point.name}: the rise reached once in {years:g} years leaves {left:.3g} of "
+            f"{point.clearance:.3g} m; water reaches the point {_often(term, point.clearance)}; "
+            f"{_whose_waves(result)}"
         )
 
 
@@ -133,8 +134,8 @@ def _keel_lines(result):
         gap, left, touched = found[name]
         hours = result.duration / 3600
         yield (
-            f"under keel: least at {name}, {left:.3g} of {gap:.3g} m are left by the largest drop; the hull touches "
-            f"the bed with probability {touched:.3g} in {hours:.3g} h; waves only, without squat"
+            f"under keel: the largest drop leaves {left:.3g} of {gap:.3g} m at {name}, the least of all points; the "
+            f"hull touches the bed with probability {touched:.3g} in {hours:.3g} h; this includes waves only, not squat"
         )
 
 
@@ -145,8 +146,10 @@ def _keel_in_years(result, years):
         worst = min(points, key=lambda point: point.gap - terms[point].level(years * YEAR))
         left = worst.gap - terms[worst].level(years * YEAR)
         yield (
-            f"under keel: least at {worst.name}, {left:.3g} of {worst.gap:.3g} m are left by the drop reached once in "
-            f"{years:g} years; the hull touches the bed {_often(terms[worst], worst.gap)}; waves only, without squat"
+            f"under keel: the drop reached once in {years:g} years leaves {left:.3g} of {worst.gap:.3g} m at "
+            f"{worst.name}, "
+            f"the least of all points; the hull touches the bed {_often(terms[worst], worst.gap)}; this includes waves "
+            "only, not squat"
         )
 
 
@@ -168,6 +171,6 @@ def _whose_waves(result):
 def _gap_lines(result):
     for name, (clearance, left, reached) in result.air_gaps().items():
         yield (
-            f"air gap at {name}: {left:.3g} of {clearance:.3g} m are left by the largest rise; water reaches the "
+            f"air gap at {name}: the largest rise leaves {left:.3g} of {clearance:.3g} m; water reaches the "
             f"point with probability {reached:.3g}; {_whose_waves(result)}"
         )

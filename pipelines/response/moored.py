@@ -146,7 +146,7 @@ def _of_stiffness(path, statics, gusts):
             "slack, which hakobune simulate includes"
         )
         if idle:
-            yield f"without force under the steady forces, and therefore without stiffness here: {', '.join(idle)}"
+            yield (f"fenders and ropes without force under the steady forces have no stiffness here: {', '.join(idle)}")
 
 
 def _of_bound_waves(spectrum, db):

@@ -69,8 +69,7 @@ def _check_body_of(where, point, bodies):
         raise StudyError(f"{where}.body is {point.body!r}; allowed: {allowed}")
     if known and point.clearance is not None:
         raise StudyError(
-            f"{where}.clearance is given, but the elevation between hulls is not known; allowed: with one body, "
-            "or left out"
+            f"{where}.clearance is given, but the elevation between hulls is not known; leave it out, or give one body"
         )
 
 

@@ -1,7 +1,8 @@
 """The file of a simulation: one row for each seed, marked by the checksum of the row once the row is whole.
 
-Data first, then the mark, as in a database (`bem.database.integrity`): killed at any instant the file opens, and the
-same command runs the seeds without a mark.  A checksum of the file covers all other data (`bem.database.results`).  For
+Data first, then the mark, as in a database (`bem.database.integrity`). After a kill at any instant the file opens, and
+the same command runs the seeds without a mark.
+A checksum of the file covers all other data (`bem.database.results`).  For
 more seeds a wider file takes over the rows of the old file.  Statistics of all seeds are stored, records of the first
 `keep_series`.
 """

@@ -28,10 +28,10 @@ def slow_findings(file):
         if slow > max(FAR * expected, NOTABLE * value["wave"], NOTHING * length):
             factor, word = UNITS[unit]
             yield (
-                f"slow {mode} has σ {slow * factor:.3g} {word}; slow forces on springs as stiff as the lines under the "
-                f"mean loads would give {expected * factor:.3g} {word}: first-order waves cause the rest through the "
-                'stiffening of the lines; to see their part alone, run with simulation.slow_drift = "none" and without '
-                "wind and current"
+                f"slow {mode} has σ {slow * factor:.3g} {word}; slow forces on springs as stiff as the lines "
+                f"under the mean loads would give {expected * factor:.3g} {word}; first-order waves cause the "
+                "rest through the stiffening of the lines; to see the part of these waves alone, run with "
+                'simulation.slow_drift = "none" and without wind and current'
             )
 
 

@@ -16,11 +16,11 @@ def simulate(
     output: Annotated[Path, Parameter(help="the file of all runs, .h5, with pictures beside it")],
     pictures: Annotated[bool, Parameter(help="draw pictures beside the file")] = True,
     seeds: Annotated[int | None, Parameter(help="number of runs, from seed 1 on, in place of the study's")] = None,
-    duration: Annotated[float | None, Parameter(help="s, duration of a run, in place of the study's")] = None,
+    duration: Annotated[float | None, Parameter(help="duration of a run, s, in place of the study's")] = None,
     fresh: Annotated[bool, Parameter(help="replace an existing file", negative="")] = False,
     executor: Annotated[str, Parameter(help="local, processes:N, dask:N, dask://host:port, slurm:N")] = "local",
     windows: Annotated[
-        float | None, Parameter(help="s, length of windows: significant motions in each window of the first record")
+        float | None, Parameter(help="length of windows, s: significant motions in each window of the first record")
     ] = None,
     methods: Annotated[
         bool, Parameter(help="compare the first seed with memory and with constant coefficients", negative="")

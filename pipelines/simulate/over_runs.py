@@ -141,6 +141,6 @@ def rare_findings(file):
         if found:
             named = some([f"{name} in {n} of {len(largest)}" for name, n in found], LINES_NAMED)
             yield (
-                f"{what} in few runs: the largest {kind} exceeds {RARE:g} times its median over all runs in "
-                f"some ({named}): the next run may far exceed the simulated values; {way_out}"
+                f"{what} in few runs: in some ({named}) the largest {kind} exceeds {RARE:g} times its median "
+                f"over all runs, and the next run may far exceed the simulated values; {way_out}"
             )

@@ -171,8 +171,8 @@ def _remembering(body, db, asked):
         except ValueError as error:
             why = " ".join(str(error).split())
     raise StudyError(
-        f'simulation.memory is "{asked}" in front of a quay; allowed: "constant", added mass and damping in '
-        f"front of it: {why}"
+        f'simulation.memory is "{asked}" in front of a quay; allowed: "constant", which takes added mass and '
+        f"damping in front of the quay: {why}"
     )
 
 
@@ -340,9 +340,9 @@ def _of_gaps(sides, apart):
             )
         elif max(gap.max() - at_rest, at_rest - least) > max(FARTHER * at_rest, size):
             yield (
-                f"the gap between {names} varies from {least:.3g} to {gap.max():.3g} m, {at_rest:.3g} m at "
-                "rest, but forces of the water between them are those of the gap at rest; give lines that hold "
-                "them there, or solve them at that gap"
+                f"the gap between {names} varies from {least:.3g} to {gap.max():.3g} m and is {at_rest:.3g} m "
+                "at rest, but the forces of the water between the hulls are those of the gap at rest; give lines "
+                "that hold the bodies there, or solve the bodies at the gap of the run"
             )
 
 

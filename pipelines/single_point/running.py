@@ -109,7 +109,7 @@ def words(run: Run):
     else:
         yield f"the heading is still {np.degrees(c.amplitude):.2g}° about its mean at the end of the run"
     if not run.drifts and np.any(wave_deviations(run.record, run.full_waves) > 0):
-        yield "the run does not include slow drift; the report adds 20 % for it"
+        yield "the run does not include slow drift; the SR179 report adds 20 % for it"
     yield from run.findings
 
 
@@ -166,7 +166,7 @@ def _check(s):
     if s.duration / (0.2 if s.step is None else s.step) > MOST_SAMPLES:
         raise StudyError(f"slewing has more than {MOST_SAMPLES} samples; give a longer step")
     if not (s.components >= 1 and s.seed >= 0):
-        raise StudyError("slewing: components are at least 1, the seed is a whole number from 0")
+        raise StudyError("slewing: components must be at least 1, and the seed a whole number from 0")
 
 
 def _sea(study, db):

@@ -244,8 +244,8 @@ def _breaking(states, deepest):
         height = state["waves"]["height"] if "waves" in state else 0.0
         if height > SATURATED * deepest:
             yield (
-                f"{name}: significant height is {height:.4g} m in {deepest:.4g} m of water at high water; seas "
-                f"saturated by breaking reach {SATURATED:g} of the depth; give at most {SATURATED * deepest:.3g} m"
+                f"{name}: significant height is {height:.4g} m in {deepest:.4g} m of water at high water; "
+                f"breaking limits seas to {SATURATED:g} of the depth; give at most {SATURATED * deepest:.3g} m"
             )
 
 

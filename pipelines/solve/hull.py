@@ -167,8 +167,8 @@ def _smallest_waterplane(mesh):
 def lid_in_proportion(cover, mesh, other):
     """The lid of another mesh of a hull, with as many panels per panel as `cover` has; None for None
 
-    Otherwise the error of a lid would be common to both meshes and not show: of an error of 1.2 % in the damping of the
-    series box in its shortest waves, 0.9 % were not detected.
+    Otherwise the error of a lid would be common to both meshes and would not show. Of an error of 1.2 % in the damping
+    of the series box in its shortest waves, 0.9 % were not detected.
     """
     return None if cover is None else lid(other, math.sqrt(cover.areas.mean() * mesh.total / other.total))
 

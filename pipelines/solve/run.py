@@ -105,8 +105,8 @@ def _check_still_free(output, fresh):
     """Raise DatabaseError where another run has made the file since this one looked"""
     if output.exists() and not fresh:
         raise DatabaseError(
-            f"{output} was made by another run just now; run the same command again, which takes up what is stored, or "
-            "give another --output"
+            f"{output} was made by another run just now; run the same command again, which continues from the "
+            "stored results, or give another --output"
         )
     check_replaceable(output)
 

@@ -29,10 +29,10 @@ def check_weight(scene, mesh, body):
     for name, axis, arm, moment, angle in _tilts(scene, body):
         if angle > TILT and not scene.body.trimmed:
             raise SceneError(
-                f"center_of_gravity is {arm:.4g} m off the centre of buoyancy in {axis}: a {name} moment of "
-                f"{moment:.4g} N m, {angle:.3g}° of static {name}, limit {TILT:g}°; check the origin of its "
-                "coordinates (--center-of-gravity), or give --trimmed (trimmed = true under [[bodies]]) if the "
-                "body is held in its drawn trim"
+                f"center_of_gravity is {arm:.4g} m off the centre of buoyancy in {axis}: this is a {name} "
+                f"moment of {moment:.4g} N m and {angle:.3g}° of static {name}, limit {TILT:g}°; check the "
+                "origin of its coordinates (--center-of-gravity), or give --trimmed (trimmed = true under "
+                "[[bodies]]) if the body is held in its drawn trim"
             )
 
 
@@ -55,8 +55,9 @@ def weight_remarks(scene, mesh, body):
     for name, axis, arm, moment, angle in _tilts(scene, body):
         if angle > TOLD:
             yield (
-                f"the centre of gravity is {arm:.4g} m off the centre of buoyancy in {axis}: a {name} moment of "
-                f"{moment:.4g} N m, {angle:.3g}° of static {name}; the body is solved in the position of its mesh"
+                f"the centre of gravity is {arm:.4g} m off the centre of buoyancy in {axis}: this is a {name} "
+                f"moment of {moment:.4g} N m and {angle:.3g}° of static {name}; the body is solved in the "
+                "position of its mesh"
             )
     yield from _gyration_remarks(scene.body.gyration, mesh)
 

@@ -42,7 +42,8 @@ def chosen(named, only):
 
 
 def one_by_one(cases, name):
-    """Cases, one after another, each announced on the standard error; name : function of a case that gives its name"""
+    """Yields cases one after another and announces each on the standard error; name : function of a case that gives its
+    name"""
     for count, case in enumerate(cases, 1):
         print(f"{count}/{len(cases)}  {name(case)}", file=sys.stderr, flush=True)
         yield case

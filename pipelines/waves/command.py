@@ -18,7 +18,7 @@ def waves(
     fixed: Annotated[bool, Parameter(help="the body is held", negative="")] = False,
     width: Annotated[float | None, Parameter(help="m, of the map")] = None,
     at: Annotated[
-        tuple[str, ...], Parameter(help="m, x,y of a point at which the wave is printed", allow_leading_hyphen=True)
+        tuple[str, ...], Parameter(help="point x,y in m at which the wave is printed", allow_leading_hyphen=True)
     ] = (),
     output: Annotated[Path | None, Parameter(help="points of the map, .csv, or all results, .h5")] = None,
     plot: Annotated[Path | None, Parameter(help="map: .png, .svg or .pdf")] = None,

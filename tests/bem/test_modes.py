@@ -72,7 +72,11 @@ def test_net_flux_makes_added_mass_between_modes_infinite_with_its_sign():
 
 def test_water_thinner_than_three_hundred_thousandths_of_the_draft_is_refused():
     check_gap(10.0, 10.0 + 3.05e-4)
-    with pytest.raises(ValueError, match=r"depth − draft is 0.000295 m; allowed: from 0.0003 m, 3e-05 of the draft"):
+    with pytest.raises(
+        ValueError,
+        match=r"\(depth − draft\) is 0.000295 m; allowed: 0.0003 m or more \(3e-05 "
+        r"of the draft\)",
+    ):
         check_gap(10.0, 10.0 + 2.95e-4)
 
 

@@ -280,5 +280,5 @@ def test_a_waterplane_within_the_limits_of_the_message_is_taken_and_one_beyond_i
 @pytest.mark.parametrize("given", [{"bow": 0.7}, {"stern": 0.7}, {"bow": 0.7, "stern": 0.7}])
 def test_a_waterplane_leaves_no_fullness_of_either_end_to_be_given(given):
     length, beam, draft, block = CONTAINER
-    with pytest.raises(ValueError, match="waterplane is given beside fullness of bow or stern; allowed: one of them"):
+    with pytest.raises(ValueError, match="waterplane and fullness of bow or stern are both given; give one of them"):
         ship(length, beam, draft, block, waterplane=0.75, counts=(8, 2, 3), **given)

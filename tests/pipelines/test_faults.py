@@ -31,7 +31,10 @@ DATABASES = {
 SIZES = {
     "box --length 100 --beam 50 --draft 25 --depth 20 --omega 1": ("draft is 25.0", "below the depth"),
     "box --length 100 --beam 50 --draft 20 --depth 20 --omega 1": ("draft is 20.0", "below the depth"),
-    "box --length 100 --beam 50 --draft 19.99999 --depth 20 --omega 1": ("depth − draft is 1e-05 m", "from 0.0006 m"),
+    "box --length 100 --beam 50 --draft 19.99999 --depth 20 --omega 1": (
+        "(depth − draft) is 1e-05 m",
+        "allowed: 0.0006 m or more",
+    ),
     "box --length 0 --beam 50 --draft 5 --depth 20 --omega 1": ("length is 0.0", "above 0"),
     "box --length nan --beam 50 --draft 5 --depth 20 --omega 1": ("length is nan", "above 0"),
     "box --length inf --beam 50 --draft 5 --depth 20 --omega 1": ("length is inf", "finite"),

@@ -79,8 +79,9 @@ def test_the_least_water_under_the_keel_is_told_of_the_point_that_has_it(number)
     (line,) = findings._keel_lines(result)
     name, gap, touched = (("fore", 6, "0.001"), ("aft", 5, "0.02"))[number]
     assert line == (
-        f"under keel: least at {name}, 2.5 of {gap} m are left by the largest drop; the hull touches the bed with "
-        f"probability {touched} in 2 h; waves only, without squat"
+        f"under keel: the largest drop leaves 2.5 of {gap} m at {name}, the least of all points; the hull "
+        f"touches the bed "
+        f"with probability {touched} in 2 h; this includes waves only, not squat"
     )
     assert list(findings._keel_lines(SimpleNamespace(under_keel=dict, duration=1.0))) == []
 
@@ -99,8 +100,10 @@ def test_the_least_water_of_many_years_is_that_of_the_point_with_least_left(numb
 
     result = SimpleNamespace(points=[deck, *points], long_term=term)
     (line,) = findings._keel_in_years(result, 100.0)
-    assert line.startswith(("under keel: least at fore, 3 of 9 m are left by the drop reached once in 100 years; ",
-                            "under keel: least at aft, 2 of 5 m are left by the drop")[number])  # fmt: skip
+    assert line.startswith(("under keel: the drop reached once in 100 years leaves 3 of 9 m at fore, the least "
+                            "of all points; ",
+                            "under keel: the drop reached once in 100 years leaves 2 of 5 m at "
+                            "aft")[number])  # fmt: skip
     assert list(findings._keel_in_years(SimpleNamespace(points=[deck]), 100.0)) == []
 
 

@@ -1,4 +1,5 @@
-"""Force of a wave whose wavenumber κ is not that of a free wave, on a vertical-sided body, over the wall of its plan.
+"""Force of a wave whose wavenumber κ differs from that of a free wave of its frequency, on a vertical-sided body, as an
+integral over the wall of its plan.
 
     D = −ρg ∬ (p ψ_ν − ψ p_ν) dS,        p = cosh κζ / cosh κh exp(iκ·x),  over the whole depth 0 < ζ < h
 

@@ -9,7 +9,8 @@ Nearer than START of the smallest of draft, gap and radius the flow is that of t
 
     φ = c₀ − Uρ − (2b/3π) ρ² ln ρ + Σ cₚ ρ^(2p/3),        p = 1, 2, 3,
 
-U the speed of the keel's edge outwards and b the rate at which it turns, as on the side (`bem.contour.side_flow`).
+U is the speed of the keel's edge outwards, and b the rate at which the edge turns, as on the side
+(`bem.contour.side_flow`).
 """
 
 from functools import cached_property

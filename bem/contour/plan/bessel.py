@@ -5,8 +5,8 @@
 
 Near x = 0 they are p(x) + q(x) ln x with entire p and q (DLMF 10.8.2, 10.31.2); elsewhere they are p.  The polynomials
 are those through twelve Chebyshev points of cells of width ½: the logarithm of x = 0 is 18 half widths from the first
-cell where it is not separated, and 18⁻¹² = 1e-15.  A pair of points takes a quarter of the time, or less, that it
-takes with one call for each function.
+cell where it is not separated, and 18⁻¹² = 1e-15.  One call for all functions of a pair of points takes a quarter, or
+less, of the time of one call for each function.
 """
 
 from functools import lru_cache

@@ -8,7 +8,8 @@ CLASSES = ((1, 1), (-1, 1), (1, -1), (-1, -1))
 
 
 class Contour(NamedTuple):
-    """Nodes (m,) on the quarter x > 0, y > 0 of a contour, outward normal, and length of contour they stand for."""
+    """Nodes (m,) on the quarter x > 0, y > 0 of a contour, their outward normals, and the length of contour that each
+    represents."""
 
     x: np.ndarray  # m
     y: np.ndarray  # m

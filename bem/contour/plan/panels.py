@@ -1,6 +1,7 @@
 """Panels on the quarter contour of a rectangle, and points on them for singular or nearly singular integrals.
 
-At the corner, 270° wide in water, potentials go like r^(2/3), r^(4/3) … with r the distance from it.  The panel at
+At the corner, where the water has an angle of 270°, potentials behave as r^(2/3), r^(4/3) … with r the distance from
+the corner.  The panel at
 the corner is therefore parametrised by r = c t³, which makes all of them smooth in t; the next ones are linear in t
 and grow away from it.  A density is given at the Gauss points in t of each panel.
 

@@ -1,9 +1,9 @@
 """Potentials at the nodes of a plan contour and their derivatives along it, for the pressure on a side.
 
 `bem.contour.matching` needs only potentials projected onto the functions ψ of the plan.  Here κN(κ)ψ itself is computed
-at the nodes of one frequency's contour, at the nodes of the body's table in κ.  On a circle it is ψ times a number; on
-a rectangle it is solved on the panels of the table, where it is a polynomial on each panel, and interpolated from there
-to the panels of the frequency, which resolve its waves.
+at the nodes of one frequency's contour, at the nodes of the body's table in κ.  On a circle it is ψ times a number. On
+a rectangle it is solved on the panels of the table, where it is a polynomial on each panel. It is then interpolated to
+the panels of the frequency, which resolve its waves.
 
 Slopes ∂/∂s run counterclockwise, along (−n₂, n₁), on the quarter x > 0, y > 0.
 """

@@ -1,8 +1,8 @@
 """Plane problems outside and inside a rectangle, for the depth modes of a box; see `circle` for the maps.
 
-Velocity is expanded in Legendre polynomials over each side, P_m(2y/B) on the ends and P_m(2x/L) on the sides: in
-the gap under the keel it is smooth along a side up to the corner of the box.  The potentials that answer are not
-(r^(2/3) at the corner) and are found at the nodes of `panels` by integral equations of the direct kind,
+Velocity is expanded in Legendre polynomials over each side, P_m(2y/B) on the ends and P_m(2x/L) on the sides. In the
+gap under the keel it is smooth along a side up to the corner of the box.  The resulting potentials are not smooth
+(r^(2/3) at the corner). They are found at the nodes of `panels` by integral equations of the direct kind,
 
     outside  (½ − D) φ = −S ∂φ/∂n        inside  (½ + D) φ = S ∂φ/∂n        wall  (½ − D) φ = exp(ik·x)
 
@@ -71,7 +71,7 @@ class Rectangle:
 
     @property
     def alphas(self):
-        """α of `rigid_motions` in heave, roll and pitch: ψ curved across the body rather than along it"""
+        """α of `rigid_motions` in heave, roll and pitch; it makes ψ curved across the body rather than along it"""
         return (self.beam**2 / (self.length**2 + self.beam**2),) * 3
 
     @property
@@ -87,8 +87,8 @@ class Rectangle:
     def degree(self, waves, tolerance):
         """Highest polynomial degrees (end, side); `waves`, rad/m, is the largest wavenumber under the keel.
 
-        The flow near a corner extends over the shorter side; polynomials resolve a length δ at the end of a
-        side with a degree like δ^(−1/2).  The Legendre series of a wave turns from oscillation to decay at x = half
+        The flow near a corner extends over the shorter side. To resolve a length δ at the end of a side, polynomials
+        need a degree like δ^(−1/2).  The Legendre series of a wave turns from oscillation to decay at x = half
         the side in radians, over a stretch like x^(1/3).
         """
         sides = np.array([self.beam, self.length])

@@ -1,8 +1,8 @@
 """Boxes and vertical cylinders side by side by domain decomposition: each body's own gap, one plane problem around all.
 
 Under each body and in its gap the equations are those of `body.ContourBody`.  The maps outside become those of all
-plans together (`exterior`), and the functions ψ, the nodes and the table in κ are as fine as the water between the
-bodies requires.  Errors are estimated from finer bodies, as for one body.
+plans together (`exterior`). The functions ψ, the nodes and the table in κ are as fine as the water between the bodies
+requires.  Errors are estimated from finer bodies, as for one body.
 """
 
 from dataclasses import dataclass, field, replace
@@ -48,7 +48,7 @@ def prepare_several(shapes, places, depth, tolerance=1e-3):
         least = NARROWEST * body.plan.scale
         if gap < least:
             raise ValueError(
-                f"body {number} is {gap:.3g} m from the next; contours need at least {least:.3g} m "
+                f"body {number} is {gap:.3g} m from the next; the contour method needs at least {least:.3g} m "
                 f"({NARROWEST:g} times half its width); use the panel method"
             )
     bodies = [beside(body, gap) for body, gap in zip(bodies, gaps, strict=True)]
@@ -72,8 +72,8 @@ def coupling(body):
 def near(body, gap):
     """The plan of a body with functions for flows of the length of the gap (m) to the next body
 
-    On a circle the orders of flows at that distance decay like those of the circle's image; a side of a rectangle needs
-    additional polynomials at its ends in proportion to plan width over gap.
+    On a circle the orders of flows at that distance decay like those of the circle's image. A side of a rectangle needs
+    more polynomials at its ends, in proportion to plan width over gap.
     """
     plan, digits = body.plan, body.accuracy.digits
     if isinstance(plan, Circle):
@@ -104,7 +104,7 @@ def _check_apart(plans, places):
         else:
             inside = (np.abs(seen.real) <= plan.length / 2) & (np.abs(seen.imag) <= plan.beam / 2)
         if np.any(inside):
-            raise ValueError(f"bodies {a + 1} and {b + 1} lie in each other or touch; allowed: water between them")
+            raise ValueError(f"bodies {a + 1} and {b + 1} overlap or touch; allowed: water between them")
 
 
 def _outline(plan, pieces=1):

@@ -5,7 +5,8 @@ contours, and plane waves.
     Σ D_b φ_b − S_b v_b + φ_I = 0                            waves, at points inside (Schenck 1968, `plan.rectangle`)
 
 Each plan has the nodes of its quarter contour in its own axes and four symmetry classes of densities there; all classes
-of all plans are coupled.  Waves that decay over the depth hardly reach the next plan: beyond `REACH` there is nothing.
+of all plans are coupled.  Waves that decay over the depth hardly reach the next plan: beyond `REACH` their coupling is
+zero.
 """
 
 from functools import cached_property

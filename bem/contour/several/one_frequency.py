@@ -83,7 +83,9 @@ class SeveralFrequency:
         loads = self.fixed.loads(self.outside, *self.flow[:2], self.incident)
         residual, d, T = self.flow[2], self.fixed.side.shape[0], self.bodies.to_scene
         if not residual < 1e-6:  # NaN too
-            raise FloatingPointError(f"ω = {self.omega:.6g} rad/s: the equations of the gaps left {residual:.1e}")
+            raise FloatingPointError(
+                f"ω = {self.omega:.6g} rad/s: the equations of the gaps leave a residual of {residual:.1e}"
+            )
         radiation = -self.density * T @ loads[:, :d] @ T.T
         excitation = -1j * self.density * self.omega * (T @ loads[:, d:]).T
         wall = self.amplitude * self.exterior.weak @ self.plane[1]

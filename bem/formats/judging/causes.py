@@ -1,10 +1,10 @@
-"""Cause of the difference between the results of another program and hakobune's solution of the same hull: each cause
+"""Cause of the difference between the results of another program and hakobune's solution of the same hull. Each cause
 is tried, and the cause that fits is reported.
 
     corrected = cause(set),    best = argmin over causes of the largest of `gaps`(corrected)
 
 A cause with a number (a length, a factor or a point) first fits this number to both solutions by least squares.  If no
-single cause fits, all pairs of causes are tried: a unit and a point, or a sign and a unit, are then both reported.
+single cause fits, all pairs of causes are tried. A unit and a point, or a sign and a unit, are then both reported.
 """
 
 import itertools
@@ -60,8 +60,8 @@ class Finding(NamedTuple):
 
 
 def finding(values, own):
-    """`Finding` on a `sample` of Values against `Own`; None if they agree within `AGREED`, with hakobune's solution on
-    flat panels with one node, as in most programs, or with four nodes, which are close to the limit of many panels
+    """`Finding` on a `sample` of Values against `Own`; None if the set agrees within `AGREED` with hakobune's solution
+    on flat panels with one node, as in most programs, or with four nodes, which is close to the limit of many panels
     """
     found = _finding(values, own)
     if found is not None and found.gap <= MESH:  # may be of panels

@@ -5,9 +5,10 @@
     X₃ → C₃₃ − ω²(A₃₃ + ρV),   X₁ → −i k g (A₁₁ + ρV) cosβ / tanh kh · tanh kh         of a wave longer than the body
     A(ω) − A(∞) = (2/π) ⨍ B(s)/(s² − ω²) ds                                            causality
 
-The second row needs headings all round, or from 0 to 180° or 90° for a body whose added mass is symmetric; otherwise
-heave and surge in long waves replace it: |X₃| is equal for all headings, X₁ is proportional to cosβ.  For surge the
-sign is tested: conjugates and opposite headings reverse it, the former also the imaginary part of X₃, −ωB₃₃.
+The second row needs headings over the full circle, or from 0 to 180° or 90° for a body whose added mass is symmetric.
+Otherwise heave and surge in long waves replace it: |X₃| is equal for all headings, and X₁ is proportional to cosβ.
+For surge the sign is tested. Conjugates and opposite headings both reverse it; conjugates also reverse the imaginary
+part of X₃, −ωB₃₃.
 """
 
 from dataclasses import replace
@@ -63,7 +64,7 @@ def _finite(values):
 
 
 def size_of(values):
-    """Length of the body, m: the length of the waterplane or, if larger, twice the arm of added mass in yaw; without
+    """Length of the body, m: the length of the waterplane or, if larger, twice the arm of added mass in yaw. Without
     either value it follows from A₃₃"""
     C, A = values.get("hydrostatic_stiffness"), values.get("added_mass")
     plane = 0.0
@@ -135,7 +136,7 @@ def _circle(values):
 
 
 def haskind_ratios(values):
-    """{mode: (q,) B / that of the far field}, and (q,) of the frequencies; None without excitation"""
+    """{mode: (q,) B over the B that follows from the far field}, and the frequencies (q,); None without excitation"""
     X, B = values.get("excitation_force"), np.einsum("nii->ni", values.get("radiation_damping"))
     if X is None or not X.size:
         return None

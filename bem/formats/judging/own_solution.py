@@ -1,9 +1,10 @@
 """The hull of imported results solved by hakobune on the panels of the hull, at two of the imported frequencies.
 
-    k √A_w ≈ 0.4 and 1.2,    A_w the waterplane, or V^(2/3) of what is submerged
+    Frequencies with k √A_w ≈ 0.4 and 1.2, A_w the waterplane area, or V^(2/3) of a submerged hull
 
 long waves, without irregular frequencies and with few panels, and waves five hulls long, in which damping is
-significant.  Sizes of rows are those of the solution: √(AᵢᵢAⱼⱼ), √(BᵢᵢBⱼⱼ), the largest force of a mode over headings.
+significant.  The sizes of rows are taken from the solution: √(AᵢᵢAⱼⱼ), √(BᵢᵢBⱼⱼ), and the largest force of a mode over
+all headings.
 """
 
 from dataclasses import dataclass, field, replace
@@ -138,7 +139,7 @@ def gaps(values, own):
 
 def sizes_of_forces(X, own):
     """Scale of each of six forces (m, 6): the largest of a mode, or a tenth of the largest of all translations or
-    rotations; moments that nearly cancel about a point are compared with the largest force at `CANCELS` of the arm of
+    rotations. Moments that nearly cancel about a point are compared with the largest force at `CANCELS` of the arm of
     the hull"""
     size = np.abs(X).max(axis=0)
     for part in (slice(0, 3), slice(3, 6)):

@@ -1,7 +1,7 @@
 """A-posteriori error of the low-rank wave matrices at a frequency, at few test points.
 
-Where the basis of `bem.panels.band.low_rank_waves` does not represent a frequency it is wrong nearly everywhere, so
-that a few test points are enough.  At a test point the error is a sum over all nodes. This sum is estimated from random
+If the basis of `bem.panels.band.low_rank_waves` does not represent a frequency, it is wrong nearly everywhere. A few
+test points are therefore enough.  At a test point the error is a sum over all nodes. This sum is estimated from random
 samples of the nodes, each weighted with the inverse of its probability.
 """
 

@@ -22,8 +22,8 @@ LARGEST_FULL_SYSTEM = 8000  # nodes of the hull: a gigabyte for each symmetry cl
 class BandRun(CompressedRun):
     """Like `PanelRun`, at a cost nearly independent of the number of panels.
 
-    Forces follow from integrals stored in `bem.panels.band.equations`; potentials are computed on demand.  Where the
-    error test fails the full equations are solved, as in `PanelRun`.
+    Forces follow from integrals stored in `bem.panels.band.equations`; potentials are computed on demand.  If the error
+    test fails, the full equations are solved, as in `PanelRun`.
     """
 
     @cached_property

@@ -17,7 +17,7 @@ class Clusters:
     """Binary trees over the panels of a hull and its lid; the panels of a cluster are consecutive in `order`.
 
     Of c clusters, parents before their children.  The lid has its own root, and so have the hull panels that face ±x,
-    ±y, ±z: clusters that extend around an edge see part of each other edge-on, which cross approximation does not
+    ±y, ±z. Parts of a cluster that extends around an edge see each other edge-on, which cross approximation does not
     detect.  Each body has its own roots for the same reason: with one root for all bodies two boxes of 1 000 panels had
     errors of 1 %.
     """

@@ -1,9 +1,9 @@
 """The equations of `bem.panels.influence` at one frequency, as an operator on the nodes, for all symmetry classes.
 
-Blocks are real: the imaginary part is a sum over few standing waves (`bem.panels.standing_waves`), so that products
-take half the operations and the memory of complex ones.  Blocks belong to a mirror image of the sources, not to a
-class: an image lies farther from the targets than the panels themselves, and all classes use the same blocks, with
-columns multiplied by the signs of the class.
+Blocks are real, since the imaginary part is a sum over few standing waves (`bem.panels.standing_waves`). Products take
+half the operations and the memory of complex ones.  Blocks belong to a mirror image of the sources, not to a class. An
+image lies farther from the targets than the panels themselves; all classes use the same blocks, with columns multiplied
+by the signs of the class.
 """
 
 from functools import cached_property

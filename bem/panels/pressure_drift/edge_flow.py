@@ -5,10 +5,11 @@ Between the faces of an edge, γ = 2π − π/μ apart, φ is r^μ on the one an
     φ(r) = −(1/π) ∫ K φ(ρ) dρ,    K = r sin γ / (r² + ρ² − 2rρ cos γ).
 
 Collocation with φ linear on every panel of both faces gives values that are 6 % too large at the first node, if the
-panels of both faces are of equal size, 1 % at the second and less behind; a finer mesh has the same relative errors.
+panels of both faces have equal size. They are 1 % too large at the second node and less beyond; a finer mesh has the
+same relative errors.
 
-Where a side stands on a flat bottom with a gap of height s over the bed, and the panels are not small relative to the
-gap, the edge's flow is that out of the gap, by a conformal map,
+If a side stands on a flat bottom with a gap of height s above the bed, and the panels are not small relative to the
+gap, the flow at the edge is the flow out of the gap, by a conformal map,
 
     φ = a ln(1 + q²)  on the side,  q − arctan q = πr/2s,        φ = −2a ln cosh u  below,  u − tanh u = πr/2s,
 

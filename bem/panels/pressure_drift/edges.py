@@ -28,8 +28,8 @@ class Stencils(NamedTuple):
     """Up to three panels in a row for each of n panels, in one of the two directions of the panel: φ is interpolated
     between their nodes.
 
-    For a panel at an edge, and for its neighbour, these are the first three panels from the edge; elsewhere the panel
-    and its two neighbours, mirror images included.  Distances are measured from the outer end of the first.
+    For a panel at an edge, and for its neighbour, these are the first three panels from the edge. Elsewhere they are
+    the panel and its two neighbours, mirror images included.  Distances are measured from the outer end of the first.
     """
 
     at_edge: np.ndarray  # (n,) whether the row begins at an edge
@@ -74,8 +74,8 @@ class Stencils(NamedTuple):
 def stencils(mesh, exponents, depth=np.inf, steady=lambda stencil: True):
     """`Stencils` along s and along t; exponents : (n, 4) as in `sharp_sides`; depth : m
 
-    The two directions form a product stencil: if the panels of the one have a different layout in the other, the
-    stencil is the panel alone, also if `steady` (n,) of a stencil is false.
+    The two directions form a product stencil. The stencil is the panel alone if the panels of one direction have a
+    different layout in the other, or if `steady` (n,) of a stencil is false.
     """
     adjacency = _Adjacency(_continuations(mesh), _planes(mesh))
     (s, single_s), (t, single_t) = (_in_direction(mesh, exponents, adjacency, *sides) for sides in SIDES)

@@ -1,7 +1,8 @@
 """First-order flow at quadrature points of a hull and of its waterline, mirror images included, wave by wave.
 
-The disturbance is interpolated between the nodes; near an edge, where the interpolation has only powers of r^μ,
-together with the uniform flow of the incident waves relative to the moving edge.  The velocity along the normal is
+The disturbance is interpolated between the nodes. Near an edge, where the interpolation has only powers of r^μ, it is
+interpolated together with the uniform flow of the incident waves relative to the moving edge.
+The velocity along the normal is
 that of the body.
 """
 
@@ -17,7 +18,7 @@ from .hull_interpolation import hull_quadrature, side_quadrature
 
 
 class Points:
-    """Quadrature points of a hull, or of its waterline, and of their images: p in all, image by image.
+    """Quadrature points of a hull or of its waterline, and of their images: p points, ordered image by image.
 
     images : (i, 2) ±1; signs : (c, i) of each symmetry class on them; members : [degrees of freedom] of each
     points, normals, weights : of the meshed part, then of all: (p, 3) m, 1; (p,) m², or m along the waterline

@@ -3,7 +3,7 @@
 Away from edges φ is the polynomial through the six nodes of a panel and its neighbours in each direction.  At a
 distance r from an edge φ = c₀ + c₁ r^μ + c₂ r^(2μ) + c₃ r^(3μ) …, and |∇φ|² is singular like r^(2μ−2): these powers are
 fitted to the nodes of two panels on the panel at the edge, of three on the one behind it, corrected for the known
-collocation error of the nodal values there (`edge_flow`).  With fewer panels in the row there are fewer powers.
+collocation error of the nodal values there (`edge_flow`).  Fewer panels in the row give fewer powers.
 
 On the panel at the edge the points are at r ~ t³, t Gauss points, which makes the integrand smooth for μ = 2/3.
 """

@@ -2,8 +2,9 @@
 
     T_ij = −¼ρg ∮ ζᵢζ̄ⱼ n dl + ¼ρ ∬ {∇φᵢ·∇φ̄ⱼ + Xᵢ·∇∂φ̄ⱼ/∂t + X̄ⱼ·∇∂φᵢ/∂t} n dS,        moments alike with x × n
 
-of two waves of unit amplitude: Re Σ Σ aᵢāⱼ T_ij exp{−i(ωᵢ − ωⱼ)t} is the load at difference frequencies, T_ii the mean
-drift (`bem.methods.near_field`).  T_ji is the conjugate of T_ij.  Without the conjugates it is T⁺ of the load at sum
+of two waves of unit amplitude: Re Σ Σ aᵢāⱼ T_ij exp{−i(ωᵢ − ωⱼ)t} is the load at difference frequencies, and T_ii is
+the mean drift (`bem.methods.near_field`).
+T_ji is the conjugate of T_ij.  Without the conjugates it is T⁺ of the load at sum
 frequencies, Re Σ Σ aᵢaⱼ T⁺_ij exp{−i(ωᵢ + ωⱼ)t}.
 
 The singularity at edges is integrated by `hull_interpolation`; the remaining error is the discretisation error of the

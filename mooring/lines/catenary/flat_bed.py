@@ -7,7 +7,7 @@ height h over the bed, and the horizontal tension H:
     x = Σ (H/w) asinh(wS/H) + H ΣS/EA + (L − ΣS) + stretch of the part on the bed,
 
 one monotone equation in ln H (SR179 report, 1982, section 3.1.1, with elasticity added).  On the bed friction μw
-reduces tension from the lift-off point to an end that lies on the bed; where both ends hang above it, friction is
+reduces tension from the lift-off point to an end that lies on the bed. If both ends hang above the bed, friction is
 neglected.  A line lighter than water is the mirror image of a heavy one and is solved without a bed.
 """
 

@@ -1,13 +1,14 @@
 """The pull of a uniform line on a moving end, from its solution a moment before: for bodies in time.
 
-The equations are those of `flat_bed` and `suspended`.  The unknown of these equations, H of a line on the bed or the
-parameter t of a free line, is kept between calls, with the tangent of H.  Newton's method then starts with an error of
-the square of the change in a step, and squares this error: after a change of 3e-6 of H, 1e-11 remains.  With T = H +
+The equations are those of `flat_bed` and `suspended`.  The unknown of these equations (H of a line on the bed, or the
+parameter t of a free line) is kept between calls, with the tangent of H.  Newton's method then starts with an error of
+the square of the change in a step, and squares this error. After a change of 3e-6 of H the error is 1e-11.
+With T = H +
 rise at the fairlead and asinh(wS/H) = ln[(wS + T)/H] an iteration on the bed takes one logarithm and two roots; where
 it does not converge, the safe search of `flat_bed` is used.
 
-Lines that lay on the bed a moment before are solved eight at once, in vectors, by two iterations; a line of which the
-last changes more than CLOSE is then solved alone, like those in other states.
+Lines that were on the bed at the previous moment are solved eight at a time, in vectors, by two iterations. A line
+whose last change exceeds CLOSE is then solved alone, like lines in other states.
 """
 
 import math
@@ -43,7 +44,7 @@ def tension_near(kept, x, height, length, weight, flexibility, friction):
     """Return (H, wS) of a line that lies partly on the bed, from the tangent kept of a nearby position, which is
     updated.
 
-    nan where Newton's method does not converge at once
+    nan if Newton's method does not converge within these iterations
 
     x = (H/w) asinh(wS/H) + H S/EA + (L − S) + stretch of the part on the bed
     """

@@ -101,7 +101,8 @@ def span_at_tension(
     bed_friction=0.0,
     bed_slope=0.0,
 ):
-    """Span x (m) at which lines on a bed carry a given horizontal tension, and the remaining length on the bed (m).
+    """Span x (m) at which a line on a bed carries a given horizontal tension, and the length that then remains on the
+    bed (m).
 
     horizontal_tension : N, > 0; the other arguments as in `solve_lines`
     returns : x, grounded length

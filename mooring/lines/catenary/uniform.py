@@ -1,7 +1,7 @@
 """Kernels of one uniform line between an anchor at (0, 0) and a fairlead, one line at a time.
 
-The line is sorted into its `State`, solved by the closed form of that state (`suspended`, `sloping_bed`), and its
-fairlead is recomputed from its forces, so that a wrong answer is seen.  Functions of `solve` check input and result.
+The line is sorted into its `State` and solved by the closed form of that state (`suspended`, `sloping_bed`). Its
+fairlead is recomputed from its forces, so that a wrong answer is noticed.  Functions of `solve` check input and result.
 """
 
 import math
@@ -31,9 +31,10 @@ COLUMNS = 11
 def solve_uniform(row, line, bed):
     """Fill a row of `COLUMNS` for a line (x, z, length, weight, 1/EA, friction, slope).
 
-    A line whose free shape would leave its anchor below the bed's slope lies on the bed; if it can lie up to the point
-    below its fairlead and hang vertically from there, it is slack.  On a bed that falls from the anchor too steeply for
-    friction to hold the line, the excess length lies in a bight further down; seen from the bight the bed rises.
+    A line whose free shape would leave its anchor below the slope of the bed lies on the bed. If it can lie up to the
+    point below its fairlead and hang vertically from there, it is slack.
+    On a bed that falls from the anchor too steeply for friction to hold the line, the excess length lies in a bight
+    further down. Seen from the bight, the bed rises.
     """
     x, z, length, weight, flexibility, friction, slope = line
     tan = math.tan(slope)
@@ -93,8 +94,8 @@ def put_slack(row, plumb, lying, weight, flexibility, slope, friction):
 
 @kernel()
 def distance_missed(row, line):
-    """m between the fairlead and the end of the solved line, which its forces determine; for a slack line only the
-    height counts."""
+    """Distance, m, between the fairlead and the end of the solved line, which its forces determine; for a slack line
+    only the height counts."""
     x, z, length, weight, flexibility, friction, slope = line
     H = row[0]
     if H < 0:

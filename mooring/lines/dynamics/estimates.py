@@ -1,10 +1,12 @@
 """Accuracy of the largest tensions of a run: the same run with fewer elements, and with longer steps.
 
 A line that whips becomes taut with snaps, one element after another.  Where such snaps add up, errors of the steps
-exceed the tolerance of a single step: at 1e-3 largest tensions at the fairlead have had errors of 16 %, inside the line
-8 %. Their error is proportional to the step there, so that it is about the difference from steps twice as long. The
+exceed the tolerance of a single step. At a tolerance of 1e-3, largest tensions have had errors of 16 % at the fairlead
+and 8 % inside the line.
+Their error is proportional to the step there, so it is about the difference from the result with steps twice as long.
+The
 error of a single largest value may be small by chance. This is less likely for the largest values of each tenth of the
-run, of which the worst counts, at the fairlead or inside.  `tests/bench/line_peaks.py` counts how often this holds.
+run, at the fairlead or inside; the worst tenth counts. `tests/bench/line_peaks.py` counts how often this holds.
 """
 
 import warnings
@@ -67,10 +69,10 @@ def step_error(case, result, state, limit):
         part = int(np.argmax(np.abs(ours - others)[at]))
         warnings.warn(
             fails(
-                f"{case.line}: with steps {COARSER:g} times as long the largest tension {_WHERE[at]} from "
-                f"{edges[part]:.4g} to {edges[part + 1]:.4g} s is {_kN(others[at, part])} in place of "
-                f"{_kN(ours[at, part])}: time steps leave an error of {error[at]:.1%} in the largest tensions, "
-                f"allowed {limit:.1%}; give a tolerance smaller than {case.tolerance:g}"
+                f"{case.line}: the largest tension {_WHERE[at]} from {edges[part]:.4g} to "
+                f"{edges[part + 1]:.4g} s is {_kN(ours[at, part])}, and {_kN(others[at, part])} with steps "
+                f"{COARSER:g} times as long: time steps leave an error of {error[at]:.1%} in the largest "
+                f"tensions, allowed {limit:.1%}; give a tolerance smaller than {case.tolerance:g}"
             ),
             stacklevel=3,
         )

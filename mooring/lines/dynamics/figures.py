@@ -1,6 +1,6 @@
 """Figures of a run of a dynamic line: tensions, slack, work and its losses, with the quasi-static tension.
 
-An end is slack where its tension is below a tenth of that at rest: the dynamic force then exceeds 0.9 of the static
+An end is slack if its tension is below a tenth of the tension at rest. The dynamic force then exceeds 0.9 of the static
 one, the slack criterion of DNV-RP-H103 (2011), section 4.4.3.  Means are over time; the figures of a periodic run are
 those of whole cycles.
 """
@@ -63,7 +63,7 @@ class Figures:
     def share_of_work(self, value):
         """`value`, J, over the work done on the line; nan if that is zero
 
-        A line whose fairlead hardly moves receives its work from waves and current: the work at its ends is then
+        A line whose fairlead hardly moves receives its work from waves and current. The work at its ends is then
         rounding, or a small difference, relative to the energy lost, gained and stored.
         """
         gross = sum(map(abs, (*self.losses.values(), self.stored)))

@@ -47,8 +47,8 @@ class Energies(NamedTuple):
     def supplied(self):
         """Work done at the ends, the sum of losses and storage, J; shape (n,)
 
-        In slow motion a line exchanges a thousand times the energy that it loses.  The loss is a sum without signs and
-        the stored energy is least in equilibrium, so that this is of second order in the error of the state.
+        In slow motion a line exchanges a thousand times the energy that it loses.  The loss is a sum without signs, and
+        the stored energy is least in equilibrium. The error is therefore of second order in the error of the state.
         """
         return self.lost + self.stored
 

@@ -1,7 +1,7 @@
 """Dynamic mooring line: lumped mass in three dimensions with implicit steps chosen by their error.
 
 Forces and signs: `lumped.forces`; steps: `lumped.esdirk`.  The iteration on tensions with lagged angles of the SR179
-report (1982), section 2.2, has a limit c Δt/ℓ of about 0.45; here a step solves for the nodes with the tangent of
+report (1982), section 2.2, has a limit c Δt/ℓ of about 0.45. Here a step solves for the nodes with the tangent of
 tension, geometry and bed, and has no such limit.
 
 Energy balance: work at the fairlead = energy stored in the line + work lost to drag, inertia of the water, structural

@@ -17,7 +17,7 @@ def start(line, fairlead, water):
     """State of a line at rest with its fairlead at (3,) m, in still water or a current.
 
     Friction acts as on a line pulled out from slack: it is fully mobilised from the touchdown point on. A line with
-    bending stiffness starts from its shape without, and must behave as a line: see `_check_bending`.
+    bending stiffness starts from its shape without this stiffness, and must behave as a line: see `_check_bending`.
     raises : LineError where no equilibrium was found
     """
     fairlead, slip = np.asarray(fairlead, float), np.zeros((line.elements + 1, 3))
@@ -52,9 +52,9 @@ def _check_bending(line, q):
     tension = float(lumped.elastic_tension(line.system, q).max())
     if 4 * stiffest.bending_stiffness > tension * line.length**2:
         raise LineError(
-            f"{line}: bending stiffness EI = {1e-3 * stiffest.bending_stiffness:.4g} kN m² shapes the line more than "
-            f"its tension, at most {1e-3 * tension:.4g} kN at rest without EI; allowed: up to "
-            f"{0.25e-3 * tension * line.length**2:.4g} kN m², T L²/4"
+            f"{line}: the bending stiffness EI of {0.001 * stiffest.bending_stiffness:.4g} kN m² shapes the line "
+            f"more than its tension of at most {0.001 * tension:.4g} kN (at rest, without EI) does; allowed: up to "
+            f"{0.00025 * tension * line.length**2:.4g} kN m², T L²/4"
         )
 
 

@@ -68,8 +68,8 @@ def tangent_beyond(line, q):
     """Slope of the bed at x m beyond the anchor's place, 0 above the bed itself.
 
     The excess of a slack line lies in a heap at its anchor.  The heap is laid out along the first facet, past the
-    anchor, and the sea surface over it is moved with the facet: a part lifted by a buoy has the same height as over the
-    anchor. On a slope on which the line slides under tension, its place is the true one.
+    anchor, and the sea surface over it is moved with the facet. A part lifted by a buoy then has the same height as
+    over the anchor. On a slope on which the line slides under tension, its place is the true one.
     """
     if q[X] >= line.bed[0, 0] or line.no_bed or (slides_on(line, 0) and q[H] > 2 * line.least):
         return 0.0

@@ -3,8 +3,8 @@
 On a facet of slope β, going down: T₋ = T − w (sin β ± μ cos β) Δs; plus where the line slides towards the fairlead,
 minus where it slides towards the anchor, and the tension kept from the position before where that lies between the two.
 At a bed vertex T changes by exp(∓μ Δβ), the capstan equation, limit of the same law on a rounded bed.
-A line without tension slides down a facet on which sin β > μ cos β, and pulls: there T goes on below zero while the
-traversal seeks the tension that holds it (`on_bed`).
+A line without tension slides down a facet on which sin β > μ cos β, and pulls. There T continues below zero while the
+traversal seeks the tension that holds the line (`on_bed`).
 SR179 report (1982), section 3.1.1, eq. 3.1.6.
 """
 
@@ -21,8 +21,8 @@ HEAPED = 100.0  # tension of a part laid out in a heap, over the least tension
 def kept_tension(line, s):
     """Tension at s kept from the previous position, its slope dT/ds, and the lower s of its range.
 
-    Without history it is −∞: the line slides towards the fairlead.  Where the line was off the bed it is +∞: it slides
-    towards the anchor.
+    Without history T is −∞: the line slides towards the fairlead.  Where the line was off the bed T is +∞: the line
+    slides towards the anchor.
     """
     if line.kept.shape[0] == 0:
         return -math.inf, 0.0, -math.inf

@@ -4,18 +4,19 @@ Free spans are elastic catenaries in closed form (`free_span`), as is the line o
 a given horizontal tension one integration from the fairlead down to the anchor (`traverse`) finds the contacts with the
 bed; Newton's method on the equations of equilibrium with these contacts (`equations`, `newton`) gives positions and
 forces; a result is returned only if its own pieces confirm it (`verdict`). SR179 report (1982), section 3.1, with these
-differences: no nodes and no finite differences; on a slope only T is propagated; friction acts at bed vertices too, and
-only as far as equilibrium needs it.
+differences: there are no nodes and no finite differences; on a slope only T is propagated; friction acts at bed
+vertices too, and only as far as equilibrium needs it.
 
 Coordinates: the anchor at (0, 0), x towards the fairlead, z up.  A line pulls its fairlead towards the anchor with H
 and down with V.  A slack line hangs plumb, and the rest lies in a heap at its anchor, in which buoys stand plumb too
 and sinkers do not pull; a buoy does not rise out of the sea but floats in its surface with a part of its lift, or is
 lifted out of it by a fairlead that stands above.  On a slope steeper than friction holds a line without tension slides
 down: into a heap above the next vertex that stops it, or in a bight below its anchor, which then holds it, or, where
-the first facet falls from the anchor, in a bight past the foot of its fairlead.  Friction holds against the pull of
-the fairlead with all that it can give; where a line that does so has no equilibrium, because a span that lands behind
-a ridge would jump to its front, friction holds with a part of that.  What is found in none of these ways is refused:
-slack lines with sinkers or buoys in several heaps, folds and bights, on beds steeper than their friction holds.
+the first facet falls from the anchor, in a bight past the foot of its fairlead.  Friction holds against the pull of the
+fairlead with all its capacity. A line that does so may have no equilibrium, because a span that lands behind a ridge
+would jump to its front; friction then holds with a part of its capacity.
+A line that is found in none of these ways is refused: slack lines with sinkers or buoys in several heaps, folds and
+bights, on beds that are steeper than their friction holds.
 Bending, current on the line and the weight of the line above water are neglected.
 """
 

@@ -105,8 +105,9 @@ class StaticSolution:
     def slides(self):
         """Whether a part without tension, or a heap at the anchor, lies on a bed that is too steep for its friction.
 
-        The solution leaves such a part in place; in reality it would slide down to the nearest low point of the bed and
-        pull the line. Parts that slide towards the anchor, or down the first facet, are solved; lines with buoys, and
+        The solution leaves a part without tension in place; in reality it would slide down to the nearest low point of
+        the bed and pull the line.
+        Parts that slide towards the anchor, or down the first facet, are solved; lines with buoys, and
         lines whose traversal shows that they slide to a low point beyond their fairlead, are not solved.
         """
         if self.line.bed is None:

@@ -1,7 +1,7 @@
 """Kernels that find the first contact of a free span with the bed.
 
-A span hangs lower the steeper it starts, the later it leaves a facet and the larger the normal force of its sinker on
-the bed, so the start at which it just touches a facet, a vertex or the anchor is a bracketed root.
+A span hangs lower the steeper it starts, the later it leaves a facet, and the larger the normal force of its sinker on
+the bed. The start at which it just touches a facet, a vertex or the anchor is therefore a bracketed root.
 """
 
 import math

@@ -1,8 +1,8 @@
 """Kernels that find the contacts of a line of given horizontal tension with the bed, from the fairlead to the anchor.
 
-The tension determines the line's shape.  A free span ends at its first contact (`touchdown`); from there the line
-lies on the bed to the last place from which a free span just clears the bed further down: inside a facet, at a sinker,
-or at a vertex at an angle between those of its facets.  The excess length at the anchor grows with the tension and
+The tension determines the line's shape.  A free span ends at its first contact (`touchdown`). From there the line lies
+on the bed to the last place from which a free span just clears the bed further down: inside a facet, at a sinker, or at
+a vertex at an angle between those of its facets.  The excess length at the anchor grows with the tension and
 has one root.  SR179 report (1982), section 3.1.3, gives the same rules for nodes of a line.
 
 The end of that search is an option (`LineData.to_place`).  The search ends at the anchor's place, with an excess

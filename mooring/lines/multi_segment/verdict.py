@@ -1,13 +1,15 @@
 """Kernels that judge a solved line by its pieces alone, however its contacts were found.
 
-No piece has a negative length or lies below the bed, what lies has tension T ≥ 0 and a friction that the bed can give,
-each piece ends where the next one begins, the last one at the anchor, and where two pieces meet the forces balance:
+No piece has a negative length or lies below the bed. A piece on the bed has tension T ≥ 0 and a friction that the bed
+can give. Each piece ends where the next one begins, the last one at the anchor, and where two pieces meet the forces
+balance:
 
     R = (H₋ − H₊, V₋ − V₊ + f),   + above the place, − below it, f the weight of the point load there,
 
-is zero off the bed.  On it R, the force of the bed, lies in its cone of friction: so a sinker on a slope pulls with the
-force that exceeds friction, and T jumps on a facet at loads alone; over a vertex it changes no more than that of a rope
-over a bollard.  Parts without tension are exempt; `StaticSolution.slides` reports them. A buoy is under water, out of
+is zero off the bed.  There R, the force of the bed, lies in its cone of friction. A sinker on a slope therefore pulls
+with the force that exceeds friction, and T jumps on a facet at loads alone. Over a vertex T changes no more than that
+of a rope over a bollard.
+Parts without tension are exempt; `StaticSolution.slides` reports them. A buoy is under water, out of
 the water, or in the surface with a weight between the two.
 """
 

@@ -1,7 +1,7 @@
 """Pull of one line of a system at rest over its span: X(H) and T(X), for any kind of line.
 
-The end at the anchor, or end a of a line without one, is fixed; the other moves in the line's plane at its own height,
-from the position where the line is slack to the one where it carries a given tension.
+The end at the anchor is fixed, or end a of a line without an anchor. The other end moves in the line's plane at its own
+height, from the position where the line is slack to the position where it carries a given tension.
 """
 
 from typing import NamedTuple

@@ -1,8 +1,8 @@
 """Rows of lines of several segments for the assembly of a system, from the solver of lines of several segments.
 
 The solver counts from one end, the origin: the anchor of a line that lies on a bed, and end a of a free line. A free
-line has one horizontal force, and V_a + V_b is its weight, so its derivatives at the origin follow from those at the
-other end; an anchor does not move, and its own derivatives are not needed.
+line has one horizontal force, and V_a + V_b is its weight. Its derivatives at the origin therefore follow from those at
+the other end. An anchor does not move, and its own derivatives are not needed.
 """
 
 from dataclasses import replace

@@ -201,9 +201,9 @@ def _found(system, pose, load, may, unit, count):
     if not share <= LIMIT:
         worst = int(np.argmax(np.abs(residual / unit)))
         raise EquilibriumError(
-            f"no equilibrium was found in {count} steps: {residual[worst]:.4g} {'N' if unit[worst] == 1 else 'N m'} "
-            f"is left on {freedom_name(system, worst)}, {share:.2g} of all forces; allowed: {LIMIT:g}; "
-            "start nearer to the equilibrium"
+            f"no equilibrium was found in {count} steps: the residual on {freedom_name(system, worst)} is "
+            f"{residual[worst]:.4g} {('N' if unit[worst] == 1 else 'N m')}, {share:.2g} of all forces; allowed: "
+            f"{LIMIT:g}; start nearer to the equilibrium"
         )
     vertical = slice(6 * len(system.bodies) + 2, None, 3)
     on_bed = ~moving[vertical]

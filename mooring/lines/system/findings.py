@@ -62,8 +62,9 @@ def warn_of_floating(system, load):
                 part, top = "middle", middle
         if top > ON_BED:
             warnings.warn(
-                f"line {line.name} floats and its {part} would be {top:.3g} m above the water; allowed: below the "
-                "surface, since lines do not float on it here; shorten the line, or give its weight in air",
+                f"line {line.name} floats and its {part} would be {top:.3g} m above the water; allowed: below "
+                "the surface, since the program does not let lines float on it; shorten the line, or give its weight "
+                "in air",
                 stacklevel=4,
             )
 
@@ -87,7 +88,7 @@ def unheld(lines):
     """Whether a part of each line without tension lies on a bed that is too steep for its friction; shape (n,) of
     LineForces.
 
-    The solution leaves such a part in place; in reality it slides down to the nearest low point of the bed and pulls
+    The solution leaves such a part in place. In reality it slides down to the nearest low point of the bed and pulls
     the line.
     """
     return np.array([i in lines.solutions and lines.solutions[i].slides for i in range(len(lines.status))], bool)
@@ -98,9 +99,9 @@ def warn_of_sliding(system, lines):
     names = [name for name, slides in zip(system.line_names, unheld(lines), strict=True) if slides]
     if names:
         warnings.warn(
-            f"slack on a bed that is too steep for its friction: {', '.join(names)}; here the line stays where it "
-            "lies, but in reality it slides and pulls; allowed: tan of the slope up to the friction; give more "
-            "friction or a shorter line",
+            f"slack lines on a bed that is too steep for its friction: {', '.join(names)}; the program keeps such a "
+            "line where it lies, but in reality the line slides and pulls; allowed: tan of the slope up to the "
+            "friction coefficient; give more friction or a shorter line",
             stacklevel=4,
         )
 

@@ -3,7 +3,8 @@
 Degrees of freedom: six of each body (shift of its origin, rotation about space axes), then three of each free point, in
 the order in which the parts are given.  Stiffness is −∂(force, moment about the moving origin). The bed is flat at z =
 −depth; lines have their weight in water also above the surface, except those with a weight in air.  Friction of the bed
-acts on lines that end at an anchor on it: between free points it would depend on history. Equations of equilibrium:
+acts on lines that end at an anchor on the bed. Between free points it would depend on history.
+Equations of equilibrium:
 SR179 report (1982), sections 3.1.5 and 3.5.1.
 """
 

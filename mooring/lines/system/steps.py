@@ -1,8 +1,8 @@
 """Kernels for one step of the search for rest: (K + m) s = r, with the least m ≥ 0 for which s is not too long.
 
 Stiff directions are solved to convergence while soft ones, such as slack lines, wait.  Consecutive points on a line
-have their terms near the diagonal, so elimination is limited to the envelope: each row from its first term on, which
-costs N b² operations for N freedoms and rows of b terms instead of N³.  No pivoting: K has a positive definite
+have their terms near the diagonal, so elimination is limited to the envelope: each row from its first term on. This
+costs N b² operations, instead of N³, for N freedoms and rows of b terms.  No pivoting: K has a positive definite
 symmetric part, or is refused.
 """
 

@@ -1,9 +1,9 @@
 """Uniform lines that emerge from the water, with their weight in air above it, as rows of the assembly of a system.
 
 Such a line has up to three segments, dry, wet and dry, joined where it crosses the surface, z = 0; these places are
-found by Newton's method on the height of each joint over the slope of the line there.  The joints' places do not enter
-its energy to first order (both weights times the height 0), so its forces are those of the segments; their derivatives
-are differences.
+found by Newton's method on the height of each joint over the slope of the line there.  To first order the places of the
+joints do not enter its energy (both weights times the height 0). Its forces are therefore those of the segments; their
+derivatives are differences.
 """
 
 from dataclasses import dataclass

@@ -2,14 +2,14 @@
 
 A fairlead moves from its position in the line to that on the body, along two cubics through positions and velocities at
 begin, middle and end.  A line takes as many own steps as its tolerance requires (`lines.dynamics.lumped.esdirk`).  Its
-pull F(t) is a cubic between their ends with slopes of parabolas through three of them.  The force on the body is the
+pull F(t) is a cubic between the ends of steps, with slopes of parabolas through three of these ends.
+The force on the body is the
 polynomial of third degree
 
     F(s) = Σ_k c_k P_k(2s − 1),   c_k = (2k + 1) ∫₀¹ F P_k(2s − 1) ds,   s = (t − t₀)/h
 
-with Legendre's P_k.  The series keeps the impulse of F and the first three moments of F, so that jerks of a line that
-are shorter than the body's step have their full effect on the body, while the body's own error estimate sees a smooth
-force.
+with Legendre's P_k.  The series keeps the impulse of F and its first three moments. Jerks of a line that are shorter
+than the body's step then have their full effect on the body, while the body's own error estimate sees a smooth force.
 """
 
 import numpy as np

@@ -18,6 +18,7 @@ def check_bending(body, free):
         omega = np.sqrt(max(body.stiffness[i, i], 0.0) / (body.inertia[i, i] + added[i, i]))
         if i in free and omega > FASTEST:
             raise ValueError(
-                f"{body.words[i]} has a natural frequency of {omega:.3g} rad/s, limit {FASTEST:g}: steps of a run "
-                "would be far below those of waves; solve fewer shapes (count), or hold it by simulation.motions"
+                f"{body.words[i]} has a natural frequency of {omega:.3g} rad/s, limit {FASTEST:g}: a run would "
+                "need steps far shorter than those for waves; solve fewer shapes (count), or hold it by "
+                "simulation.motions"
             )

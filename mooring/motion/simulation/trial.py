@@ -5,9 +5,9 @@ A line in its static shape has neither inertia nor drag.  It snaps where a line 
 out of slow motion: under waves from abeam, chains in shallow water make a symmetric body surge and yaw (Mathieu's
 instability of a spring that stiffens), and the drag of the same chains damps this.  Both runs therefore contain the
 whole body, in the same waves and gusts.  Both start a little off the equilibrium, since an instability would take hours
-to grow out of rounding errors.  Where tensions or slow motion differ by more than NEGLIGIBLE, all lines move.  Where
-tensions of a first trial of SHORT already differ by more than CLEAR, they move without a longer one: lines that move
-leave nothing out, so that a trial which is too short could cost time and never be unsafe.
+to grow out of rounding errors.  Where tensions or slow motion differ by more than NEGLIGIBLE, all lines move.  If
+tensions of a first trial of SHORT already differ by more than CLEAR, the lines move without a longer trial. Lines that
+move neglect nothing, so a trial that is too short could cost time and never be unsafe.
 
 The regimes of the simplified method (`mooring.lines.regimes`) were tried for this decision: of random chains, wires and
 ropes in their quasi-static regime, every second one differed by more than a tenth in a run

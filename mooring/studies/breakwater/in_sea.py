@@ -112,6 +112,6 @@ def rougher(breakwater, held, sea):
         yield (
             f"the highest of {sea.waves:.0f} waves of the sea loads the lines more than the waves of "
             f"{breakwater.waves.height:g} m, for which pretension and anchors are sized: "
-            f"{tensions or 'lines go slack'}; lines that stay taut in it need a pretension of {sea.least / KN:.4g} "
-            f"kN/m; give the highest wave as waves.height"
+            f"{tensions or 'lines go slack'}; lines that stay taut in this wave need a pretension of "
+            f"{sea.least / KN:.4g} kN/m; give the highest wave as waves.height"
         )

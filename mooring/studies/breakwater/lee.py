@@ -214,8 +214,8 @@ def _remarks(breakwater, asked, missed):
     if asked.units > 1 and asked.gap < depth:
         left = np.exp(-np.pi * asked.gap / depth)
         yield (
-            f"map.gap is {asked.gap:g} m, less than the depth of {depth:g} m: local waves, of which {left:.0%} are "
-            f"left at the next unit, are not included"
+            f"map.gap is {asked.gap:g} m, less than the depth of {depth:g} m: local waves are not included, and "
+            f"{left:.0%} of them reach the next unit"
         )
     if missed > MISSED:
         yield f"the fit of the waves close to the body misses {missed:.1%} of the far field; allowed: {MISSED:.0%}"

@@ -109,9 +109,9 @@ def beside_resonances(changed, found):
         _, number, period, passed = max(beside)
         told = ", ".join(f"{K:.2f} at {T:.3g} s" for T, K in zip(period, passed, strict=True))
         yield (
-            f"{len(beside)} of the {len(steep)} best designs are near a resonance, nearest design {number}: its K_T "
-            f"is {told}; a slightly different draft or period changes K_T by more than {STEEP:g}; choose another "
-            f"design, or give waves.periods at closer values there"
+            f"{len(beside)} of the {len(steep)} best designs are near a resonance, most of all design {number}: "
+            f"its K_T is {told}; a slightly different draft or period changes K_T by more than {STEEP:g}; choose "
+            "another design, or give waves.periods at closer values there"
         )
 
 

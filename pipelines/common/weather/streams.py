@@ -157,7 +157,9 @@ def coefficients_of(where, table):
     from hakobune.mooring.loads.box_drag import drag_table
 
     if table.file is not None:
-        raise StudyError(f"{where}.file is given in a study that is not a file; allowed: in a study file only")
+        raise StudyError(
+            f"{where}.file is given in a study that was not read from a file; allowed: in a study file only"
+        )
     c = table.coefficients
     if c is None:
         return None

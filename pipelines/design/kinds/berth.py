@@ -74,8 +74,7 @@ def _steady_of_few(file):
     if kept < runs:
         yield (
             f"steady strains come from the {kept} of {runs} runs with stored records; other runs may have larger "
-            f"ones; give "
-            f"simulation.keep_series = {runs}"
+            f"strains; give simulation.keep_series = {runs}"
         )
 
 

@@ -1,7 +1,8 @@
 """An earthquake as a load case of a berth: `hakobune earthquake`, with the body of the project's database.
 
 Every method for which its study has values (seismic coefficient, response spectrum, record in time) gives the reaction
-and the deflection of the fenders of one side; criteria are judged by all of them.  The case gives no rope tensions and
+and the deflection of the fenders of one side. Criteria are judged by all these methods.
+The case gives no rope tensions and
 no motions, so criteria on those are not judged by it.
 """
 

@@ -79,8 +79,8 @@ def check(project, raw):
         )
     if project.simulation is None and made.at_berth:
         raise StudyError(
-            "the study has fenders or ropes, which are judged by simulations only; give the project [simulation] (that "
-            "of the study is not read)"
+            "the study has fenders or ropes, which are judged by simulations only; give the project [simulation] "
+            "(the [simulation] of the study is not read)"
         )
 
 

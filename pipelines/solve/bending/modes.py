@@ -88,10 +88,10 @@ def mode_remarks(scene, hulls):
             )
             if shape.dimensions < 3:
                 where = "in a plane" if shape.dimensions == 2 else "on a line"
-                yield f"{mode.name}: its points lie {where}; across these the shape is constant"
+                yield f"{mode.name}: its points lie {where}; in the directions across, the shape is constant"
             if shape.masses is None and scene.motions_known:
                 yield (
-                    f"{mode.name}: {table.file} has no masses: so the shape is not coupled to the rigid motions by mass"
+                    f"{mode.name}: {table.file} has no masses, so the shape is not coupled to the rigid motions by mass"
                 )
 
 

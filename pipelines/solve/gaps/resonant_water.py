@@ -6,11 +6,12 @@ The natural frequency follows from the mass of this water and of the water below
     gap of width b between hulls of draft d and width B in all     ω² = g / (d + b/π (3/2 + ln(B/2b)))     Molin (2001)
     moonpool of area S                                             ω² = g / (d + 0.41 √S)                 Fukuda (1977)
 
-The first formula is for two dimensions and deep water; in water twice as deep as the draft it is 5 % too high, in less
-10 %.  Around its frequency two equal rectangles are solved (`bem.sections.side_by_side`): they give the period,
+The first formula is for two dimensions and deep water. In water twice as deep as the draft it is 5 % too high, in
+shallower water 10 %.
+Around its frequency two equal rectangles are solved (`bem.sections.side_by_side`): they give the period,
 and how far the water rises between long hulls.  Before a wall the gap counts twice, with the image of the hull.
 
-The second formula is for deep water; over a low gap under the keel it is up to 40 % too high.  Around its frequency the
+The second formula is for deep water. Over a low gap under the keel it is up to 40 % too high.  Around its frequency the
 hull itself is solved (`bem.methods.moonpool`), if it has not too many panels, a draft, and no wall beside it.
 """
 

@@ -72,8 +72,8 @@ def least_ms(rows, level):
 
 
 def equal_panels(rows):
-    """[{column: number or text}]: our panels and the other program at its fastest settings; separate rows for mirror
-    planes and for rotation.
+    """[{column: number or text}]: our panels and the other program at its fastest settings, with separate rows for
+    mirror planes and for rotation.
 
     all_in is a frequency of `FREQUENCIES` with its share of the preparation; times : theirs over ours
     """

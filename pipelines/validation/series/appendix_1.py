@@ -8,16 +8,18 @@ SR179 report (1982), appendix 1 and section 3.5.3, digitised in appendix_1.csv: 
 full     memory of the water, Newman's drift, wave drift damping, drag of the box in the water
 report   coefficients at the mean frequency, drift by half waves, no more damping: the report's own (section 3.5.1.2)
 
-The models are computed at the size of their prototypes, 36 and 46.5 times theirs, in fresh water, and told in theirs.
+The models are computed at the size of their prototypes, 36 and 46.5 times as large, in fresh water; results are at the
+size of the models.
 
 What the report does not tell is taken as: the sinker's upper part is S₁ = 3.355 m, its own 0.170 m half chain of each
 part; axial stiffness of a studless chain of 7 mm.  Waves are ISSC of 2.19 s and of the measured σ; at 45°, where the
 model's reflection is in the measured waves, of H₁/₃/3.774 of the tests ahead.
 
 The tests were analysed over 204.8 s ahead and 102.4 s at 45°, in part of the transient, and are called indicative
-where motion is slow (appendix 1, sections 5.2, 5.4). Of our records as long, ahead at gain 0.9, 90 % have σ of surge
-from 3.2 to 6.9 cm on chain, from 3.2 to 4.6 cm with sinker, and sinker over chain from 0.5 to 1.25; at gain 0.5 the
-chain's 1.5 to 3.1 cm leave out the 3.6 measured. Heave was too damped for its period to be seen (section 4.2): with a
+where motion is slow (appendix 1, sections 5.2, 5.4). Of computed records of the same length, ahead at gain 0.9, 90 %
+have σ of surge from 3.2 to 6.9 cm on chain and from 3.2 to 4.6 cm with sinker, and sinker over chain from 0.5 to 1.25.
+At gain 0.5 the range on chain is 1.5 to 3.1 cm, which does not include the measured 3.6 cm.
+Heave was too damped for its period to be seen (section 4.2): with a
 tenth of critical damping beside that of waves, linear σ of heave is 1.61 and 1.92 cm at gain 0.9, measured 1.48 and
 1.90.
 """

@@ -186,7 +186,7 @@ def summary(found):
                 yield f"{words}, {len(pairs)} tests: {ours:.2f} kgf {place}{without}, measured {measured:.2f}"
     late = [one for one in found if np.isfinite(one["settled_s"])]
     names = ", ".join(one["case"] for one in found if one["slews"]) or "none"
-    yield f"slewing that stays: {names} of {len(found)}; the heading comes to rest in {len(late)}"
+    yield f"slewing continues in {names} of {len(found)}; the heading comes to rest in {len(late)}"
 
 
 def _pairs(found, column, per_height=None):
@@ -209,8 +209,9 @@ def ceilings(databases):
         righting = db.reader.stiffness[4, 4] * np.radians(1.0)
         moment = LIFTED * KGF * 0.5 * LENGTH / righting
         yield (
-            f"B/d {wide}: the free model pitches {max(sigmas):.3f} °/cm at most, σ over σ, in an ISSC sea of any mean "
-            f"period from {SEAS[0]:.2g} to {SEAS[-1]:.2g} s; {LIFTED:g} kgf up at its bow turn it {moment:.2f}°"
+            f"B/d {wide}: the free model pitches by at most {max(sigmas):.3f} °/cm, σ over σ, in an ISSC sea of "
+            f"any mean period from {SEAS[0]:.2g} to {SEAS[-1]:.2g} s; {LIFTED:g} kgf upwards at its bow turn it "
+            f"by {moment:.2f}°"
         )
 
 
@@ -220,8 +221,8 @@ def chains():
     for grade, printed in REPORT_CHAINS.items():
         d = next(d for d in range(10, 200) if _breaking(grade, d) >= load)
         yield (
-            f"chain for {load:.1f} tonf ({LARGEST_KGF} kgf × {SCALE:g}³ × {SAFETY:g}), grade {grade}: {d} mm; the "
-            f"report {printed} mm, which breaks at {_breaking(grade, printed):.1f} tonf"
+            f"chain for {load:.1f} tonf ({LARGEST_KGF} kgf × {SCALE:g}³ × {SAFETY:g}), grade {grade}: {d} "
+            f"mm computed; the report has {printed} mm, which breaks at {_breaking(grade, printed):.1f} tonf"
         )
 
 

@@ -2,7 +2,7 @@
 
 SR179 report (1982), section 3.7.5: fenders of 700 tonf/m (C2000H, floater A) and 1200 tonf/m (C3000H, B), ISSC spectra,
 waves, wind and current on the beam; strains of at most 10 % under the steady loads and 35 % in all.  Fenders stand on
-two dolphins at a quarter of the length from each end, `fenders` on each; the report gives no layout.  With a quay
+two dolphins at a quarter of the length from each end, with `fenders` on each; the report gives no layout.  With a quay
 behind the dolphins, the rows of the design spectrum method include the quay by its far field; the values for open water
 stand beside them.
 """
@@ -132,14 +132,17 @@ def statements(rows):
         limits = ", ".join(f"{r['limit_m']:.2f} ({r['depth_m']:g} m, {r['wind_m_s']:g} m/s)"
                            for r in sorted(own, key=lambda r: r["wind_m_s"]))  # fmt: skip
         yield (
-            f"floater {floater}, {count} on each dolphin, 10 s: limit printed {printed:g} m, here {limits}; 0 means "
-            "that the steady loads alone compress the fenders too far"
+            f"floater {floater} with {count} fenders on each dolphin, 10 s: the printed limit is {printed:g} m, "
+            f"the computed one {limits}; 0 means that the steady loads alone compress the fenders too far"
         )
     for floater, worst in (("A", 1), ("B", 5)):
         found = [max(_of(rows, floater=floater, depth_m=depth, period_s=10.0, height_m=1.0, wind_m_s=50.0),
                      key=lambda r: r["sigma_m"]) for depth in DEPTHS[floater]]  # fmt: skip
         words = ", ".join(f"{r['fenders']} ({r['depth_m']:g} m)" for r in found)
-        yield f"floater {floater}: motion is largest at 10 s with {worst} fenders in the report, here with {words}"
+        yield (
+            f"floater {floater}: the motion at 10 s is largest with {worst} fenders in the report, and with "
+            f"{words} here"
+        )
 
 
 def quay_statements(rows):
@@ -148,7 +151,10 @@ def quay_statements(rows):
         own = _of(rows, floater=floater, fenders=count, wind_m_s=WEATHER[0][0], height_m=1.0)
         words = ", ".join(f"{r['limit_m']:.2f} for {r['open_water_limit_m']:.2f} ({r['depth_m']:g} m, "
                           f"{r['period_s']:g} s)" for r in own)  # fmt: skip
-        yield f"floater {floater}, {count} on each dolphin, m before the quay for open water: {words}"
+        yield (
+            f"floater {floater} with {count} fenders on each dolphin, limits of wave height in m in front of the "
+            f"quay for those in open water: {words}"
+        )
 
 
 def _of(rows, **wanted):

@@ -29,7 +29,7 @@ def series(
     seeds: Annotated[int | None, Parameter(help="records of waves, over which statistics are taken [1]")] = None,
     hours: Annotated[float | None, Parameter(help="multi-point: of each run in time [3]")] = None,
     quay: Annotated[
-        float | None, Parameter(help="dolphin: m from the hull to a quay behind", allow_leading_hyphen=True)
+        float | None, Parameter(help="dolphin: distance from the hull to a quay behind, m", allow_leading_hyphen=True)
     ] = None,
     fresh: Annotated[bool, Parameter(help="replace the databases that are there", negative="")] = False,
 ):

@@ -173,15 +173,15 @@ def trends(found):
     for (floater, height, period, depth), rows in groups.items():
         ours, printed, away = map(_ends, np.array(rows).T)
         yield (
-            f"{floater}, H {height:g} m, {period:g} s, {depth:g} m: significant over static {ours}, printed "
-            f"{printed}; apart by {away} m of surge"
+            f"{floater}, H {height:g} m, {period:g} s, {depth:g} m: the significant over the static tension "
+            f"is {ours}, printed {printed}; the difference is that of {away} m of surge"
         )
     away = np.abs([one["apart_m"] for one in found if np.isfinite(one["apart_m"])])
     if len(away) > 1:
         yield (
-            f"{len(away)} head-on cases: computed and printed significant tensions differ as by {np.median(away):.2f} "
-            f"m of surge (median; nine of ten cases: at most {np.quantile(away, 0.9):.2f} m), since nearly taut lines "
-            f"turn a small surge into a large tension"
+            f"{len(away)} head-on cases: computed and printed significant tensions differ as much as by "
+            f"{np.median(away):.2f} m of surge (median; nine of ten cases: at most {np.quantile(away, 0.9):.2f} "
+            "m), since nearly taut lines turn a small surge into a large tension"
         )
 
 

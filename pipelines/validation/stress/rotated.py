@@ -6,7 +6,7 @@ With R the rotation by α about the vertical, a body moved to p has, about p,
     A' = R A Rᵀ,    X'(β + α) = exp(ik p·(cos(β+α), sin(β+α))) R X(β)
 
 which results obey within the accuracy of the Green function's tables, whatever the discretisation error.  With mirror
-planes a panel is integrated more finely where an image of it is near, a difference within the discretisation error.
+planes a panel is integrated more finely near its image. The difference is within the discretisation error.
 """
 
 import math

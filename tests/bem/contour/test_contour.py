@@ -18,7 +18,7 @@ from hakobune.bem.methods.shape_problem import ShapeProblem
         ((100, np.nan, 10, 20), "beam is nan m"),
         ((100, 50, -1, 20), "draft is -1 m"),
         ((100, 50, 10, 9), "depth is 9 m; allowed: above the draft"),
-        ((100, 50, 10, 10.0001), "depth − draft is 0.0001 m; allowed: from 0.0003 m"),
+        ((100, 50, 10, 10.0001), r"\(depth − draft\) is 0.0001 m; allowed: 0.0003 m or more"),
         ((100, 50, 10, np.inf), "panel method"),
         ((100, 50, 10, 15000), "allowed: up to 14010 m"),
         ((100, 50, 10, 20, 1e-9), "tolerance is 1e-09; allowed"),

@@ -62,11 +62,11 @@ def test_plans_that_meet_are_refused(places, meet):
     for plans, order in (([RECTANGLE, CIRCLE], (0, 1)), ([CIRCLE, RECTANGLE], (1, 0))):
         own = [places[i] for i in order]
         if meet:
-            with pytest.raises(ValueError, match=r"bodies [12] and [12] lie in each other or touch; allowed: water"):
+            with pytest.raises(ValueError, match=r"bodies [12] and [12] overlap or touch; allowed: water"):
                 several._check_apart(plans, own)
         else:
             several._check_apart(plans, own)
-    with pytest.raises(ValueError, match="bodies 2 and 3 lie in each other"):
+    with pytest.raises(ValueError, match="bodies 2 and 3 overlap"):
         several._check_apart([RECTANGLE] * 3, [Place(0, 9, 0), Place(0, 0, 0), Place(0, 0.5, 1.0)])
 
 

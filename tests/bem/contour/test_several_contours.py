@@ -197,10 +197,10 @@ def test_gaps_are_taken_from_five_thousandths_of_half_the_width():
     """Of the box 4 m wide on either side of its middle 0.02 m"""
     boxes = [("box", (16.0, 8.0, 3.0))] * 2
     assert prepare_several(boxes, [Place(0, 0, 0), Place(0, 8.021, 0)], DEPTH, 1e-2).gaps[0] == pytest.approx(0.021)
-    with pytest.raises(ValueError, match=r"body 1 is 0.019 m from the next; contours need at least 0.02 m"):
+    with pytest.raises(ValueError, match=r"body 1 is 0.019 m from the next; the contour method needs at least 0.02 m"):
         prepare_several(boxes, [Place(0, 0, 0), Place(0, 8.019, 0)], DEPTH, 1e-2)
 
 
 def test_bodies_that_meet_are_refused():
-    with pytest.raises(ValueError, match="bodies 1 and 2 lie in each other or touch"):
+    with pytest.raises(ValueError, match="bodies 1 and 2 overlap or touch"):
         prepare_several(SHAPES, [Place(0.0, 0.0, 0.0), Place(2.0, 6.9, 0.4)], DEPTH, 1e-3)

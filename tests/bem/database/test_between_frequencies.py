@@ -92,7 +92,11 @@ def test_four_frequencies_are_the_fewest_between_which_something_is_known():
         if count == 4:
             assert few.inside([0.5]) == [0.5]
             continue
-        with pytest.raises(BetweenError, match=r"omega is 0.5 rad/s and 3 frequencies are stored; .* at least 4"):
+        with pytest.raises(
+            BetweenError,
+            match=r"omega is 0.5 rad/s, which is not stored; .* at least 4 stored "
+            r"frequencies, and 3 are stored",
+        ):
             few.inside([0.5])
 
 

@@ -44,7 +44,7 @@ def test_a_heave_stiffness_five_per_cent_off_is_of_another_length(sign):
     on_hull(values({"hydrostatic_stiffness": stiffness(1 + 0.049 * sign)}), HULL)
     with pytest.raises(FormatError, match=r"heave stiffness .* the waterplane of the hull, 2e\+06 N/m; .*within 5 %"):
         on_hull(values({"hydrostatic_stiffness": stiffness(1 + 0.051 * sign)}), HULL)
-    with pytest.raises(FormatError, match=r"0.01 times ρ g .* dimensionless by a length 10 times as large"):
+    with pytest.raises(FormatError, match=r"0.01 times ρ g .* dimensionless is 10 times as large"):
         on_hull(values({"hydrostatic_stiffness": stiffness(0.01)}), HULL)
 
 
@@ -56,7 +56,7 @@ def test_a_mass_three_times_or_a_third_of_the_displaced_is_in_another_unit():
                 on_hull(one, HULL)
         else:
             remarks = on_hull(one, HULL)[1]
-            assert f"mass {ratio * 8e5:.6g} kg is not the displaced 800000 kg" in remarks[0]
+            assert f"mass {ratio * 8e5:.6g} kg is not the displaced mass of 800000 kg" in remarks[0]
     for ratio, told in ((1.0095, False), (1.0105, True), (0.9905, False), (0.9895, True)):
         remarks = on_hull(values({"mass": ratio * RHO * VOLUME}), HULL)[1]
         assert any("is not the displaced" in line for line in remarks) == told
@@ -124,7 +124,7 @@ def test_motions_of_the_free_body_follow_where_all_is_there():
     for factor, told in ((1.04, False), (1.06, True), (0.94, True)):  # of pitch alone
         scaled = found.quantities["rao"] * np.array([1, 1, 1, 1, factor, 1])
         said = on_hull(replace(own, quantities=own.quantities | {"rao": scaled}), HULL, Weight(gyration=(3, 6, 6)))[1]
-        of_motions = [one for one in said if one.startswith("the motions in the files are stored, and differ from")]
+        of_motions = [one for one in said if one.startswith("the motions in the files are stored; they differ by")]
         assert len(of_motions) == told and all("by up to 6 % of the largest pitch" in one for one in of_motions)
 
 

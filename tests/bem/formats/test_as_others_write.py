@@ -118,7 +118,7 @@ def test_results_are_made_dimensionless_by_ulen(values, written):
     assert np.allclose(found.get("hydrostatic_stiffness"), C, rtol=1e-5, atol=1e-6 * C.max())
     # taken with the wrong length, the hull tells
     wrong = wamit.read(written, WATER | {"length_unit": 1.0})
-    with pytest.raises(FormatError, match=r"a length 10 times as large \(--length-unit\)"):
+    with pytest.raises(FormatError, match=r"dimensionless is 10 times as large \(--length-unit\)"):
         on_hull(wrong, values.mesh)
 
 

@@ -194,7 +194,7 @@ LIMITS = {
     "axes of Nemoh": (edited(nemoh, "n", "n/Nemoh.cal"), {"2 0. 1. 0.": "2 0. 1. 1e-10"},
         {"2 0. 1. 0.": "2 0. 1. 1e-8"}, "has a motion or force of kind 2 along [0.0, 1.0, 1e-08]"),
     "headings of Nemoh": (edited(nemoh, "n", "n/Nemoh.cal"), {}, {"2 0 90": "3 0 90"},
-        "ExcitationForce.tec has 2 zones of 13 numbers a line; allowed: 3, with 13, as Nemoh.cal says"),
+        "ExcitationForce.tec has 2 zones of 13 numbers a line; Nemoh.cal asks for 3 zones of 13 numbers"),
     "rows of Nemoh": (edited(nemoh, "n", "n/Results/RadiationCoefficients.tec"), {}, {"E+03 ": "E+03 x "},
         "RadiationCoefficients.tec"),
     "numbers of Nemoh": (edited(nemoh, "n", "n/Results/ExcitationForce.tec"), {" 1.000000000E+00 ": " 1.0000001E+00 "},

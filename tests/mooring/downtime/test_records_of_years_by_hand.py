@@ -210,8 +210,8 @@ def made(time, height=None, columns=None):
 
 
 SEASONS = (
-    "the record has nothing of February, March, April, May, June, July, August, September, October, November: hours a "
-    "year, and all shares, are those of the other months, as if the whole year were like them; give whole years"
+    "the record has no rows of February, March, April, May, June, July, August, September, October, November: hours a "
+    "year and all shares represent the other months only; give whole years"
 )
 TIME = np.datetime64("2015-12-31T12:00", "s") + np.timedelta64(1, "h") * np.arange(30)
 

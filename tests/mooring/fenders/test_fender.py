@@ -161,7 +161,8 @@ X, UP = [0.0, 0.2, 0.5], np.array([0.0, 1e6, 1.5e6])
         ),
         (
             lambda: fender_of_family("cone", 1.0),
-            "the rated reaction of the manufacturer, rated_reaction; allowed without it: cell, v, h, pneumatic$",
+            "rated_reaction, the rated reaction of the manufacturer; families that do not need it: cell, v, h, "
+            "pneumatic$",
         ),
         (lambda: fender_of_family("v", 1.0), "its length is missing"),
         (lambda: chosen(["weather"]), "allowed: manufacture, ageing"),

@@ -129,7 +129,9 @@ def test_the_tangent_of_a_bent_line_is_that_of_its_forces_and_solved_as_a_matrix
 
 def test_a_beam_that_would_not_hang_is_refused_with_the_largest_stiffness():
     line = DynamicLine(DynamicSegment(110.0, MASS, 200.0, 0.1, EA, bending_stiffness=1e9), (0.0, 0.0, END[2]), bed=None)
-    with pytest.raises(LineError, match=r"bending stiffness EI = 1e\+06 kN m².* at most .* kN at rest.*allowed: up to"):
+    with pytest.raises(
+        LineError, match=r"bending stiffness EI of 1e\+06 kN m².* at most .* kN \(at rest.*allowed: up to"
+    ):
         start(line, END, STILL)
 
 

@@ -94,7 +94,9 @@ def test_a_chain_by_its_bar_weighs_what_steel_of_its_volume_does():
     sea water weighs 1 − 1025/7850 of that"""
     turbine = copy.deepcopy(TURBINE)
     turbine["components"]["mooring"]["line_types"] = [{"name": "main", "type": "chain", "diameter": 0.225}]
-    with pytest.warns(UserWarning, match="bar of 0.225 m, as WISDEM takes it: 1007 kg/m, .* is 3.24 times lighter"):
+    with pytest.warns(
+        UserWarning, match="bar diameter of 0.225 m, as WISDEM does: 1007 kg/m, .* is 3.24 times lighter"
+    ):
         (line,) = system_of_moorpy(turbine, "t.yaml").lines
     assert line.type.mass == pytest.approx(1007.4375) and line.type.axial_stiffness == pytest.approx(4.3234e9, rel=1e-4)
     assert line.type.weight == pytest.approx(1007.4375 * 9.80665 * (1 - 1025 / 7850), rel=2e-3)
@@ -107,7 +109,7 @@ def test_a_chain_by_its_bar_weighs_what_steel_of_its_volume_does():
 def test_what_is_no_bar_of_a_chain_is_refused(row):
     turbine = copy.deepcopy(TURBINE)
     turbine["components"]["mooring"]["line_types"] = [{"name": "main", **row}]
-    with pytest.raises(FormatError, match=r"no mass_density.* is no chain by the diameter of its bar"):
+    with pytest.raises(FormatError, match=r"no mass_density.* is too large for the bar of a chain"):
         system_of_moorpy(turbine, "t.yaml")
 
 

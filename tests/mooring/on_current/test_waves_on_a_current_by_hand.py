@@ -113,7 +113,7 @@ def test_a_current_beyond_a_quarter_of_the_group_speed_is_told(speed, told):
         assert len(said) == told
         if told:
             assert (
-                "up to 0.25: V/C_g is 0.25 at the mean frequency, and above the limit in 100 % of the wave "
+                "up to 0.25; V/C_g is 0.25 at the mean frequency, and above the limit for 100 % of the wave "
                 "energy; treat drift"
             ) in said[0]
 
@@ -128,7 +128,7 @@ def test_a_tenth_of_the_energy_beyond_first_order_is_told(share, told):
     said = list(check_blocked(Carrier((1.0, 0.0)), Systems(tuple(parts)), DEEP, G))
     assert len(said) == told
     mean = (1 - share) * 0.1 + share * 0.5
-    assert not told or f"V/C_g is {mean:.2g} at the mean frequency, and above the limit in 10.1 %" in said[0]
+    assert not told or f"V/C_g is {mean:.2g} at the mean frequency, and above the limit for 10.1 %" in said[0]
 
 
 @pytest.mark.parametrize("absolute", [True, False])

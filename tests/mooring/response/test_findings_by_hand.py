@@ -95,12 +95,12 @@ def test_a_fiftieth_of_a_current_across_the_waves_is_told(degrees, told):
     carrier = Carrier(np.array([1.5, 0.0]), False)
     heading = np.radians([degrees])
     said = list(current_along_waves(carrier, heading, np.ones(1), None))
-    assert len(said) == told and (not told or "the current runs at 0.031 m/s across" in said[0])
+    assert len(said) == told and (not told or "the current has a component of 0.031 m/s across" in said[0])
     assert not list(current_along_waves(carrier, heading, np.ones(1), np.ones((3, 2))))
     assert not list(current_along_waves(None, heading, np.ones(1), None))
     across = Carrier(np.array([0.0, 2.0]), False)
     (said,) = current_along_waves(across, np.radians([0.0, 60.0]), np.array([0.2, 0.8]), None)
-    assert "runs at 1.2 m/s across" in said  # 0.2 · 2 + 0.8 · 2 cos 60°
+    assert "a component of 1.2 m/s across" in said  # 0.2 · 2 + 0.8 · 2 cos 60°
 
 
 def test_rotations_above_fifteen_degrees_are_told():

@@ -122,7 +122,7 @@ def test_wavesmon_has_slices_of_directions_or_roots_of_densities(tmp_path):
 def test_a_history_of_datawell_is_no_spectrum_and_told(tmp_path):
     row = "2026-01-01T00:30:00.000Z,11.1,213,28,6.1,245,7,6,5,8,9,10.8,0.4,0.8,1.9,0.04,19,18,4"
     (tmp_path / "a.his").write_text(row + "\n")
-    with pytest.raises(TableError, match=r"a height of 2.45 m, a peak period of 11.1 s from 213°: give height"):
+    with pytest.raises(TableError, match=r"a height of 2.45 m and a peak period of 11.1 s from 213°; give these"):
         read_sea(tmp_path / "a.his", 0.0, "2026-01-01 00:30")
 
 

@@ -39,7 +39,7 @@ def test_densities_per_degree_are_turned_to_radians(units, factor):
 def test_a_plane_of_an_unknown_layout_is_refused_with_its_name():
     """Its unit and the sense of its directions are nowhere; a spectrum of frequency alone is none of these"""
     data = dataset("spectral_density", ("time_index", "frequency", "direction"), np.ones((1, 2, 2)))
-    with pytest.raises(TableError, match="spectral_density has frequencies and directions, but of no layout known"):
+    with pytest.raises(TableError, match="spectral_density has frequencies and directions, but in an unknown layout"):
         netcdf._density(PATH, data)
     with pytest.raises(TableError, match=r"x\.nc has no spectrum"):
         netcdf._density(PATH, dataset("spectral_density", ("time_index", "frequency"), np.ones((1, 2))))
@@ -186,7 +186,7 @@ def test_planes_of_all_hours_are_read_a_few_at_a_time_with_frequencies_that_rise
         assert density.dtype == np.float32
     assert parts[0][3][0].tolist() == [[6.0, 7.0], [4.0, 5.0]] and np.isnan(parts[0][3][1]).all()
     assert parts[1][3][0].tolist() == [[22.0, 23.0], [0.0, 21.0]]
-    with pytest.raises(TableError, match=r"x\.nc has 2 locations; choose one with location"):
+    with pytest.raises(TableError, match=r"x\.nc has 2 locations; choose one by its number with location"):
         list(netcdf.planes_of(PATH, None))
     alone = data.isel(station=0, drop=True)
     monkeypatch.setattr(xarray, "open_dataset", lambda path: alone)

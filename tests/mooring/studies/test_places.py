@@ -55,7 +55,7 @@ def test_a_fairlead_off_the_hull_of_a_database_is_told():
 def test_a_line_that_no_material_stretches_to_its_anchor_is_refused():
     said = refused((50.0, 25.0, 0.0), (70.0, 25.0, -20.0), length=5.0)
     away = np.hypot(20, 20)
-    assert f"one is 5 m long and its anchor {away:.4g} m from its fairlead" in said
+    assert f"one is 5 m long, and its anchor is {away:.4g} m from its fairlead" in said
     assert f"stretched by {100 * (away / 5 - 1):.3g} %, limit 50 %" in said
     check_places(system((50.0, 25.0, 0.0), (70.0, 25.0, -20.0), length=20.0), HULLS)
 

@@ -209,8 +209,8 @@ def test_the_softest_fender_by_all_causes_is_told_beyond_its_rated_energy(share,
     )
     for line in soft:
         assert (
-            f"needs {100 * share / 0.684:.4g} % of its rated energy, the softest of a batch {share / 0.009:.4g} %"
-            in line
+            f"needs {100 * share / 0.684:.4g} % of its rated energy, and the softest of a batch needs "
+            f"{share / 0.009:.4g} %" in line
         )
     alone = text + 'causes = ["manufacture"]\n'
     assert not [line for line in hakobune.berth(study_of(alone, factor)).findings if "the softest fender by" in line]

@@ -60,7 +60,7 @@ def test_the_paper_is_followed_from_waves_to_anchors(tmp_path, capsys):
     said = capsys.readouterr().out
     # pretension, high water and the greatest of 2069 waves of the sea: 139.4 + 34.59 + 138.2 kN/m
     assert sea[0] == pytest.approx(312.1e3, rel=1e-3) and 34.59e3 < least < 34.59e3 + 138.1e3
-    needed = f"lines that stay taut in it need a pretension of {least / 1e3:.4g} kN/m"
+    needed = f"lines that stay taut in this wave need a pretension of {least / 1e3:.4g} kN/m"
     assert f"front 312.2 kN/m for 290.2; {needed}" in said
     assert "waves of 3 m break at 3 of 86 periods" in said and (tmp_path / "out.png").stat().st_size > 10_000
 
@@ -93,7 +93,7 @@ def test_lines_that_the_sea_takes_slack_and_a_sinker_up_to_the_keel_are_told(tmp
     assert run(tmp_path, RECTANGLE.replace("[lines]", narrow) + sea) == 1
     said = " ".join(capsys.readouterr().out.split())
     assert "FAILS: lines go slack" not in said and "FAILS: the pretension of" in said
-    assert "taut in it need a pretension of" in said
+    assert "taut in this wave need a pretension of" in said
     assert re.search(r"sinker, front is [\d.]+ m high, .*5 m under the keel; allowed: up to 2.5 m; give a width", said)
 
 

@@ -375,7 +375,7 @@ def test_best_designs_beside_a_resonance_are_told_with_what_passes_at_the_period
     monkeypatch.setattr(pareto, "response", passed)
     front = pareto.Front(("draft",), np.array([[60.0], [6.0]]), np.ones(2), np.ones(2), 2)
     (told,) = pareto.beside_resonances(changed, front)
-    assert told.startswith("1 of the 2 best designs are near a resonance, nearest design 2: its")
+    assert told.startswith("1 of the 2 best designs are near a resonance, most of all design 2: its")
     assert "K_T is 0.71 at 5.7 s, 1.00 at 6 s, 0.71 at 6.3 s" in told
     assert list(pareto.beside_resonances(changed, front._replace(designs=front.designs[:1]))) == []
 

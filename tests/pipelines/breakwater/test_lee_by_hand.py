@@ -229,7 +229,7 @@ def test_gaps_below_the_depth_and_far_fields_that_are_missed_are_told():
     near, far = (Row(7.0, 2, gap) for gap in (5.0, 10.0))
     said = list(lee._remarks(asked, near, 0.0199))
     assert len(said) == 1 and "map.gap is 5 m, less than the depth of 10 m" in said[0]
-    assert f"{math.exp(-math.pi / 2):.0%} are left at the next unit" in said[0]
+    assert f"{math.exp(-math.pi / 2):.0%} of them reach the next unit" in said[0]
     assert list(lee._remarks(asked, far, 0.02)) == list(lee._remarks(asked, Row(7.0), 0.0)) == []
     assert next(iter(lee._remarks(asked, far, 0.0201))).startswith(
         "the fit of the waves close to the body misses 2.0% of"

@@ -83,7 +83,7 @@ LINES = [
     ({"segments": [{"type": "chain", "length": 10.0}] * 3, "bodies": [{"after_segment": n,
      "mass": 1.0} for n in (1, 2)]},
      {"segments": [{"type": "chain", "length": 10.0}] * 3, "bodies": [{"after_segment": 1, "mass": 1.0}] * 2},
-     "after_segment is 1, where another body is"),
+     "after_segment is 1, a joint that has another body"),
     ({"type": "chain", "length": 10.0, "bed": {"friction": 5.0}}, {"type": "chain", "length": 10.0,
      "bed": {"friction": 5.1}},
      "bed.friction is 5.1; allowed: 0 to 5"),

@@ -79,9 +79,8 @@ def test_the_keel_that_comes_nearest_to_the_bed_in_years_is_told(monkeypatch):
         long_term=lambda name: SimpleNamespace(level=lambda time: asked.append(time) or levels[name]),
     )
     assert list(findings._keel_in_years(result, 50.0)) == [
-        "under keel: least at bow, 0.5 of 2 m are left by the drop reached once in 50 years; the hull touches the bed "
-        "often 2; "
-        "waves only, without squat"
+        "under keel: the drop reached once in 50 years leaves 0.5 of 2 m at bow, the least of all points; the hull "
+        "touches the bed often 2; this includes waves only, not squat"
     ]
     assert set(asked) == {500.0}
     assert list(findings._keel_in_years(SimpleNamespace(points=["deck"]), 50.0)) == []

@@ -159,7 +159,7 @@ def test_flags_of_a_system_are_in_newtons_and_radians(monkeypatch):
     assert flags.lines(Path("s.h5"), plot=Path("p.png")) == 0 and drawn == [(Path("s.h5"), Path("p.png"))]
     for flag in ("body", "force", "offset", "direction", "depth", "characteristic", "database", "output", "moordyn"):
         with pytest.raises(
-            ValueError, match=f"--{flag} is for a system of lines and s.HDF5 is a result; allowed with it: --plot"
+            ValueError, match=f"--{flag} is for a system of lines and s.HDF5 is a result; allowed with a result: --plot"
         ):
             flags.lines(Path("s.HDF5"), **{flag: "x"})
     with pytest.raises(ValueError, match="--broken is for a system"):

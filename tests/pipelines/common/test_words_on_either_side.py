@@ -251,7 +251,10 @@ def test_what_a_passage_is_of_is_noted(method):
     """5 m/s in 20 m: Fₕ = 5/√(9.80665 · 20) = 0.36"""
     *_, notes = passage(method)
     assert notes[0].startswith("both hulls lie under a rigid surface and have about 100 panels") == (method == "panels")
-    assert notes[1] == "5 m/s through the water, 61.25 m between the sides, depth Froude number 0.36"
+    assert (
+        notes[1]
+        == "the ship moves at 5 m/s through the water, with 61.25 m between the sides; the depth Froude number is 0.36"
+    )
     assert notes[2].endswith("rotation_center [0, 0, 0]")
 
 

@@ -156,7 +156,7 @@ def test_a_berth_without_time_is_refused(tanker):
     with pytest.raises(
         StudyError,
         match=r"the study has fenders or ropes, which are judged by simulations only; "
-        r"give the project \[simulation\] \(that of the study is not read\)",
+        r"give the project \[simulation\] \(the \[simulation\] of the study is not read\)",
     ):
         read_project(tanker.parent / "still.toml")
 

@@ -114,7 +114,9 @@ def test_files_with_one_heading_run_in_waves_to_it_or_its_image_and_are_refused_
     assert any("waves to 0°, 180° alone, and the forces keep their direction in space" in one for one in plan.told)
     surge, sway = forces_towards(body.waves, -0.1)[:, :2].T
     assert np.abs(sway + np.tan(0.1) * surge).max() < 1e-5 * np.abs(surge).max()
-    with pytest.raises(ValueError, match=r"waves travel to 30°, but the imported files have them to 0°, 180° alone"):
+    with pytest.raises(
+        ValueError, match=r"waves travel to 30°, but the imported files have forces of waves to 0°, 180° alone"
+    ):
         made(30.0)
     with pytest.raises(ValueError, match="waves have a spreading, but the imported files"):
         made(0.0, spreading="cosine:4")

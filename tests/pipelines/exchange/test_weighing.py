@@ -35,7 +35,7 @@ def test_with_radii_of_gyration_the_motions_are_those_of_the_solved_body(bare, t
     capsys.readouterr()
     assert cli.main(["body", str(output), "--mass", "800000", "--frequencies", "0.5:0.7"]) == 0
     said = capsys.readouterr()
-    assert "1 frequencies, mass 800000 kg" in said.out and "is not the displaced 820000 kg" in said.err
+    assert "1 frequencies, mass 800000 kg" in said.out and "is not the displaced mass of 820000 kg" in said.err
     assert open_database(output).omega == pytest.approx([0.6])
 
 

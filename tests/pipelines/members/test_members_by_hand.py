@@ -54,8 +54,8 @@ def test_inertia_of_piles_that_stand_apart_adds_with_their_phases(tmp_path, aske
     assert moment == pytest.approx(2 * F * ARM * abs(math.cos(K * x / 2)), rel=3e-3)
     length = 2 * math.pi / K
     assert (
-        f"wave of {HEIGHT:g} m, {length:.4g} m long; linear theory, stretched to the surface (Wheeler)"
-        in found.notes[0]
+        f"the wave is {HEIGHT:g} m high and {length:.4g} m long; the theory is linear, stretched to the "
+        f"surface (Wheeler)" in found.notes[0]
     )
     (axis,) = pictures[0].axes
     lines = {line.get_label(): line.get_data() for line in axis.lines}
@@ -92,7 +92,9 @@ def test_waves_that_come_from_the_side_push_the_other_way(tmp_path):
 def test_a_member_as_wide_as_a_fifth_of_the_wave_scatters_it(tmp_path, asked, share, status):
     width = 0.2 * 2 * math.pi / K * share
     _, said = asked("members", written(tmp_path, pile("wide", 0.0, width=width)), status=status)
-    assert (f"FAILS: wide: {width:.3g} m wide, limit 0.2 of the wave's {2 * math.pi / K:.3g} m" in said) is bool(status)
+    assert (
+        f"FAILS: wide: the width is {width:.3g} m, limit 0.2 of the wave's {2 * math.pi / K:.3g} m" in said
+    ) is bool(status)
 
 
 @pytest.mark.parametrize("share, refused", [(0.99, False), (1.01, True)])

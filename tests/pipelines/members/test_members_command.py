@@ -58,7 +58,7 @@ def test_a_member_that_is_never_wet_is_named_and_a_current_alone_has_one_phase(t
     (tmp_path / "dry.toml").write_text(text.replace("[wave]\nheight = 3.0\nperiod = 8.0\ndirection_deg = 0.0", ""))
     assert main(["members", str(tmp_path / "dry.toml")]) == 0
     said = capsys.readouterr().out
-    assert "warning: fore port: no force, since this is never in the water" in said and "Wheeler" not in said
+    assert "warning: fore port: no force, since a member there is never in the water" in said and "Wheeler" not in said
     unit = 0.5 * 1025 * 1.0 * 1.3 * 12 / (1 + 2 * 0.143)  # ∫(1 + z/h)^2α dz = h/(1 + 2α), of an upright pile
     size = hakobune.members(tmp_path / "dry.toml")["force[aft port].size"]
     assert size == pytest.approx(unit, rel=0.02)  # which leans by 5°

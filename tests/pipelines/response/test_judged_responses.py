@@ -88,11 +88,10 @@ def test_gaps_of_a_climate_are_told_with_how_often_they_are_used_up():
     # (1 − 1/100)^100 → e^-1
     assert said[1] == "the value reached once in 100 years is not exceeded in 100 years with a probability of 37 %"
     assert said[2].startswith(
-        "air gap at deck: 1 of 9 m are left by the rise reached once in 100 years; water reaches the point once in 40 "
-        "years"
+        "air gap at deck: the rise reached once in 100 years leaves 1 of 9 m; water reaches the point once in 40 years"
     )
     assert said[3].startswith(
-        "under keel: least at bow, 0.5 of 4.5 m are left by the drop reached once in 100 years; "
+        "under keel: the drop reached once in 100 years leaves 0.5 of 4.5 m at bow, the least of all points; "
         "the hull touches the bed once in 40 years"
     )
     assert "less than once in a million years" in notes(climate(9.0, 4.5, 0.9e-6 / YEAR), 100.0)[2]
@@ -211,5 +210,5 @@ def test_every_point_with_a_clearance_has_its_air_gap_in_years():
     result = SimpleNamespace(points=[*deck, KeelPoint("keel", (0, 0, -5), 1.0)], missed=None,
                              long_term=lambda name: Term(level[name]))  # fmt: skip
     bow, stern = _gaps_in_years(result, 100.0)
-    assert bow.startswith("air gap at bow: 2 of 6 m are left by the rise reached once in 100 years; water reaches the")
-    assert stern.startswith("air gap at stern: 0.5 of 1.5 m are left by the rise reached once in 100 years")
+    assert bow.startswith("air gap at bow: the rise reached once in 100 years leaves 2 of 6 m; water reaches the")
+    assert stern.startswith("air gap at stern: the rise reached once in 100 years leaves 0.5 of 1.5 m")

@@ -168,7 +168,7 @@ def test_what_holds_several_bodies_is_told_with_what_lies_idle(parts, held, idle
     if idle is not None:
         assert said[1].startswith("fenders and ropes are linear here; where motions exceed their deflection at rest")
     if idle:
-        assert said[2] == f"without force under the steady forces, and therefore without stiffness here: {idle}"
+        assert said[2] == f"fenders and ropes without force under the steady forces have no stiffness here: {idle}"
 
 
 def test_several_bodies_move_on_the_damping_of_what_drives_them_and_the_stiffness_of_all(monkeypatch):

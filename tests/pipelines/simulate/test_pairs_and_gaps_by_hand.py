@@ -45,7 +45,7 @@ def test_pairs_need_irregular_waves_and_no_quay(monkeypatch, asked, seas, says):
     ("course", "says"),
     [
         ([10.0, 14.9, 5.1], None),  # half of the gap at rest
-        ([10.0, 15.1, 10.0], "varies from 10 to 15.1 m, 10 m at rest, but forces of the water between them"),
+        ([10.0, 15.1, 10.0], "varies from 10 to 15.1 m and is 10 m at rest, but the forces of the water between"),
         ([10.0, 10.0, 4.9], "varies from 4.9 to 10 m"),
         ([10.0, 12.0, -0.25], "collide: their hulls overlap by 0.25 m, limit 0; keep them apart by fenders or lines"),
     ],

@@ -22,7 +22,7 @@ def test_every_slow_motion_far_beyond_its_spectral_value_is_told(monkeypatch):
     file = SimpleNamespace(attrs={"hull": [100.0, 20.0, 8.0], "spectral_slow": [1.0, np.nan, math.radians(1.0)]})
     surge, yaw = findings.slow_findings(file)
     assert surge.startswith("slow surge has σ 3 m; slow forces on springs as stiff as the lines under the mean loads")
-    assert "would give 1 m: first-order waves" in surge and yaw.startswith("slow yaw has σ 4 °") and "give 1 °" in yaw
+    assert "would give 1 m; first-order waves" in surge and yaw.startswith("slow yaw has σ 4 °") and "give 1 °" in yaw
     for slow, wave, told in ((2.01, 0.0, True), (1.99, 0.0, False), (2.01, 4.1, False), (2.06, 4.1, True)):
         values["surge"] = {"slow": slow, "wave": wave}
         assert ("surge" in "".join(findings.slow_findings(file))) is told, (slow, wave)
@@ -72,13 +72,15 @@ def test_snaps_of_lines_and_hits_of_fenders_in_few_runs_are_both_told(monkeypatc
     runs = [[9, 1, 1, 1], [0, 1, 1.9, 1], [0, 1, 1, 1], [0, 2.1, 1, 2.1], [0, 3, 1, 1], [0, 99, 99, 99]]
     snap, hit = over_runs.rare_findings(File(names, runs))
     assert snap == (
-        "lines that snap taut in few runs: the largest tension exceeds 2 times its median over all runs in some "
-        "(bow in 2 of 5): the next run may far exceed the simulated values; use longer lines or more pretension"
+        "lines that snap taut in few runs: in some (bow in 2 of 5) the largest tension exceeds 2 times its median over "
+        "all runs, and the next run may far exceed the simulated values; use longer lines or more pretension"
     )
     monkeypatch.setattr(over_runs, "told", lambda file: ["left out: inertia and drag of lines bow"])
     moved, _ = over_runs.rare_findings(File(names, runs))  # static lines: no size or pretension is advised for a snap
     assert moved == snap.rpartition("; ")[0] + "; " + over_runs.MOVE
-    assert hit.startswith("fenders that are hit in few runs: the largest deflection exceeds 2 times its median")
+    assert hit.startswith(
+        "fenders that are hit in few runs: in some (D1 in 1 of 5) the largest deflection exceeds 2 times its"
+    )
     assert "(D1 in 1 of 5)" in hit and hit.endswith("; run more seeds to see how often")
     largest, parts = over_runs.largest_in_runs(File(names, runs), "tension")
     assert parts == ["bow", "stern"] and largest.tolist() == [row[1:3] for row in runs[:5]]

@@ -170,7 +170,7 @@ def test_motions_in_waves_are_along_and_across_the_hull():
     values, _, _ = kept(run)
     assert values["run.wave_sigma"] == pytest.approx([a[1], a[0], *a[2:]], rel=2e-3)
     said = list(words(run))
-    assert said[1:] == ["the run does not include slow drift; the report adds 20 % for it", "found"]
+    assert said[1:] == ["the run does not include slow drift; the SR179 report adds 20 % for it", "found"]
     assert not any("report adds" in line for line in words(ran(wave=100.0, drifts=True)))
 
 
@@ -214,8 +214,8 @@ def test_a_map_has_the_share_of_its_answers_that_slews():
         ({"waves_after": 1200.0}, {"waves_after": 1201.0}, "waves_after is 1201 s; allowed: 0 to the duration of 1200"),
         ({"waves_after": 0.0}, {"waves_after": -1.0}, "waves_after is -1 s"),
         ({"offset_deg": -180.0}, {"offset_deg": 181.0}, "offset_deg is 181; allowed: −180 to 180"),
-        ({"components": 1, "seed": 0}, {"components": 0}, "components are at least 1"),
-        ({"scheme": "slow"}, {"seed": -1}, "the seed is a whole number from 0"),
+        ({"components": 1, "seed": 0}, {"components": 0}, "components must be at least 1"),
+        ({"scheme": "slow"}, {"seed": -1}, "the seed a whole number from 0"),
         ({"tolerance": 1e-9}, {"tolerance": 0.0}, "slewing.tolerance"),
         ({"slow_step": 0.1}, {"slow_step": 0.0}, "slewing.slow_step"),
         ({"step": 0.1}, {"step": 0.0}, "slewing.step"),

@@ -96,8 +96,8 @@ GOOD = {"duration": 100.0, "slow_step": 1.0, "tolerance": 1e-3, "step": None, "s
     ({"waves_after": 100.1}, "slewing.waves_after is 100.1 s; allowed: 0 to the duration of 100 s"),
     ({"offset_deg": 180.1}, "slewing.offset_deg is 180.1; allowed: −180 to 180"),
     ({"offset_deg": -180.1}, "is -180.1"),
-    ({"components": 0}, "slewing: components are at least 1, the seed is a whole number from 0"),
-    ({"seed": -1}, "slewing: components are at least 1"),
+    ({"components": 0}, "slewing: components must be at least 1, and the seed a whole number from 0"),
+    ({"seed": -1}, "slewing: components must be at least 1"),
 ])  # fmt: skip
 def test_settings_of_slewing(change, says):
     for scheme in (None, *running.SCHEMES):

@@ -176,7 +176,7 @@ def test_a_site_is_taken_up_to_its_limits(tmp_path, capsys, old, good, bad, says
 def test_waves_of_a_site_higher_than_its_water_carries_are_told(tmp_path, height, told):
     """0.6 (16 + 1.2 + 0.9) = 10.86 m, the highest sea at high water of spring tides with the surge"""
     _, values = made(tmp_path, ("height = 2.5\n", f"height = {height}\n"))
-    said = [line for line in values.findings if "saturated by breaking" in line]
+    said = [line for line in values.findings if "breaking limits seas" in line]
     assert len(said) == (told is not None)
     assert not told or (told in said[0] and said[0].startswith("extreme: ") and "at most 10.9 m" in said[0])
 

@@ -157,7 +157,7 @@ def test_trim_and_heel_follow_from_moment_and_stiffness(axis, name, stiffness):
         said = remarks(place=place)
         assert len(said) == (angle > 0.1)
         moment = stiffness * np.tan(np.radians(angle))
-        assert all(f"{place[axis]:.4g} m off" in line and f"{moment:.4g} N m, 0.101° of static {name}" in line
+        assert all(f"{place[axis]:.4g} m off" in line and f"{moment:.4g} N m and 0.101° of static {name}" in line
                    for line in said)  # fmt: skip
 
 

@@ -153,9 +153,9 @@ def pressing(s, j, q, v):
 def keep_slip(s, q, v, slip, since, before):
     """Friction displacement of all nodes after a step from `since` (3, w) m at `before` (3, w) m/s to q at v.
 
-    The displacement is reset where a node has left the bed.  Returns the work against friction, J: that of the path
-    from end to end of the step, elastic to δ and sliding beyond, because the power at the stages misses reversals
-    within a millimetre.
+    The displacement is reset where a node has left the bed.  Returns the work against friction, J. It is the work along
+    the path from end to end of the step, elastic to δ and sliding beyond, because the power at the stages misses
+    reversals within a millimetre.
     """
     work = 0.0
     for j in range(s.mass.size):

@@ -5,8 +5,8 @@
     A[j] = D[j] − W[j] B[j−1],   W[j] = B[j−1] A[j−1]⁻¹,   y[j] = r[j] + W[j] y[j−1],   x[j] = A[j]⁻¹ y[j] + Z[j] x[j+1]
 
 with Z[j] = A[j]⁻¹ B[j]: a product by one matrix from node to node, down and up, where two would take twice as long.
-D + D^T is positive definite for a line (mass on the diagonal, tension not negative), so no pivoting is needed
-between blocks; within a block the inverse is written out.
+D + D^T is positive definite for a line (mass on the diagonal, tension not negative), so no pivoting is needed between
+blocks. Within a block the inverse is written out.
 """
 
 from hakobune.bem.kernels.jit import kernel

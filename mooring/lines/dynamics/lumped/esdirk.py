@@ -2,7 +2,7 @@
 
     v_i = v + h Σ a_ij k_j,   q_i = q + h Σ a_ij v_j,   m k_i = F(q_i, v_i, t + c_i h),   a_11 = 0, a_ii = d
 
-The scheme is stiffly accurate and L-stable: elastic waves shorter than the step are damped instead of ringing, and the
+The scheme is stiffly accurate and L-stable. Elastic waves shorter than the step are damped instead of ringing, and the
 length of the elements does not limit the step.  The difference e of the embedded solution is passed through the
 iteration matrix, S e* = m (e_q + h d e_v) (Hosea & Shampine 1996), because its raw axial part is not an error: the
 elements' stiffness removes it.  A step is accepted if e* changes the tensions at the ends, and the root mean square of

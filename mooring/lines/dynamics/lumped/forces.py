@@ -13,8 +13,8 @@ dimensions):
 Bed: `bed`; parts out of the water: `surface`; bending: `bending`.  Eight elements, then eight nodes, are taken at once
 (`vectors`, `workspace`).
 
-The tangent is exact for tension, bed and friction and for drag against velocity; it leaves out how drag and added
-mass turn with the line, which is h²|F|/mℓ times smaller.
+The tangent is exact for tension, bed and friction and for drag against velocity. It neglects how drag and added mass
+turn with the line, which is h²|F|/mℓ times smaller.
 """
 
 import math

@@ -5,9 +5,10 @@ An element with ends at z₁ and z₂ whose water weighs B when it is wholly wet
     E = B b Q(x),   x = z̄/b,   b² = (z₂ − z₁)² + (πD/4)²,   Q = max(x, 0) + y³/6,   y = max(0, 1 − |x|)
 
 when above the water; its dry share is dE/d(B z̄) = Q′.  The neighbours of an element on a straight line are z₂ − z₁
-higher and lower, and the dry shares of all add up to the length that is out of the water.  A floating line that lies
-level has the stiffness of its waterline, ρgD.  Forces on the ends are the derivatives of E, which is C², so that the
-energy balance closes and steps keep their order.  Drag, added mass and the force of accelerated water decrease with the
+higher and lower. The dry shares of all elements add up to the length that is out of the water.
+A floating line that lies
+level has the stiffness of its waterline, ρgD.  Forces on the ends are the derivatives of E. E is C², so the energy
+balance closes and steps keep their order.  Drag, added mass and the force of accelerated water decrease with the
 wet share 1 − Q′ of each element.
 """
 

@@ -82,7 +82,7 @@ def test_the_chain_of_the_prototype_follows_from_the_scale_and_its_grade():
         line = next(one for one in chains() if f"grade {grade}:" in one)
         bears = lambda d, f=factor: f * d * d * (44 - 0.08 * d) / 9.80665  # noqa: E731
         first = next(d for d in range(10, 200) if bears(d) >= 105.456)
-        assert f"grade {grade}: {first} mm; the report {printed} mm" in line
+        assert f"grade {grade}: {first} mm computed; the report has {printed} mm" in line
         assert float(line.split("breaks at ")[1].split()[0]) == pytest.approx(bears(printed), rel=5e-3)
 
 
@@ -103,4 +103,4 @@ def test_means_of_all_tests_stand_beside_those_measured():
     assert said[0] == f"B/d 10, intermediate: σ of pitch over σ of the waves {ours:.3f} °/cm, measured {measured:.3f}"
     assert "waves alone, 2 tests: 2.00 kgf of a hawser at the bow, measured 1.61" in said
     assert said[2].startswith("waves alone, 2 tests: 3.50 kgf on the buoy, 1.00 without its mass, measured 2.")
-    assert said[-1] == "slewing that stays: W1 of 2; the heading comes to rest in 1"
+    assert said[-1] == "slewing continues in W1 of 2; the heading comes to rest in 1"

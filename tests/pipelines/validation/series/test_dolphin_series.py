@@ -110,10 +110,14 @@ def test_statements_and_charts_have_limits_and_the_worst_number(monkeypatch):
     made = [row(1, 0.1, 0.3), row(2, 0.2, 0.6), row(3, 0.1, 0.9)]
     said = list(dolphin.statements(made))
     assert said[0].startswith(
-        "floater A, 1 on each dolphin, 10 s: limit printed 0.35 m, here 0.30 (20 m, 50 m/s); 0 means"
+        "floater A with 1 fenders on each dolphin, 10 s: the printed limit is 0.35 m, the computed one 0.30 "
+        "(20 m, 50 m/s); 0 means"
     )
-    assert said[1].startswith("floater A, 3 on each dolphin, 10 s: limit printed 0.9 m, here 0.90 (20 m, 50 m/s)")
-    assert said[4].endswith("with 1 fenders in the report, here with 2 (20 m)")
+    assert said[1].startswith(
+        "floater A with 3 fenders on each dolphin, 10 s: the printed limit is 0.9 m, the computed one 0.90 (20 "
+        "m, 50 m/s)"
+    )
+    assert said[4].endswith("with 1 fenders in the report, and with 2 (20 m) here")
     ((_, (top, below), _),) = dolphin.pictures(dolphin.result("series", "a report", {"case": made})).values()
     assert top.curves[2].x == [1, 2, 3] and top.curves[2].y == [0.2] * 3 and top.levels == (0.35,)
     assert below.curves[2].y == [0.3, 0.6, 0.9]
