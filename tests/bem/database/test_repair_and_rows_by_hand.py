@@ -337,3 +337,28 @@ def test_errors_of_any_quantity_that_have_changed_are_not_shown(path, name):
         file[f"estimated_error/{name}"][2] = 7.0
     with pytest.raises(DamagedError, match=rf"{name} at ω = 1\.2 rad/s has changed"):
         open_database(path).estimated_errors()
+
+
+@pytest.mark.parametrize("ask", [lambda db: db.checks(), lambda db: db.wall_times(),
+                                 lambda db: db.interpolated_estimates()])  # fmt: skip
+@pytest.mark.parametrize("name, value", [("checks/energy", 0.5), ("wall_time", b'{"factor": 9}')])
+def test_checks_and_times_that_have_changed_are_not_shown(path, ask, name, value):
+    """Of a frequency that is not solved they may be anything"""
+    with h5py.File(path, "r+") as file:
+        file[name][1] = value
+    with pytest.raises(DamagedError, match=r"is damaged: the checks at ω = 0\.8 rad/s has changed since it was stored"):
+        ask(open_database(path))
+    with h5py.File(path, "r+") as file:
+        file["stored/added_mass"][1] = 0
+        file["solved"][1] = 0
+    assert len(ask(open_database(path))) > 0
+
+
+def test_checks_are_those_of_the_solved_frequencies(path):
+    with h5py.File(path, "r+") as file:
+        file["stored/added_mass"][0] = 0
+        file["solved"][0] = 0
+    db = open_database(path)
+    assert db.checks()["energy"] == pytest.approx([0.008, 0.012]) and list(db.checks()) == list(CHECKS)
+    assert np.isnan(db.checks()["reciprocity"]).all() and db.wall_times() == [{"factor": 0.25}] * 2
+    assert db.interpolated_estimates().tolist() == [False, False] and not db.complete
