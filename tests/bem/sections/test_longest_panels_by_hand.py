@@ -177,3 +177,17 @@ def test_limits_of_the_frequency_are_those_of_a_section(beam, draft, depth, tole
     with pytest.raises(ValueError) as refused:
         added_mass_limit(beam, draft, depth, which, tolerance=tolerance)
     assert str(refused.value) == str(wanted.value)
+
+
+@pytest.mark.parametrize("depth, extra", [(3.1, 3), (9.0, 1), (3.5, 2)])
+def test_panels_at_the_corners_of_a_bottom_shrink_to_what_is_beside_them(depth, extra):
+    """Of 10 m beside a gap of 0.1 or 0.5 m, or sides of 3 m: ln(10/0.1)/ln 4 − ½ = 2.8, 1.7 and 0.4, more than the
+    levels of the corner, so many times shorter by four; from both ends half of it"""
+    wetted = rectangle(10.0, 6.0).wetted(3.0)
+    chain = [Edge(-5 - depth - 1j * depth, -5 - depth + 0j), Edge(-5 - depth + 0j, -5 + 0j), *wetted.edges,
+             Edge(5 + 0j, 5 + depth + 0j), Edge(5 + depth + 0j, 5 + depth - 1j * depth)]  # fmt: skip
+    bottom = next(i for i, edge in enumerate(chain) if edge.start.imag == edge.end.imag == -3.0)
+    level = any_section._levels(chain, bottom, 1e-4)[0]
+    parts = any_section._split(chain, depth, 99.0, 1e-4)[bottom]
+    assert min(one.length for one in parts) == pytest.approx(10 * 2 * 4.0 ** -(level + extra))
+    assert sum(one.length for one in parts) == pytest.approx(10.0)
