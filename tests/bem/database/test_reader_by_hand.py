@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from exact.water_waves import group_factor, wavenumber
+from scipy.linalg import eigh
 
 from hakobune.bem.database import far_field_drift
 from hakobune.bem.database.between_frequencies import Between, BetweenError
@@ -273,3 +274,59 @@ def test_numbers_that_some_frequencies_lack_are_told_and_those_that_all_lack_are
         else:
             _check_rows(db, spoiled)
     _check_rows(db, {})
+
+
+def test_what_the_far_field_misses_is_its_drift_of_the_fixed_body_less_the_stored_one(monkeypatch):
+    """At the stored waves; the waves of the body as they are, without its motions"""
+    stored, heard = np.arange(30.0).reshape(5, 2, 3), []
+    both = {"kochin_radiation": np.ones((5, 6, 16)), "kochin_diffraction": 2 * np.ones((5, 2, 16))}
+    body = made(quantities=both | {"drift_force_fixed": stored})
+
+    def of_far_field(reader, omega, headings, radiated, H, X):
+        heard.append((reader, omega, headings, X))
+        assert radiated == pytest.approx(both["kochin_radiation"]) and pytest.approx(both["kochin_diffraction"]) == H
+        return 3 * stored
+
+    monkeypatch.setattr(far_field_drift, "of_far_field", of_far_field)
+    assert far_field_drift.missed(body) == pytest.approx(2 * stored)
+    ((reader, omega, headings, X),) = heard
+    assert reader is body and headings is None and X is None and np.array_equal(omega, OMEGA)
+
+
+def test_added_mass_that_had_to_be_held_marks_the_period():
+    """Heave at 1.1 rad/s in a band up to 1.2 rad/s is known; pitch at 0.64 rad/s too, roll at 0.1 rad/s is not"""
+    same = {"added_mass": np.tile(np.diag([1, 1, 1, 10, 20, 30]) * 1e5, (5, 1, 1))}
+    found = natural_periods(made(quantities=same, stiffness=np.diag([0, 0, 6.0, 1.1, 90, 0]) * 1e5))
+    inside = dict(zip(found.names, found.inside, strict=True))
+    assert inside["Heave"] and inside["Pitch"] and not inside["Roll"] and not inside["Surge"]
+    limits = {"added_mass_zero": same["added_mass"][0]}
+    found = natural_periods(made(quantities=same, stiffness=np.diag([0, 0, 6.0, 1.1, 90, 0]) * 1e5, limits=limits))
+    inside = dict(zip(found.names, found.inside, strict=True))
+    assert inside["Roll"] and inside["Surge"]
+    period = dict(zip(found.names, found.period, strict=True))
+    assert period["Roll"] == pytest.approx(2 * np.pi / 0.1, rel=1e-4)
+
+
+def test_modes_alone_are_those_of_each_motion_and_coupled_ones_share_their_energy():
+    """Surge and pitch coupled by 0.3 of both masses: ω² of [[4, c], [c, 2]] and [[1, 0], [0, 1]]; shapes with a largest
+    component of 1 after rotations times √(I₆₆/M₁₁)"""
+    same = {"added_mass": np.zeros((5, 6, 6)), "radiation_damping": np.zeros((5, 6, 6))}
+    coupled = M.copy()
+    coupled[0, 4] = coupled[4, 0] = 0.3 * np.sqrt(4 * 200) * 1e5
+    C = np.diag([2.0, 0, 6.0, 60, 200, 0]) * 1e5
+    body = made(quantities=same, inertia=coupled, stiffness=C)
+    alone, both = natural_periods(body, coupled=False), natural_periods(body)
+    assert dict(zip(alone.names, alone.period, strict=True))["Surge"] == pytest.approx(2 * np.pi / np.sqrt(0.5))
+    assert dict(zip(alone.names, alone.period, strict=True))["Pitch"] == pytest.approx(2 * np.pi)
+    assert np.array_equal(alone.shapes[[0, 4]], np.eye(6)[[0, 4]])
+    pair = np.ix_([0, 4], [0, 4])
+    squares, vectors = eigh(C[pair], coupled[pair])
+    scale = np.sqrt(300 / 4)
+    assert both.scale == pytest.approx(scale)
+    found = dict(zip(both.names, zip(both.period, both.shapes, strict=True), strict=True))
+    for name, number in (("Surge", 0), ("Pitch", 1)):
+        period, shape = found[name]
+        expected = vectors[:, number] * [1.0, scale]
+        assert period == pytest.approx(2 * np.pi / np.sqrt(squares[number]))
+        assert shape[[0, 4]] == pytest.approx(expected / expected[np.abs(expected).argmax()])
+        assert np.abs(shape[[1, 2, 3, 5]]).max() < 1e-9

@@ -12,6 +12,7 @@ from test_database import HEADINGS, NAMES, OMEGAS, THETA, fill, header
 from hakobune.bem.bodies.one_of_several import OneOfSeveral, each_body
 from hakobune.bem.database import create, extend, open_database, pending, writing
 from hakobune.bem.database.between_frequencies import Between
+from hakobune.bem.database.file import _reason, damage_named
 from hakobune.bem.database.integrity import DamagedError, _wrong_coordinates, repair
 from hakobune.bem.database.natural_periods import _own_frequencies
 from hakobune.bem.database.resonances import about
@@ -20,6 +21,7 @@ from hakobune.bem.database.schema import CELL_AXES, CHECKS, ESTIMATES, QUANTITIE
 from hakobune.bem.database.widening import content, read_group, write_group
 from hakobune.bem.flexible.beams import Beam
 from hakobune.bem.modes import Body, Mode
+from hakobune.meshing.whole_files import NotWritten
 
 
 @pytest.fixture
@@ -337,3 +339,54 @@ def test_errors_of_any_quantity_that_have_changed_are_not_shown(path, name):
         file[f"estimated_error/{name}"][2] = 7.0
     with pytest.raises(DamagedError, match=rf"{name} at ω = 1\.2 rad/s has changed"):
         open_database(path).estimated_errors()
+
+
+@pytest.mark.parametrize("ask", [lambda db: db.checks(), lambda db: db.wall_times(),
+                                 lambda db: db.interpolated_estimates()])  # fmt: skip
+@pytest.mark.parametrize("name, value", [("checks/energy", 0.5), ("wall_time", b'{"factor": 9}')])
+def test_checks_and_times_that_have_changed_are_not_shown(path, ask, name, value):
+    """Of a frequency that is not solved they may be anything"""
+    with h5py.File(path, "r+") as file:
+        file[name][1] = value
+    with pytest.raises(DamagedError, match=r"is damaged: the checks at ω = 0\.8 rad/s has changed since it was stored"):
+        ask(open_database(path))
+    with h5py.File(path, "r+") as file:
+        file["stored/added_mass"][1] = 0
+        file["solved"][1] = 0
+    assert len(ask(open_database(path))) > 0
+
+
+def test_checks_are_those_of_the_solved_frequencies(path):
+    with h5py.File(path, "r+") as file:
+        file["stored/added_mass"][0] = 0
+        file["solved"][0] = 0
+    db = open_database(path)
+    assert db.checks()["energy"] == pytest.approx([0.008, 0.012]) and list(db.checks()) == list(CHECKS)
+    assert np.isnan(db.checks()["reciprocity"]).all() and db.wall_times() == [{"factor": 0.25}] * 2
+    assert db.interpolated_estimates().tolist() == [False, False] and not db.complete
+
+
+@pytest.mark.parametrize("error, words", [
+    (OSError(11, "locked"), "another process has opened it; wait until it ends, or give another file"),
+    (OSError(35, "locked"), "another process has opened it; wait until it ends, or give another file"),
+    (OSError("unable to lock file"), "another process has opened it; wait until it ends, or give another file"),
+    (OSError("truncated file: eof = 3"), "the file is truncated; copy it again, or give another name"),
+    (OSError(13, "whatever"), "Permission denied"), (OSError("one line\nand another"), "one line"),
+])  # fmt: skip
+def test_why_a_file_cannot_be_opened_is_told_in_one_line(error, words):
+    assert _reason(error) == words
+
+
+@pytest.mark.parametrize("error, kind, words", [
+    (OSError("Can't synchronously read data (a cause)"), DamagedError, "is damaged: Can't synchronously read data"),
+    (KeyError("Unable to synchronously open object (x)"), DamagedError, "is damaged: Unable to synchronously open"),
+    (RuntimeError("Unspecified error (a cause)"), DamagedError, "is damaged: Unspecified error (a cause)"),
+    (OSError("Can't synchronously write data (full)"), NotWritten, "cannot be written: Can't synchronously write data"),
+    (KeyError("another"), KeyError, "another"), (RuntimeError("no brackets"), RuntimeError, "no brackets"),
+])  # fmt: skip
+def test_errors_of_hdf5_are_told_as_damage_or_as_a_full_disk_and_others_as_they_are(error, kind, words):
+    with pytest.raises(kind) as told, damage_named("a.h5"):
+        raise error
+    assert words in str(told.value)
+    if kind is NotWritten:
+        assert str(told.value).endswith("; the data stored before is kept")

@@ -202,3 +202,44 @@ def test_damping_that_grows_with_the_motion_counts_at_the_height_of_the_peak():
     N = 8 / (3 * np.pi) * found.omega * 1.5 * found.peak * 0.02
     assert found.damping == pytest.approx((4 * 0.05 + N) / (2 * 1.0 * 2.0), rel=1e-3) and found.viscous
     assert N > 0.02
+
+
+class TwoHeadings(OneMotion):
+    """Waves towards 0.3 rad excite heave half as much as those towards 1.1 rad; roll moves by much in both"""
+
+    headings = np.array([0.3, 1.1])
+
+    def motions(self, omega):
+        X = np.repeat(super().motions(omega), 2, axis=1)
+        X[:, 0] *= 0.5
+        X[:, :, 3] = 5e3  # rad/m, of another kind
+        return X
+
+
+def test_a_peak_is_that_of_the_heading_that_excites_it_most_beside_motions_of_its_kind():
+    (found,) = resonances(TwoHeadings(0.05))
+    assert found.heading == 1.1 and found.name == "heave" and found.mode == 2
+    assert found.peak == pytest.approx(1 / (4 * 0.05 * np.sqrt(1 - 0.05**2)), rel=1e-3)
+    assert found.error == pytest.approx(0.1 * found.peak) and found.omega == pytest.approx(1.0, rel=5e-3)
+
+
+def test_a_peak_at_an_end_of_the_stored_frequencies_is_the_largest_there_is():
+    """A resonance at 1 rad/s beside the lowest stored frequency: the search stays inside"""
+    body = OneMotion(0.05)
+    body.omega = np.linspace(0.999, 2.0, 16)
+    body.between = SimpleNamespace(span=(0.999, 2.0))
+    (found,) = resonances(body)
+    assert 0.999 <= found.omega < 1.01 and found.peak == pytest.approx(np.abs(body.motions([found.omega])[0, 0, 2]))
+
+
+@pytest.mark.parametrize("change", ["inertia", "stiffness", "few"])
+def test_without_inertia_stiffness_or_four_frequencies_nothing_resonates(change):
+    body = OneMotion(0.05)
+    if change == "few":
+        body.omega = np.linspace(0.5, 2.0, 3)
+    else:
+        setattr(body, change, None)
+    assert resonances(body) == []
+    enough = OneMotion(0.05)
+    enough.omega = np.linspace(0.5, 2.0, 4)
+    assert len(resonances(enough)) == 1

@@ -77,3 +77,18 @@ def test_kochin_functions_are_the_same_at_more_angles():
     shares = np.exp(1j * order**2) / (1 + order**2)
     few, many = (np.exp(1j * np.outer(2 * np.pi * np.arange(n) / n, order)) @ shares for n in (60, 82))
     assert at_angles(np.stack([few, 2 * few]), 82) == pytest.approx(np.stack([many, 2 * many]), abs=1e-12)
+
+
+@pytest.mark.parametrize("count, more", [(7, 12), (7, 9), (8, 12), (8, 11), (5, 5)])
+def test_series_of_an_odd_and_of_an_even_number_of_angles_are_the_same_at_more(count, more):
+    """Harmonics below half of them, from −3 to 3 of 7 and of 8"""
+    highest = (count - 1) // 2
+    order = np.arange(-highest, highest + 1)
+    series = np.arange(1, len(order) + 1) * (1 - 0.5j)
+
+    def H(n):
+        return np.exp(1j * np.multiply.outer(2 * np.pi * np.arange(n) / n, order)) @ series
+
+    found = at_angles(np.stack([H(count), 2 * H(count)]), more)
+    assert found.shape == (2, more)
+    assert found[0] == pytest.approx(H(more)) and found[1] == pytest.approx(2 * H(more))

@@ -121,3 +121,26 @@ def test_the_largest_rise_is_found_in_few_frequencies():
     omega, size = moonpool._largest(rise, 1.05)
     assert omega == pytest.approx(1.21, rel=2e-3) and size == pytest.approx(40, rel=0.01) and len(asked) <= 6
     assert moonpool._largest(rise, 3.0) is None
+
+
+@pytest.mark.parametrize(
+    "own, found", [(0.52, True), (0.7, True), (1.0, True), (1.28, True), (1.6, False), (0.35, False)]
+)
+def test_a_rise_is_one_within_half_and_thirteen_tenths_of_the_frequency_it_is_sought_near(own, found):
+    """1/rise of a mass on a spring, 1 − (ω/ω₀)² − 0.05i; where it is largest at an end there is no peak"""
+
+    def rise(omega):
+        return np.array([0.5, 1.0]) / (1 - (omega / (2.0 * own)) ** 2 - 0.05j)
+
+    answer = moonpool._largest(rise, 2.0)
+    assert (answer is not None) is found
+    if found:
+        assert answer[0] == pytest.approx(2.0 * own, rel=5e-3) and answer[1] == pytest.approx(20.0, rel=0.02)
+
+
+def test_the_next_frequency_is_where_the_parabola_of_one_over_the_rise_is_least():
+    """Of the heading that rises most at the largest; s = (ω/near)² from 0.25 to 1.69 in steps of 7.2e-4"""
+    omegas = [1.6, 1.9, 2.1]
+    values = [np.array([1 / (3 - 2 * (w / 2) ** 2 * 1.7 - 0.1j), 0.01]) for w in omegas]
+    found = moonpool._next(omegas, values, 2.0)
+    assert (found / 2.0) ** 2 == pytest.approx(3 / 3.4, abs=1e-3)

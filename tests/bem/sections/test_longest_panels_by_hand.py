@@ -141,3 +141,53 @@ def test_panels_in_deep_water_are_as_long_as_twice_what_is_beside_them_at_most(b
     assert found.y[found.side] == pytest.approx(np.full(found.side.sum(), beam / 2))
     assert found.z[~found.side] == pytest.approx(np.full((~found.side).sum(), -draft))
     assert np.all(np.diff(found.y[~found.side]) > 0) and np.all(np.diff(found.z[found.side]) > 0)
+
+
+@pytest.mark.parametrize("beam, omega", [(4.0, 1.0), (30.0, 1.0), (30.0, 2.0)])
+def test_points_inside_are_four_and_one_for_each_radian_of_the_wave_along_the_beam(monkeypatch, beam, omega):
+    """On the waterline, by the golden ratio; they follow the points of the contour"""
+    seen = []
+
+    def kernels(self, y, z, sign):
+        seen.append((self.contour, y, z))
+        raise Asked
+
+    monkeypatch.setattr(deep_water.DeepFlow, "_kernels", kernels)
+    with pytest.raises(Asked):
+        deep_water.DeepFlow(beam, 3.0, omega, 9.81, 1e-3)
+    ((contour, y, z),) = seen
+    inside = y[len(contour.y) :]
+    assert len(inside) == 4 + np.ceil(omega**2 / 9.81 * beam) and not z[len(contour.y) :].any()
+    golden = (np.sqrt(5) - 1) / 2
+    assert inside == pytest.approx(beam / 2 * np.mod(golden * np.arange(1, len(inside) + 1), 1))
+    assert np.array_equal(y[: len(contour.y)], contour.y) and np.array_equal(z[: len(contour.y)], contour.z)
+
+
+@pytest.mark.parametrize("beam, draft, depth, tolerance", [
+    (0.0, 1.0, 3.0, 1e-4), (4.0, -1.0, 3.0, 1e-4), (4.0, 3.0, 3.0, 1e-4), (4.0, 1.0, 3.0, 1.0),
+])  # fmt: skip
+@pytest.mark.parametrize("which", ["zero", "infinity"])
+def test_limits_of_the_frequency_are_those_of_a_section(beam, draft, depth, tolerance, which):
+    """With the words with which a section is refused"""
+    from hakobune.bem.sections.coefficients import check_shape
+    from hakobune.bem.sections.frequency_limits import added_mass_limit
+
+    with pytest.raises(ValueError) as wanted:
+        check_shape(beam, draft, depth, tolerance)
+    with pytest.raises(ValueError) as refused:
+        added_mass_limit(beam, draft, depth, which, tolerance=tolerance)
+    assert str(refused.value) == str(wanted.value)
+
+
+@pytest.mark.parametrize("depth, extra", [(3.1, 3), (9.0, 1), (3.5, 2)])
+def test_panels_at_the_corners_of_a_bottom_shrink_to_what_is_beside_them(depth, extra):
+    """Of 10 m beside a gap of 0.1 or 0.5 m, or sides of 3 m: ln(10/0.1)/ln 4 − ½ = 2.8, 1.7 and 0.4, more than the
+    levels of the corner, so many times shorter by four; from both ends half of it"""
+    wetted = rectangle(10.0, 6.0).wetted(3.0)
+    chain = [Edge(-5 - depth - 1j * depth, -5 - depth + 0j), Edge(-5 - depth + 0j, -5 + 0j), *wetted.edges,
+             Edge(5 + 0j, 5 + depth + 0j), Edge(5 + depth + 0j, 5 + depth - 1j * depth)]  # fmt: skip
+    bottom = next(i for i, edge in enumerate(chain) if edge.start.imag == edge.end.imag == -3.0)
+    level = any_section._levels(chain, bottom, 1e-4)[0]
+    parts = any_section._split(chain, depth, 99.0, 1e-4)[bottom]
+    assert min(one.length for one in parts) == pytest.approx(10 * 2 * 4.0 ** -(level + extra))
+    assert sum(one.length for one in parts) == pytest.approx(10.0)

@@ -1,12 +1,22 @@
 """Damping beyond the band, by the powers that are believed, and the added mass of known pairs."""
 
+from itertools import pairwise
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from hakobune.bem.time_domain import whole_axis as module
-from hakobune.bem.time_domain.whole_axis import _above, _below, _unseen, monopole_damping, whole_axis, without_negative
+from hakobune.bem.time_domain.whole_axis import (
+    WholeAxis,
+    _above,
+    _below,
+    _unseen,
+    kramers_kronig,
+    monopole_damping,
+    whole_axis,
+    without_negative,
+)
 
 OMEGA = np.linspace(0.2, 2.0, 400)
 
@@ -156,3 +166,32 @@ def test_a_source_that_makes_more_waves_than_were_found_leaves_the_rest_its_own_
     np.testing.assert_allclose(
         found[:, 2, 2], source(axis)[:, 2, 2] + rest * (axis / OMEGA[0]) ** power, rtol=1e-9, atol=1e-9
     )
+
+
+def test_weights_of_causality_are_principal_values_of_straight_lines():
+    """⨍ B/(x² − ω²) dx by ∫ (B(x) − B(ω))/(x² − ω²) dx and B(ω) ln |(b − ω)(a + ω)/((b + ω)(a − ω))| / 2ω"""
+    points, B = np.array([0.5, 1.0, 2.0, 4.0]), np.array([0.3, 1.0, -0.4, 0.7])
+    s, v = np.polynomial.legendre.leggauss(60)
+    for w in (0.2, 0.7, 1.6, 3.1, 5.0):
+        weights = kramers_kronig(w, points)[0]
+        level = np.interp(w, points, B) if 0.5 < w < 4 else 0.0
+        total = level * np.log(abs((4 - w) * (0.5 + w) / ((4 + w) * (0.5 - w)))) / (2 * w)
+        cuts = np.unique([*points, *([w] if 0.5 < w < 4 else [])])
+        for a, b in pairwise(cuts):
+            x = 0.5 * (a + b) + 0.5 * (b - a) * s
+            total += 0.5 * (b - a) * v @ ((np.interp(x, points, B) - level) / (x**2 - w**2))
+        assert weights @ B == pytest.approx(total, rel=1e-9)
+
+
+def test_between_its_frequencies_damping_is_straight_and_added_mass_follows_from_all_of_it():
+    """B − iω (2/π) ⨍ B/(x² − ω²) dx; frequencies in the middle of the gaps that are asked for, each once"""
+    omega, B = np.array([0.0, 1.0, 2.0, 4.0]), np.zeros((4, 2, 2))
+    B[:, 0, 0], B[:, 0, 1] = [0.0, 3.0, 1.0, 0.0], [0.0, 1.0, 2.0, 0.0]
+    axis = WholeAxis(omega, B, np.diag([5.0, 6.0]))
+    at = np.array([0.25, 3.0])
+    found = axis.transform(at)
+    assert found.real[:, 0, 0] == pytest.approx([0.75, 0.5]) and found.real[:, 0, 1] == pytest.approx([0.25, 1.0])
+    excess = 2 / np.pi * kramers_kronig(at, omega) @ B[:, 0, 0]
+    assert found.imag[:, 0, 0] == pytest.approx(-at * excess) and axis.excess(at)[:, 0, 0] == pytest.approx(excess)
+    assert axis.between([0.1, 0.9, 1.5, 3.9, 9.0]).tolist() == [0.5, 1.5, 3.0]
+    assert axis._gap(np.array([0.25, 3.0]))[1] == pytest.approx([0.25, 0.5])

@@ -189,3 +189,19 @@ def test_where_there_is_no_room_for_all_the_largest_changes_go_first(monkeypatch
     for most, asked in ((6, [0.65, 0.75]), (5, [0.65]), (4, []), (3, [])):
         monkeypatch.setattr(module, "MOST", most)
         assert module._between(omega, rows) == pytest.approx(asked)
+
+
+@pytest.mark.parametrize("low, high", [(0.5, 4.5), (0.3, 0.5)])
+def test_a_frequency_within_a_thousandth_of_the_band_of_a_stored_one_is_left_out(low, high):
+    def asked(*stored):
+        body = SimpleNamespace(between=SimpleNamespace(span=(low, high)), depth=30.0, gravity=G,
+                               omega=np.array([low, *stored, high]))  # fmt: skip
+        return module._frequencies(body, 25.0)
+
+    bare = asked()
+    one = bare[40]
+    for share, kept in ((0.97e-3, False), (1.03e-3, True)):
+        for sign in (1, -1):
+            near = one + sign * share * (high - low)
+            found = asked(near)
+            assert near in found and (one in found) is kept and len(found) == len(bare) + kept
