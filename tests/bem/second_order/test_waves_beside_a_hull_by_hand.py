@@ -29,7 +29,7 @@ def test_tails_begin_beyond_the_local_part_of_each_wave():
     assert _intervals(held)[1].tolist() == [1]
 
 
-@pytest.mark.parametrize("counts, symmetry", [((8, 4, 1), "xy"), ((2, 1, 1), "xy"), ((2, 1, 1), "")])
+@pytest.mark.parametrize("counts, symmetry", [((30, 15, 1), "xy"), ((8, 4, 1), "xy"), ((2, 1, 1), "")])
 def test_a_circle_leaves_a_twelfth_of_its_radius_or_two_sides_around_the_hull(counts, symmetry):
     """1.08 times the half diagonal of the waterline, or two of the longest sides of panels beyond it"""
     mesh = box(40.0, 20.0, 5.0, counts=counts, symmetry=symmetry, grading=False)
