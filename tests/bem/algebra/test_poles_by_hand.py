@@ -106,3 +106,14 @@ def test_singular_values_below_the_cutoff_are_left_out(cutoff):
     found = truncated_least_squares((left * size) @ right.T, b, cutoff)
     wanted = right[:, :2] @ (np.array([[2.0], [3.0 * cutoff]]) / size[:2, None])
     assert found == pytest.approx(wanted, rel=1e-5)
+
+
+@pytest.mark.parametrize("off, looked", [(0.97e-3, False), (1.05e-3, True)])
+def test_what_a_constant_misses_by_a_thousandth_has_no_poles(off, looked, monkeypatch):
+    asked = []
+    monkeypatch.setattr(module, "_through", lambda x, values, taken: asked.append(taken) or (values, None))
+    monkeypatch.setattr(module, "_zeros", lambda *them: ("poles", "residues"))
+    values = np.ones((24, 1))
+    values[::2] -= 2 * off  # as far below their mean as the others are above it
+    poles(X[:24], values)
+    assert bool(asked) == looked
