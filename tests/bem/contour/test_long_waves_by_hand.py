@@ -137,3 +137,58 @@ def test_modes_beside_the_keel_are_for_a_hundredth_of_draft_or_gap(draft, depth,
     most, least = (int(np.ceil(60 * depth / (np.pi * part * min(draft, depth - draft)))) for part in (0.01, 0.03))
     assert asked == [min(most, max(least, 20000))] == [count]
     assert made.table.tolist() == [[4.0, 6.0]] and made.rows.tolist() == [[7.0]]
+
+
+def test_the_flow_on_a_side_is_that_of_the_edge_up_to_four_lengths_of_its_last_mode(monkeypatch):
+    """60 h/π over the number of modes; farther up point by point to the surface, where the draft is the distance"""
+    from hakobune.bem.contour import side_flow
+
+    asked, modes = {}, SimpleNamespace(gap=SimpleNamespace(draft=5.0, depth=12.0),
+                                       outer=SimpleNamespace(wavenumbers=np.ones(3000)))  # fmt: skip
+    near = [np.array([0.1]), np.array([0.2]), np.array([[1.0, 2.0]]), np.array([[3.0, 4.0]])]
+
+    def at_keel(modes, start, end):
+        asked["keel"] = start, end
+        return near, "keel"
+
+    def distances(start, draft, surface):
+        asked["distances"] = start, draft, surface
+        return np.array([1.0, 4.0]), np.array([0.5, 0.6])
+
+    modes.flow = lambda r: (np.outer(r, [1.0, 10.0]), np.outer(r, [5.0, 7.0]))
+    monkeypatch.setattr(side_flow._DepthModes, "of", classmethod(lambda cls, freq: modes))
+    monkeypatch.setattr(side_flow, "_at_keel", at_keel)
+    monkeypatch.setattr(side_flow, "_distances", distances)
+    found = side_flow.depth_flow("freq", 2.5)
+    start = 60 * 12.0 / (np.pi * 3000)
+    assert asked == {"keel": pytest.approx((start, 4 * start)), "distances": (pytest.approx(4 * start), 5.0, 2.5)}
+    assert found.r.tolist() == [0.1, 1.0, 4.0] and found.weights.tolist() == [0.2, 0.5, 0.6]
+    assert found.value.tolist() == [[1, 2], [1, 10], [4, 40]] and found.slope.tolist() == [[3, 4], [5, 7], [20, 28]]
+    assert found.top.tolist() == [5.0, 50.0] and found.keel == "keel"
+
+
+def test_modes_are_summed_to_where_they_have_decayed_beside_keel_and_surface():
+    """At r from the keel, or z from the surface, a fiftieth of the draft at least; cut smoothly"""
+    from hakobune.bem.contour.side_flow import _DepthModes
+    from hakobune.bem.depth_modes.gap import smooth_cutoff
+    from hakobune.bem.waves import depth_factor, depth_factor_slope
+
+    count = 2000
+    rng = np.random.default_rng(2)
+    n = np.arange(1, count + 1)
+    kn, table, rows = n * np.pi / 12.0, rng.normal(size=(count, 2)) / n[:, None] ** 3, rng.normal(size=(count, 3))
+    gap = SimpleNamespace(draft=5.0, depth=12.0)
+    made = _DepthModes(gap, SimpleNamespace(k=0.3, wavenumbers=kn), table, rows)
+    r = np.array([0.5, 2.5, 4.0, 4.99])
+    value, slope = made.flow(r)
+    assert value.shape == slope.shape == (4, 3 + 6)
+    for q, distance in enumerate(r):
+        z = distance - 5.0
+        beside = min(distance, max(-z, 0.02 * 5.0))
+        few = min(count, int(np.ceil(60 * 12.0 / (np.pi * beside))))
+        cut = smooth_cutoff(np.arange(1, few + 1) / few)
+        for found, mode, wave in ((value, np.cos(kn * (z + 12)), depth_factor(z, 0.3, 12.0)),
+                                  (slope, -kn * np.sin(kn * (z + 12)), depth_factor_slope(z, 0.3, 12.0))):  # fmt: skip
+            assert found[q, 0] == pytest.approx(wave) and not found[q, -2:].any()
+            whole = np.einsum("n,nc,nr->cr", cut * mode[:few], table[:few], rows[:few])
+            assert found[q, 1:-2].reshape(2, 3) == pytest.approx(whole, rel=1e-9, abs=1e-12)

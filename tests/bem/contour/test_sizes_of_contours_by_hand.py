@@ -11,7 +11,7 @@ from hakobune.bem.contour.accuracy import Accuracy, accuracy, finer
 from hakobune.bem.contour.body import ContourBody
 from hakobune.bem.contour.modal_sums import ChebyshevNodes
 from hakobune.bem.contour.several.bodies import SeveralBodies, beside, near, prepare_several
-from hakobune.bem.contour.several.exterior import REACH, Place
+from hakobune.bem.contour.several.exterior import Place
 from hakobune.bem.contour.solver import prepare_box, prepare_cylinder
 from hakobune.bem.contour.standing import NoGap, WallProfiles
 from hakobune.bem.depth_modes.gap import Gap, rounded
@@ -174,7 +174,7 @@ def test_the_table_of_several_is_as_dense_as_that_of_each_and_reaches_as_far(pai
     first, last = min(n.first for n in each), max(n.last for n in each)
     dense = max((n.count - 2) / np.log(n.last / n.first) for n in each)
     assert both == ChebyshevNodes(first, last, int(np.ceil(dense * np.log(last / first))) + 2)
-    table = SimpleNamespace(kappa=np.array([0.1, 0.499, 0.5, 0.501]) * REACH)
+    table = SimpleNamespace(kappa=np.array([3.6, 17.9, 18.0, 18.1]))
     assert SeveralBodies.coupled(SimpleNamespace(nodes=lambda tops: table, gaps=(3.0, 2.0)), tops) == 3
     degree = tuple(one_frequency.degrees(body, 0.5)[0] for body in pair.bodies)
     assert pair.degrees(0.5) == (degree, tops)
@@ -193,3 +193,19 @@ def modes_k(omega):
     from hakobune.bem.waves import wavenumber
 
     return float(wavenumber(omega, 10.0, 9.80665))
+
+
+def test_a_tolerance_is_of_half_a_digit_more_and_at_most_a_tenth():
+    assert BOX.accuracy.digits == pytest.approx(3.5) and PILE.accuracy.digits == pytest.approx(3.5)
+    assert prepare_box(30.0, 20.0, 5.0, 12.0, 0.1).accuracy.digits == pytest.approx(1.5)
+    for tolerance in (0.105, 0.95e-7):
+        with pytest.raises(ValueError, match="allowed: 1e-07 to 0.1"):  # noqa: RUF043
+            prepare_box(30.0, 20.0, 5.0, 12.0, tolerance)
+
+
+def test_bodies_are_as_near_as_a_two_hundredth_of_half_their_width():
+    """0.015 m between circles of 3 m"""
+    shapes = [("box", (6.0, 6.0, 2.0))] * 2
+    with pytest.raises(ValueError, match=r"body 1 is 0\.0145 m from the next; contours need at least 0\.015 m"):
+        prepare_several(shapes, [Place(0, 0, 0), Place(6.0145, 0, 0)], 10.0, 1e-2)
+    assert prepare_several(shapes, [Place(0, 0, 0), Place(6.0155, 0, 0)], 10.0, 1e-2).gaps[0] == pytest.approx(0.0155)

@@ -6,6 +6,7 @@ import time
 from types import SimpleNamespace
 
 import pytest
+from numba import config
 
 from hakobune.bem.kernels import jit, kept, progress
 from hakobune.bem.kernels.kept import Kept, claimed
@@ -102,6 +103,7 @@ def test_kernels_that_are_not_kept_are_told_once(monkeypatch, capsys, tmp_path):
     assert f"in {tmp_path / 'nowhere'} (Read-only file system)" in told
 
 
+@pytest.mark.skipif(bool(config.DISABLE_JIT), reason="as plain Python no kernel is compiled")
 def test_what_waits_for_the_first_kernel_is_called_before_it_and_once(monkeypatch):
     called = []
     monkeypatch.setattr(jit, "_before_first", [])
@@ -136,3 +138,86 @@ def test_progress_is_told_to_whoever_asked_last_and_to_nobody_after():
         progress.report_progress("factors", 6)
     progress.report_progress("waves", 7)
     assert seen == [("waves", 3), ("factors", 6)] and inner == [("matrices", 4)]
+
+
+@pytest.mark.parametrize("linked, instructions, inner, apart", [
+    (False, 101, False, True), (False, 100, False, False), (True, 500, False, False), (False, 500, True, False),
+])  # fmt: skip
+@pytest.mark.parametrize("there, worthless, written", [(False, False, True), (True, False, False), (True, True, True)])
+def test_a_long_kernel_is_called_by_its_symbol_and_a_file_that_is_there_stays(
+    tmp_path, monkeypatch, linked, instructions, inner, apart, there, worthless, written
+):
+    """More than a hundred instructions, unless it is linked at any length or takes vectors"""
+    made, called, file = Kept(lambda: None, tmp_path, linked, None), [], tmp_path / "one.kernel"
+    if there:
+        file.write_bytes(b"before")
+    if worthless:
+        made.worthless.add(file)
+    monkeypatch.setattr(kept, "_instructions", lambda result: instructions)
+    monkeypatch.setattr(made, "_called_by", lambda *them: called.append(them))
+    monkeypatch.setattr(kept, "dumps", pickle.dumps)
+    signature = [SimpleNamespace(name="float64*" if inner else "float64")]
+    result = SimpleNamespace(signature=SimpleNamespace(return_type="float64"), _reduce=lambda: "reduced",
+                             target_context=SimpleNamespace(enable_nrt=True))  # fmt: skip
+    made._save(file, signature, result)
+    assert called == [(signature, result, apart)]
+    assert file.read_bytes() == (pickle.dumps((apart, "reduced")) if written else b"before")
+
+
+def test_a_kernel_that_returns_an_array_counts_who_refers_to_it(tmp_path):
+    from numba.core import types
+
+    array = types.Array(types.float64, 1, "C")
+    made = Kept(lambda: None, tmp_path, True, None)
+    for returned in (array, types.Tuple((types.float64, array))):
+        result = SimpleNamespace(signature=SimpleNamespace(return_type=returned),
+                                 target_context=SimpleNamespace(enable_nrt=False))  # fmt: skip
+        with pytest.raises(TypeError, match="returns an array; allowed: with counted=True"):
+            made._save(tmp_path / "one.kernel", [], result)
+    assert not list(tmp_path.iterdir())
+
+
+def test_others_link_a_short_kernel_with_what_it_needs_and_of_a_long_one_its_name(monkeypatch):
+    """Loaded before a caller: what a linked kernel was compiled with, or the kernel that stands apart itself"""
+    made = Kept(test_kernels_that_are_not_kept_are_told_once, None, False, None)
+    library = SimpleNamespace(name="library", _reload_init={"own"}, _shared_module="code",
+                              _codegen=SimpleNamespace(_create_empty_module=lambda name: f"empty {name}"))  # fmt: skip
+    result = SimpleNamespace(library=library, reload_init=["more"], fndesc=SimpleNamespace(llvm_func_name="symbol"))
+    made._called_by("signature", result, False)
+    assert library._reload_init == {"own", "more"} and library._shared_module == "code"
+    monkeypatch.setattr(kept, "binding", SimpleNamespace(parse_assembly=lambda text: ("parsed", text)))
+    made._called_by("signature", result, True)
+    (callee,) = library._reload_init
+    assert library._shared_module == ("parsed", "empty library")
+    assert (callee.module, callee.name) == (__name__, "test_kernels_that_are_not_kept_are_told_once")
+    assert (callee.signature, callee.symbol) == ("signature", "symbol")
+
+
+def test_a_kernel_that_was_compiled_again_since_is_stale_to_its_callers(monkeypatch):
+    compiled, symbol = [], "symbol"
+    overload = SimpleNamespace(fndesc=SimpleNamespace(llvm_func_name=symbol))
+    dispatcher = SimpleNamespace(compile=compiled.append, overloads={("float64",): overload})
+    monkeypatch.setattr(kept, "import_module", lambda name: SimpleNamespace(one=SimpleNamespace(called=dispatcher)))
+
+    def one():
+        pass
+
+    one.__qualname__ = "one"
+    kept.Callee(one, ["float64"], "symbol")()
+    assert compiled == [["float64"]]
+    with pytest.raises(kept._StaleError, match="another"):
+        kept.Callee(one, ["float64"], "another")()
+
+
+def test_files_of_kernels_are_told_apart_by_signature_machine_and_version(tmp_path, monkeypatch):
+    made = Kept(test_kernels_that_are_not_kept_are_told_once, tmp_path, False, None)
+    context = SimpleNamespace(codegen=lambda: SimpleNamespace(magic_tuple=lambda: ("machine",)))
+    other = SimpleNamespace(codegen=lambda: SimpleNamespace(magic_tuple=lambda: ("other",)))
+    kinds = [SimpleNamespace(name=name) for name in ("float64", "int64")]
+    files = {made._file(kinds, context), made._file(kinds[:1], context), made._file(kinds[::-1], context),
+             made._file(kinds, other)}  # fmt: skip
+    monkeypatch.setattr(kept, "numba", SimpleNamespace(__version__="0.0"))
+    files.add(made._file(kinds, context))
+    assert len(files) == 5 and {file.parent for file in files} == {tmp_path}
+    assert all(file.name.startswith("test_kernels_that_are_not_kept_are_told_once-") for file in files)
+    assert {len(file.stem.rpartition("-")[2]) for file in files} == {16} and {f.suffix for f in files} == {".kernel"}

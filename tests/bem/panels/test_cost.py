@@ -72,3 +72,43 @@ def test_the_contour_method_takes_its_table_once_and_the_cube_of_its_degrees_a_f
         expected += [4e-9 * c * p**3, 2e-8 * q**3, 65 * c * p**2 + 1000 * q**2]
     assert cost_of_contour(body, k) == pytest.approx(tuple(expected))
     assert cost_of_contour(prepare_cylinder(30.0, 5.0, 10.0), 4.0) == pytest.approx((0.0, 8e-8 * 120**3, 0.0))
+
+
+def test_times_are_the_shortest_of_three_after_one_that_compiles(monkeypatch):
+    clock = iter([0.0, 9.0, 10.0, 10.5, 11.0, 11.2, 12.0, 12.4])
+    done = []
+    monkeypatch.setattr(cost.time, "perf_counter", lambda: next(clock))
+    assert cost._seconds(lambda: done.append(1)) == pytest.approx(0.2) and len(done) == 4
+
+
+@pytest.mark.parametrize("nodes, images, rows", [(100, 4, 50), (10, 1, 10), (50_000, 4, 16), (2000, 1, 16)])
+def test_so_many_rows_are_timed_that_threads_share_them(nodes, images, rows):
+    """Sixteen, or as many as make 20 000 pairs; spread over all, and never more than there are"""
+    geometry = SimpleNamespace(elements=SimpleNamespace(nodes=range(nodes)), images=range(images))
+    found = cost._timed_rows(geometry)
+    step = max(nodes // max(16, int(np.ceil(20_000 / (nodes * images)))), 1)
+    assert found.tolist() == list(range(0, nodes, step)) and len(found) >= rows
+
+
+def test_a_row_takes_its_share_of_the_rows_that_are_timed(monkeypatch):
+    """Waves at a table's wavenumber, Rankine parts at the same nodes; factors of 1500 unknowns of either precision"""
+    nodes = np.arange(24.0).reshape(8, 3)
+    asked = []
+    geometry = SimpleNamespace(elements=SimpleNamespace(nodes=nodes), images=range(4), depth=9.0, reach=40.0, draft=3.0,
+                               rankine_rows=lambda points: asked.append(points.tolist()))  # fmt: skip
+    monkeypatch.setattr(cost, "_seconds", lambda work: work() or 6.0)
+    monkeypatch.setattr(cost, "_timed_rows", lambda g: np.array([1, 3, 5]))
+    monkeypatch.setattr(cost, "wave_table", lambda *them: SimpleNamespace(k=0.3, them=them))
+    monkeypatch.setattr(cost, "wave_blocks", lambda g, some, every, table, Z: asked.append(
+        (some.tolist(), len(every), table.them, Z(np.array([-9.0]))[0, 0])))  # fmt: skip
+    assert cost._seconds_of_rows(geometry) == 2.0 and asked == [nodes[[1, 3, 5]].tolist()]
+    assert cost._seconds_of_waves(geometry, 0.8, 9.81) == 2.0
+    some, count, table, bed = asked[1]
+    assert (some, count, table) == ([1, 3, 5], 8, (0.8, 9.0, 9.81, 40.0, 3.0))
+    assert bed == pytest.approx(1 / np.cosh(2.7))
+    from scipy import linalg
+
+    seen = []
+    monkeypatch.setattr(linalg, "lu_factor", lambda A, check_finite: seen.append((A.shape, A.dtype)))
+    assert cost._seconds_of_factor() == cost._seconds_of_factor(np.float32) == 6.0
+    assert seen == [((1500, 1500), np.float64), ((1500, 1500), np.float32)]

@@ -94,3 +94,12 @@ def test_three_sectors_pay_and_two_do_not():
     square = PanelMesh(*(lambda m: (m.points * [1, 0.5, 1], m.corners))(revolved([(0, -3), (2, -3), (2, 0)], 4, False)))
     assert axisymmetric.sectors(influence.Geometry(square, None, DEPTH)) is None  # of two
     assert [axisymmetric._next_divisor(n) for n in (12, 9, 7, 6)] == [6, 3, 1, 3]
+
+
+def test_half_a_round_body_against_a_wall_is_no_round_body():
+    """It and its image behind the wall are, but only what lies before the wall is the body's"""
+    half = revolved([(0, -3), (2, -3), (2, 0)], 12, True)
+    beside = PanelMesh(half.points[:, [1, 0, 2]], half.corners[:, ::-1], "")  # y > 0
+    assert axisymmetric.sectors(influence.Geometry(half, None, DEPTH)) is not None
+    g = influence.Geometry(beside, None, DEPTH, wall=0.0)
+    assert len(g.images) == 2 and g.copies == 1 and axisymmetric.sectors(g) is None

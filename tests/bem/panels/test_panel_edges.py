@@ -188,3 +188,66 @@ def test_a_panel_with_a_sharp_side_knows_a_point_of_an_edge_of_the_box():
     assert known[sharp].all() and sharp.sum() > 1 and not known.all()
     x, y, z = np.abs(made.edge[known]).T
     assert np.all(sum(np.isclose(a, b).astype(int) for a, b in ((x, 50), (y, 25), (z, 10))) >= 2)
+
+
+@pytest.mark.parametrize("r, rho, gap", [(0.7, 1.3, 0.9), (2.0, 0.4, 0.5), (0.2, 0.3, 5.0)])
+def test_kernels_over_a_gap_are_those_of_the_faces_and_their_images_in_the_bed(r, rho, gap):
+    """∂ ln R/∂n of a source on the side above, or on the bottom beside it, and of its image; by differences"""
+
+    def kernel(target, source, normal, h=1e-6):
+        def value(at):
+            image = np.array([at[0], -2 * gap - at[1]])
+            return np.log(np.linalg.norm(target - at)) + np.log(np.linalg.norm(target - image))
+
+        return (value(source + h * normal) - value(source - h * normal)) / (2 * h)
+
+    flow = EdgeFlow(np.array(2 / 3), np.array(gap))
+    up, under, source_up, source_under = (np.array(at) for at in ((0.0, r), (-r, 0.0), (0.0, rho), (-rho, 0.0)))
+    out, down = np.array([1.0, 0.0]), np.array([0.0, -1.0])
+    assert flow.onto_above(r, rho) == pytest.approx(kernel(up, source_under, down), rel=1e-6)
+    assert flow.onto_below(r, rho) == pytest.approx(kernel(under, source_up, out), rel=1e-6)
+    assert flow.bed(r, rho) == pytest.approx(-kernel(under, source_under, down), rel=1e-6)
+    free = EdgeFlow(np.array(2 / 3), np.array(np.inf))
+    assert free.onto_above(r, rho) == free.onto_below(r, rho) == pytest.approx(r / (r**2 + rho**2))
+    assert free.bed(r, rho) == 0.0
+    sharp = EdgeFlow(np.array(0.8), np.array(np.inf))  # faces 2π − π/0.8 = 135° apart
+    gamma = 0.75 * np.pi
+    apart = r**2 + rho**2 - 2 * r * rho * np.cos(gamma)
+    assert sharp.onto_above(r, rho) == pytest.approx(r * np.sin(gamma) / apart)
+
+
+@pytest.mark.parametrize("r", [1e-3, 0.3, 2.0, 40.0])
+def test_flow_over_a_gap_is_that_of_its_conformal_map(r):
+    """a ln(1 + q²), q − arctan q = πr/2s; 2a ln cosh u, u − tanh u = πr/2s; a = (2s/3π)^(2/3)"""
+    from scipy.optimize import brentq
+
+    s = 0.6
+    a, part = (2 * s / (3 * np.pi)) ** (2 / 3), np.pi * r / (2 * s)
+    q = brentq(lambda q: q - np.arctan(q) - part, 1e-6, part + 10, xtol=1e-14)
+    u = brentq(lambda u: u - np.tanh(u) - part, 1e-6, part + 10, xtol=1e-14)
+    flow = EdgeFlow(np.array(2 / 3), np.array(s))
+    assert flow.above(np.array(r)) == pytest.approx(a * np.log(1 + q * q), rel=1e-9)
+    assert flow.below(np.array(r)) == pytest.approx(
+        2 * a * (np.log(np.cosh(u)) if u < 300 else u - np.log(2)), rel=1e-9
+    )
+
+
+def test_an_integral_over_panels_is_met_by_lines_between_their_nodes():
+    """(1/π)∫ kernel φ over panels of 1 and 2 m: exact for φ linear on each, and what lines miss of another"""
+    from hakobune.bem.panels.pressure_drift.edge_flow import _interpolated_integral, at_nodes
+
+    lengths, at = np.array([[1.0, 2.0]]), np.array([0.4, 1.7]).reshape(1, 2, 1, 1)
+    nodes = at_nodes(lengths)
+    near, far = (1 - 1 / np.sqrt(3)) / 2, (1 + 1 / np.sqrt(3)) / 2
+    assert nodes[0] == pytest.approx([near, far, 1 + 2 * near, 1 + 2 * far])
+    kernel = lambda r, rho: r + rho**2  # noqa: E731
+    line = lambda rho: 2.0 - 3.0 * rho  # noqa: E731
+    matrix, missed = _interpolated_integral(kernel, at, line, nodes[:, :, None, None], lengths)
+    for n, r in enumerate((0.4, 1.7)):
+        exact = np.polynomial.Polynomial([2 * r, -3 * r, 2.0, -3.0]).integ()(3.0) / np.pi
+        assert matrix[0, n] @ line(nodes[0]) == pytest.approx(exact) and missed[0, n] == pytest.approx(0.0, abs=1e-12)
+    square = lambda rho: rho**2  # noqa: E731
+    matrix, missed = _interpolated_integral(kernel, at, square, nodes[:, :, None, None], lengths)
+    for n, r in enumerate((0.4, 1.7)):
+        exact = np.polynomial.Polynomial([0, 0, r, 0, 1.0]).integ()(3.0) / np.pi
+        assert missed[0, n] == pytest.approx(matrix[0, n] @ nodes[0] ** 2 - exact, rel=1e-9)

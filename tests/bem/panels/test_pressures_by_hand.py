@@ -1,12 +1,13 @@
 """Mean loads by the pressure on a hull, piece by piece: sums over points, several bodies, bodies that bend, edges."""
 
+import warnings
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from hakobune.bem.modes import class_of
-from hakobune.bem.panels.pressure_drift import hull_interpolation, of_each_body
+from hakobune.bem.panels.pressure_drift import hull_interpolation, mean_drift, of_each_body
 from hakobune.bem.panels.pressure_drift.edges import coarsest_at_gap, sharp_sides
 from hakobune.bem.panels.pressure_drift.hull_flow import HullFlow, HullSurfaces, Points
 from hakobune.bem.panels.pressure_drift.mean_drift import carried_flow, pressure_pairs
@@ -178,3 +179,14 @@ def test_stencils_that_magnify_errors_or_have_slivers_are_not_used(monkeypatch):
     monkeypatch.setattr(hull_interpolation, "_line_rule", lambda stencil: SimpleNamespace(shape=shape))
     monkeypatch.setattr(hull_interpolation, "_missed", lambda stencil: np.outer(missed, [1.0, 0.5]))
     assert hull_interpolation._steady(None).tolist() == [True, False, True, False]
+
+
+@pytest.mark.parametrize("length, told", [(2.95, False), (3.05, True)])
+def test_panels_half_as_long_again_as_the_gap_are_told(monkeypatch, length, told):
+    """Of 2 m: up to 3 m"""
+    monkeypatch.setattr(mean_drift, "coarsest_at_gap", lambda mesh, depth: (length, 2.0))
+    problem = SimpleNamespace(nodes_per_panel=4, zero_draft=False, depth=9.0)
+    with warnings.catch_warnings(record=True) as seen:
+        warnings.simplefilter("always")
+        mean_drift.check_panels(problem, None)
+    assert [("reliable: up to 3 m" in str(one.message)) for one in seen] == [True] * told

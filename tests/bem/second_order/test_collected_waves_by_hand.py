@@ -343,3 +343,11 @@ def test_moving_hulls_push_all_bodies_and_fixed_ones_none(monkeypatch):
     found = made.of_moving_hull(["flow one", "flow two"], one, two, [[0.5, "none"], [7.0, "none"]])
     own = np.outer(one + 10 * two, np.arange(6.0))
     assert found == pytest.approx(np.hstack([own + 0.5, own + 7.0]) @ T.T)
+
+
+@pytest.mark.parametrize("depth, scale", [(16.0, 16.0), (np.inf, 5.0)])
+def test_the_lowest_frequency_is_a_thousandth_of_that_of_the_depth_or_draft(depth, scale):
+    from hakobune.bem.second_order.long_wave_forces import lowest
+
+    problem = SimpleNamespace(depth=depth, gravity=9.0, mesh=SimpleNamespace(draft=5.0))
+    assert lowest(problem) == pytest.approx(1e-3 * np.sqrt(9.0 / scale))

@@ -29,7 +29,7 @@ def test_tails_begin_beyond_the_local_part_of_each_wave():
     assert _intervals(held)[1].tolist() == [1]
 
 
-@pytest.mark.parametrize("counts, symmetry", [((8, 4, 1), "xy"), ((2, 1, 1), "xy"), ((2, 1, 1), "")])
+@pytest.mark.parametrize("counts, symmetry", [((30, 15, 1), "xy"), ((8, 4, 1), "xy"), ((2, 1, 1), "")])
 def test_a_circle_leaves_a_twelfth_of_its_radius_or_two_sides_around_the_hull(counts, symmetry):
     """1.08 times the half diagonal of the waterline, or two of the longest sides of panels beyond it"""
     mesh = box(40.0, 20.0, 5.0, counts=counts, symmetry=symmetry, grading=False)
@@ -285,3 +285,31 @@ def test_waves_of_a_hull_are_known_on_its_rings_less_what_travels(monkeypatch):
                          for cls in signs)  # fmt: skip
             travels = -1j * g / omega * (c * hankel1(m, k * rings.radii[w, r])) @ np.exp(1j * np.outer(m, theta))
             assert local[:, w, r] @ turn == pytest.approx(values - travels)
+
+
+@pytest.mark.parametrize("good, tried", [(0, [0.3]), (1, [0.3, 0.15]), (9, [0.3, 0.15, 0.0])])
+def test_strips_lean_towards_those_of_an_ellipse_as_far_as_none_folds(good, tried, monkeypatch):
+    seen = []
+
+    def strips(sides, known, circle, count, outwards, spread):
+        if spread not in seen:
+            seen.append(spread)
+        return SimpleNamespace(even=len(seen) > good)
+
+    monkeypatch.setattr(surface_near, "_strips", strips)
+    mesh = box(40.0, 20.0, 5.0, counts=(5, 3, 1), symmetry="")
+    panels, sides = _sides(mesh)
+    x = (1 + np.polynomial.legendre.leggauss(4)[0]) / 2
+    line = SimpleNamespace(points=sides[:, :1] + x[:, None] * (sides[:, 1] - sides[:, 0])[:, None], panels=panels)
+    strips_about(mesh, line, circle_about(mesh), 0.1)
+    assert seen == tried
+
+
+@pytest.mark.parametrize("share, even", [(1.05e-8, True), (0.95e-8, False), (-1.0, False)])
+def test_a_strip_is_even_where_no_weight_is_a_hundred_millionth_of_its_largest(share, even):
+    """Those on the hull, which may be small, are not looked at but for their sign"""
+    weights = np.ones((2, 2, 3))
+    weights[1, 0, 1], weights[0, 0, 0] = 3.0 * share, 1e-12
+    weights[1, 1, 2] = 3.0
+    none = np.zeros(0)
+    assert surface_near.Strips(none, weights, none, none, none, none, none, none).even == even

@@ -11,7 +11,7 @@ from hakobune.bem.contour.several.exterior import Place
 from hakobune.bem.transfer.cost import cost
 from hakobune.bem.transfer.drift import mean_force
 from hakobune.bem.transfer.far_bodies import Coupled, FarBodies, prepare_far
-from hakobune.bem.transfer.partial_waves import PartialWaves, highest_order
+from hakobune.bem.transfer.partial_waves import PartialWaves, highest_order, to_complex, to_real
 
 RADIUS, THETA = 2.0, 2 * np.pi * np.arange(64) / 64
 
@@ -181,3 +181,20 @@ def test_shapes_that_are_the_same_are_made_once_and_refined_once():
     assert sharper.bodies[1].accuracy == far.bodies[1].sharper.accuracy
     assert (sharper.places, sharper.gaps) == (far.places, far.gaps)
     assert far.tolerance == pytest.approx(10 * sharper.tolerance)
+
+
+def test_a_body_answers_to_what_is_a_thousandth_of_the_tolerance_of_its_largest_answer():
+    """Of singular values 1, 1.05e-6 and 0.95e-6 of what is scattered two count, with forces of the same size"""
+    held = SimpleNamespace(bodies=SimpleNamespace(tolerance=1e-3), waves=[PartialWaves("decaying", 0.5, 1)],
+                           _size=lambda a: np.ones(3))  # fmt: skip
+    body = SimpleNamespace(plan=SimpleNamespace(reach=2.0))
+    one = SimpleNamespace(members=[np.arange(3)], scattered=np.diag([1.0, 1.05e-6, 0.95e-6]) + 0j,
+                          pressed=np.zeros((6, 3), complex), sent=np.zeros((3, 6), complex))  # fmt: skip
+    found = Coupled._response(held, body, one)
+    assert found.few.shape == (2, 3) and found.scattered.shape == (3, 2)
+    # in real coefficients and back: what comes in is answered as by the whole matrix
+    into, out = to_real(np.arange(-1, 2)), to_complex(np.arange(-1, 2))
+    whole = out @ one.scattered @ into
+    assert found.scattered @ found.few == pytest.approx(whole, abs=1e-6)
+    one.pressed[2] = [0.0, 0.0, 7.0]  # a force is weighed as the largest answer
+    assert len(Coupled._response(held, body, one).few) == 3
