@@ -8,8 +8,6 @@ from hakobune.bem.database.schema import LIMITS, QUANTITIES
 from hakobune.bem.drift import OF_EACH
 from hakobune.bem.problem import check_gap
 
-from .products import expand
-
 FAR_FIELD = ("kochin_radiation", "kochin_diffraction", "drift_force_fixed", "drift_force")
 
 
@@ -42,22 +40,19 @@ METHODS = {
 
 
 def chosen_method(scene):
-    """Name of METHODS; `auto` selects the cheapest that can represent the scene and computes what it wants, or panels
-    where a number of them is given.
+    """Name of METHODS; `auto` selects contours if they can represent the scene of one body, transfer matrices if they
+    can represent that of several, and panels otherwise or where a number of them is given.
 
     Boxes and vertical cylinders take the contour method a twentieth of the panel method's time at equal error; over
     a bed far below the keel it loses digits.  Several whose circles are apart are solved one shape at a time: jobs of
     four frequencies of two and three bodies took a fifth to a third of the time of panels, and 1.2 times it with
     circles 0.03 of the depth apart.  The contour method around all does not give the drift of each body, which moorings
-    need.
+    need, and takes the time of panels where a gap is a twentieth of the beam.
     """
     if scene.method != "auto":
         return scene.method
-    if scene.panels is not None:
-        return "panel"
-    each = scene.several and set(OF_EACH) & {*expand(scene.want, scene.motions_known, scene.held)}
-    able = [name for name in ("transfer", "contour") if not _obstacles(scene, METHODS[name])]
-    return next((name for name in able if not each or name == "transfer"), "panel")
+    quick = "transfer" if scene.several else "contour"
+    return "panel" if scene.panels is not None or _obstacles(scene, METHODS[quick]) else quick
 
 
 def names_given(scene, names, named):
