@@ -15,6 +15,7 @@ from .fender import FenderError, fender_of_points
 
 AIR = 101_325.0  # Pa
 SECONDS = 1.4  # γ for a compression of seconds; 1.0 for minutes
+HIGHEST = 500e3  # Pa above the air; ISO 17357-1 (2014) has 50 and 80 kPa, fenders for submarines up to 200
 RATED, LIMIT = 0.55, 0.65  # SR179 report (1982), chapter 3.3.2: allowable about 55 % of the diameter
 
 
@@ -26,6 +27,10 @@ def pneumatic(name, diameter, length, pressure, overload=None, exponent=SECONDS,
     for key, value in (("diameter", diameter), ("pressure", pressure)):
         if not 0 < value < np.inf:
             raise FenderError(f"{name}: its {key} is {value:g}; allowed: above 0, finite")
+    if pressure > HIGHEST:
+        raise FenderError(
+            f"{name}: its pressure is {pressure / 1e3:g} kPa; allowed: up to {HIGHEST / 1e3:g} kPa; usual are 50 and 80"
+        )
     if not diameter <= length < np.inf:
         raise FenderError(f"{name}: its length is {length:g} m; allowed: at least its diameter of {diameter:g} m")
     x = np.linspace(0.0, LIMIT, points)

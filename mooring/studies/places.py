@@ -2,6 +2,8 @@
 
 import numpy as np
 
+from hakobune.bem.hinges import SPACE
+
 from ..lines.system.findings import LONGEST_STRAIN
 from ..lines.system.hawser import Hawser
 from ..lines.system.parts import Fairlead
@@ -33,6 +35,27 @@ def check_places(system, hulls):
                 f"the line is stretched by {100 * (away / line.length - 1):.3g} %, limit {100 * LONGEST_STRAIN:g} "
                 "%, where any rope parts; give a longer line or a nearer anchor"
             )
+
+
+def check_links(links, hulls):
+    """Raise ValueError for a hinge farther from one of its hulls than the longest of all is long.
+
+    links : `bem.hinges.Link`s, those between moving bodies and to space are judged; hulls : (`conditions.Afloat`, …)
+    """
+    known, longest = {one.name: one for one in hulls}, max(one.box.length for one in hulls)
+    for link in links:
+        first, own = known.get(link.bodies[0]), [known[name] for name in link.bodies if name in known]
+        if first is None and link.bodies[0] != SPACE:  # on a fixed body, in its axes
+            continue
+        place = np.asarray(link.position, float)
+        place = place if first is None else first.axes @ place + (*first.place, 0.0)
+        for one in own:
+            out = _outside(one.own(place), one.box)
+            if out > longest:
+                raise ValueError(
+                    f"hinge {link.name} is {out:.4g} m off the hull of {one.name}; allowed: up to {longest:g} m, the "
+                    f"longest hull; position is in the axes of {link.bodies[0]}"
+                )
 
 
 def check_floats(hulls, rises):

@@ -17,6 +17,7 @@ from hakobune.mooring.lines.system.parts import CompositeLine, LineDynamics, Lin
 from .quantities import HEAVIEST, LONGEST, StudyError, Table, below, force, friction, one_of, positive
 from .units import KGF, TONF
 
+FAR_BEYOND = 10.0  # end of a table of tensions, over the breaking load: more is another unit
 IN_MOTION = {  # keys of a MaterialTable, and names in LineDynamics
     "drag_normal": "drag_normal", "drag_tangential": "drag_tangential", "added_normal": "added_mass_normal",
     "added_tangential": "added_mass_tangential", "damping_ratio": "damping",
@@ -334,6 +335,12 @@ def _pull(place, name, kind, length):
         raise StudyError(f"{place} has {' and '.join(given) or 'no tensions'}; give one of tension_tonf, tension_kN")
     tension = [value * (TONF if given[0] == "tension_tonf" else 1e3) for value in getattr(kind, given[0])]
     elongation = [length * value / 100 for value in kind.elongation_percent]
+    breaking = force(place, kind, "breaking_load") or math.inf
+    if tension[-1] > FAR_BEYOND * breaking:
+        raise StudyError(
+            f"{place}: its table ends at {tension[-1] / 1e3:.4g} kN, {tension[-1] / breaking:.3g} times its breaking "
+            f"load of {breaking / 1e3:.4g} kN; allowed: up to {FAR_BEYOND:g} times; tensions are in kN or tonf"
+        )
     return pull_of_points(name, elongation, tension), tension[-1]
 
 

@@ -152,6 +152,8 @@ def berth_between(fenders, dolphins, ropes, hulls, bodies):
                 )
         placed = msgspec.structs.replace(table, position=tuple(map(float, own.own(face))), body="", to="")
         one = _fender(where, placed, known.get(table.on), own.box)
+        if table.to in names and _inside(own.own(face), own.box):
+            _check_side(where, one, own, hulls[names.index(table.to)])
         made.append(replace(one, face=face))
         ends.append((names.index(body.name), names.index(table.to) if table.to in names else -1))
     for table in ropes:
@@ -175,6 +177,16 @@ def _ends(where, table, moving, bodies):
             f"{where}: to = {table.to!r}; allowed: the name of another body, {others}; or leave the key out"
         )
     return bodies[table.body], bodies.get(table.to)
+
+
+def _check_side(where, fender, body, carrier):
+    """Raise StudyError for a fender that presses on the side of a hull away from the one that carries it; `Afloat`"""
+    beyond = fender.normal @ body.own((*carrier.place, 0.0))
+    if beyond < -fender.side:
+        raise StudyError(
+            f"{where} is at the side of {body.name} away from {carrier.name}, behind its hull; allowed: between the "
+            f"two; position is in the axes of {carrier.name}"
+        )
 
 
 def _inside(point, box):

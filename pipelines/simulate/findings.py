@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from hakobune.mooring.response.findings import large_rotations
+from hakobune.mooring.response.findings import LINES_NAMED, large_rotations, some
 
 from .file import summary_of
 from .over_runs import differ, rare_findings
@@ -42,6 +42,13 @@ def tilt_findings(file):
     yield from large_rotations({name: float(np.degrees(np.max(both))) for name, both in ends.items()})
 
 
+def slack_findings(file):
+    """A finding on lines and ropes without any pull in all runs"""
+    slack = [name for name in file["line"].asstr()[()] if summary_of(file, f"tension {name}")["largest"] == 0]
+    if slack:
+        yield f"lines without tension in all runs: {some(slack, LINES_NAMED)}; check their lengths"
+
+
 def findings(file):
     """Findings that hold for all runs: their length, slow motion, and which method applies"""
     periods = np.asarray(file.attrs.get("moored_period", [np.nan] * 3), float)
@@ -53,6 +60,7 @@ def findings(file):
     yield from rare_findings(file)
     yield from slow_findings(file)
     yield from tilt_findings(file)
+    yield from slack_findings(file)
     if duration < LONG * slow and differ(file):
         share = 1 / np.sqrt(max(2 * duration / slow, 1.0))
         yield (

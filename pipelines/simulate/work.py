@@ -11,7 +11,8 @@ from hakobune.bem.hinges import ALONE, told_of
 from hakobune.mooring.criteria.failing import fails
 from hakobune.mooring.fenders.gaps import gaps, pairs_of
 from hakobune.mooring.motion.statistics import statistics_of_records, stillness, without_rounding
-from hakobune.mooring.studies.places import check_floats
+from hakobune.mooring.studies.conditions import afloat
+from hakobune.mooring.studies.places import check_floats, check_links, check_places, place_findings
 
 from ..common.quantities import StudyError
 from ..common.quay_tables import linked
@@ -90,6 +91,7 @@ def _ready(task, db, waves):
     berth = study.berth_of(db, hull)
     reader, of_quay = body_of(study, db)
     reader = linked(reader, study.hinges, db)
+    first = (*first, *_placed(db, hull, system, reader.links))
     memory, constant = task.memory, plan.settings.memory == "constant"
     if memory is None and (of_quay or constant):
         memory = no_memory(reader)
@@ -127,6 +129,16 @@ def _ready(task, db, waves):
     if waves is None:
         reader.between.forget()
     return Ready(body, plan, (*first, *of_quay, *caught))
+
+
+def _placed(db, hull, system, links):
+    """Messages on ends of lines off their hulls.  Raises ValueError for an end or a hinge that is far off."""
+    hulls = afloat(db, hull)
+    check_links(links, hulls)
+    if system is None:
+        return ()
+    check_places(system, hulls)
+    return tuple(place_findings(system, hulls))
 
 
 def _told(db, reader, free, plan, turned, left, choice):

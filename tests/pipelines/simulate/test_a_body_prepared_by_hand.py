@@ -126,6 +126,7 @@ def prepare(monkeypatch):
             work, "check_floats", lambda boxes, rises: ASKED.append(("floats", list(boxes), rises.tolist()))
         )
         monkeypatch.setattr(work, "_check_start", note("start", None))
+        monkeypatch.setattr(work, "_placed", lambda *of: ())
         monkeypatch.setattr(f"{MOORING}.simulation.moored", moored)
         monkeypatch.setattr(f"{MOORING}.moving_lines.prepare.moving_of", note("moving", None))
         monkeypatch.setattr(f"{MOORING}.wave_loads.no_wave_forces", lambda reader: "no waves")

@@ -226,6 +226,23 @@ FAULTS = {
          "hulls": {"ship": {"freeboard": 0.1}, "barge": {"freeboard": 1.5}}},
         "hinges move ship down by 0.474 m at rest, limit 0.1 m",
     ),
+    "a fairlead off its hull": (
+        {"lines": [{**TIE, "fairlead": [-14.0, -2.5, 1.0]}]},
+        "line tie: its fairlead (-14, -2.5, 1) m is 9 m off the hull of 10 by 5 m, z -1.5 to 1.5 m; allowed: up to 1 m",
+    ),
+    "a bollard under water": ({"lines": [{**TIE, "bollard": [3.0, -2.5, -20.0]}]}, "is 18.5 m off the hull of 14 by"),
+    "a hinge far off": (
+        {"hinges": [{**HINGE, "position": [40.0, -3.5, 1.0]}]},
+        "hinge H is 33.02 m off the hull of ship; allowed: up to 14 m",
+    ),
+    "tensions in N": (
+        {"types": STUDY["types"] | {"nylon": {**NYLON, "tension_kN": [0.0, 2e4, 9e4]}}},
+        "types.nylon: its table ends at 9e+04 kN, 765 times its breaking load of 117.7 kN; allowed: up to 10 times",
+    ),
+    "a pressure in Pa": (
+        {"fender": [{**FENDER, "family": "pneumatic", "length": 2.0, "pressure": 5e4}]},
+        "its pressure is 50000 kPa; allowed: up to 500 kPa",
+    ),
     "a quay": ({"quay": {"y": 9.0}}, "[quay] is given, but the database contains several bodies"),
 }  # fmt: skip
 
@@ -238,7 +255,19 @@ def test_a_fender_inside_both_hulls_is_refused():
     table = QuayFenderTable(**{**FENDER, "position": (1.0, -2.0, 0.5)})
     with pytest.raises(StudyError, match=r"fender\[0\] \(F\) lies inside both barge and ship, at 1, 0, 0.5 m"):
         berth_between([table], [], [], hulls, bodies)
-    berth_between([msgspec.structs.replace(table, position=(1.0, -4.6, 0.5))], [], [], hulls, bodies)
+    berth_between([msgspec.structs.replace(table, position=(1.0, -2.6, 0.5))], [], [], hulls, bodies)
+    with pytest.raises(StudyError, match=r"fender\[0\] \(F\) is at the side of barge away from ship, behind its hull"):
+        berth_between([msgspec.structs.replace(table, position=(1.0, -4.6, 0.5))], [], [], hulls, bodies)
+
+
+def test_a_hawser_that_is_slack_all_the_time_and_one_through_a_hull_are_told(database, tmp_path):
+    long = {**LOOSE, "name": "long", "length": 40.0}
+    through = {**LOOSE, "name": "through", "length": 7.4, "bollard": [3.0, 2.5, -1.0]}
+    study = STUDY | {"lines": [TIE, long, through], "simulation": SHORT}
+    found = hakobune.simulate(study, database, tmp_path / "run.h5").findings
+    assert any(one.startswith("lines without tension in all runs: ") and "long; check" in one for one in found)
+    told = next(one for one in found if one.startswith("lines that pass through the hull on the straight path"))
+    assert "through" in told and "tie" not in told
 
 
 @pytest.mark.parametrize("name", FAULTS)
