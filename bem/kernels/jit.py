@@ -7,7 +7,6 @@ through others (`sources`).  `kept` describes how kernels are stored and called 
 are compiled for the process alone, which a message reports.
 """
 
-import gc
 import os
 import sys
 from contextlib import contextmanager, suppress
@@ -17,34 +16,14 @@ from pathlib import Path
 from threading import RLock
 
 from .in_memory import marked
+from .quick_compilation import hasten
 
 ROOT = Path(__file__).parents[2]
 _one_at_a_time = RLock()
 _as_python = ContextVar("whether kernels run as Python", default=False)
 
 
-def _collect_nothing_meanwhile():
-    """While numba compiles, Python does not search its millions of objects for cycles: a seventh of the time"""
-    from numba.core import event
-
-    class Pause(event.Listener):
-        depth, collects = 0, False
-
-        def on_start(self, event):
-            if not self.depth:
-                self.collects = gc.isenabled()
-                gc.disable()
-            self.depth += 1
-
-        def on_end(self, event):
-            self.depth -= 1
-            if not self.depth and self.collects:
-                gc.enable()
-
-    event.register("numba:compile", Pause())
-
-
-_before_first = [_collect_nothing_meanwhile]
+_before_first = [hasten]
 
 
 def before_first_kernel(call):
