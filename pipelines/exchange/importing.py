@@ -3,6 +3,7 @@
 import sys
 from dataclasses import replace
 from importlib import import_module
+from pathlib import Path
 
 import numpy as np
 
@@ -140,9 +141,12 @@ def hull_of(place, kind, module, mesh, known):
     if path is None and hasattr(module, "hull_of"):
         path = module.hull_of(place, known)
     if path is None or not path.resolve().is_file():
+        near = ["", *(f" ({one}, beside the files)" for one in Path(place).parent.glob(f"{Path(place).stem}_pan.dat"))][
+            -1
+        ]
+        near = f" ({path} does not exist)" if path else near
         raise ValueError(
-            f"the hull is missing; give its mesh by --mesh{f' ({path} does not exist)' if path else ''}, a file of "
-            f"panels, or a .toml of parts that draws it"
+            f"the hull is missing; give its mesh by --mesh{near}, a file of panels, or a .toml of parts that draws it"
         )
     try:
         panels = read_mesh(path.resolve())
