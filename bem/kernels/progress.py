@@ -6,6 +6,7 @@ from contextvars import ContextVar
 # stages and what is counted in them: rows of the wave matrices, rows of the Rankine matrices, symmetry classes
 WAVES, MATRICES, FACTORS = "waves", "matrices", "factors"
 FINER = "finer"  # a frequency starts again on more panels: in place of a count (prepared problem, ω in rad/s)
+OWN = "own"  # a solution to compare another program's with begins: in place of a count (prepared problem, ω in rad/s)
 _callback = ContextVar("progress callback", default=None)
 
 

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from rich.console import Console
 
 CRITERIA, CASES = "criteria", "load cases"
+LENGTHS = ("duration", "duration_hours", "seeds", "keep_series")  # of runs, which a project chooses for itself
 
 
 def design(
@@ -43,7 +44,22 @@ def design(
         verdict, names, change = made(read, output, workers, console, advice)
     finally:
         workers.shutdown(wait=False, cancel_futures=True)
-    return result_of(verdict, change, names, provenance(project=str(project), folder=str(output)))
+    told = tuple(unread_simulation(read.study, read.raw))
+    return result_of(verdict, change, names, provenance(project=str(project), folder=str(output)), told)
+
+
+def unread_simulation(study, project):
+    """A line on keys of [simulation] of a study that the project's own lacks: a project reads its own alone
+
+    study, project : tables as read
+    """
+    own, given = project.get("simulation"), study.get("simulation", {})
+    lost = [] if own is None else [f"{key} = {given[key]}" for key in given if key not in own and key not in LENGTHS]
+    if lost:
+        yield (
+            f"left out: of [simulation] of the study {', '.join(lost)}; a project reads its own [simulation] alone; "
+            "copy there what applies"
+        )
 
 
 def made(read, folder, workers, console, advice=True):
@@ -93,8 +109,11 @@ class _Counting:
             self.status.stop()
 
 
-def result_of(verdict, change, names, origin):
-    """Result of a Verdict; change : advice, or None; names : names of the files; origin : its provenance"""
+def result_of(verdict, change, names, origin, told=()):
+    """Result of a Verdict; change : advice, or None; names : names of the files; origin : its provenance
+
+    told : lines that are printed first
+    """
     judged, ran = verdict.judged, verdict.ran
     rules = [f"{k + 1} {one.criterion.rule}: {one.criterion.quantity}" for k, one in enumerate(judged)]
     made = {
@@ -108,7 +127,7 @@ def result_of(verdict, change, names, origin):
     failed += [fails(f"{one.case.name} could not be run: {one.fault}") for one in ran if one.numbers is None]
     notes = (f"the mooring {verdict.word}{summary(verdict)}", *advice_words(change, verdict))
     axes = labels("criterion", rules) | labels("load_case", [one.case.name for one in ran])
-    return Result("design", made, axes, (*failed, *verdict.broken), notes, (), origin, (verdict, names))
+    return Result("design", made, axes, (*failed, *verdict.broken), notes, told, origin, (verdict, names))
 
 
 def _governing(name, unknown):

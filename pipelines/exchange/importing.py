@@ -3,6 +3,7 @@
 import sys
 from dataclasses import replace
 from importlib import import_module
+from pathlib import Path
 
 import numpy as np
 
@@ -13,16 +14,20 @@ from hakobune.bem.formats.afloat import on_hull
 from hakobune.bem.formats.judging.believed import believed
 from hakobune.bem.formats.judging.laws import depth_of
 from hakobune.bem.formats.values import FormatError, body_of, with_headings_once
+from hakobune.bem.kernels.progress import OWN, progress_callback
 from hakobune.bem.modes import names_of
 from hakobune.meshing.files import read_mesh, wetted
 from hakobune.meshing.quality import findings
 from hakobune.meshing.whole_files import made_beside
 from hakobune.mooring.criteria.failing import fails
 
+from ..common.bounds import told
 from ..common.outputs import DATABASE, check_ending
 from ..printing.console import new_console
 from ..printing.verdict import tell
 from .command import format_of
+
+NODES_WORTH_ASKING = 600  # of an own solution; with fewer it takes less than a second
 
 
 def import_(place, kind_name, mesh, known, weight, output, fresh=False, correct=False):
@@ -56,7 +61,8 @@ def import_(place, kind_name, mesh, known, weight, output, fresh=False, correct=
             f"depth above the draft"
         )
     on_hull(values, panels, weight)  # volume, stiffness, mass first
-    values, agreed, doubts = believed(values, panels, correct)
+    with progress_callback(_told_of_own):
+        values, agreed, doubts = believed(values, panels, correct)
     values, remarks = on_hull(with_headings_once(values), panels, weight)
     remarks = (*remarks, *agreed, *_remarks(place, said, values))
     with made_beside(output) as partial:  # an existing file remains until the new one is complete
@@ -70,6 +76,20 @@ def import_(place, kind_name, mesh, known, weight, output, fresh=False, correct=
     lost += map(fails, doubts)
     of_hull = (fails(f"{panels.name}: {one.text}") for one in findings(panels) if one.severity == "error")
     return tell([*remarks, *of_hull, *lost], new_console(stderr=True))
+
+
+def _told_of_own(stage, what):
+    """Callback of `bem.kernels.progress`: says how long each solution takes that the set is compared with, if long"""
+    if stage != OWN:
+        return
+    from hakobune.bem.panels.band.cost import seconds_alone
+
+    prepared, omega = what
+    if len(prepared.geometry.elements.nodes) >= NODES_WORTH_ASKING:
+        total, nodes = prepared.problem.mesh.total, prepared.problem.nodes_per_panel
+        finer = "" if nodes == 1 else f", {nodes} nodes on each"
+        seconds = seconds_alone(prepared, omega)
+        told(f"own solution of {total} panels{finer} at {omega:.4g} rad/s, to compare with:", seconds)
 
 
 def read_set(module, place, known):
@@ -121,9 +141,12 @@ def hull_of(place, kind, module, mesh, known):
     if path is None and hasattr(module, "hull_of"):
         path = module.hull_of(place, known)
     if path is None or not path.resolve().is_file():
+        near = ["", *(f" ({one}, beside the files)" for one in Path(place).parent.glob(f"{Path(place).stem}_pan.dat"))][
+            -1
+        ]
+        near = f" ({path} does not exist)" if path else near
         raise ValueError(
-            f"the hull is missing; give its mesh by --mesh{f' ({path} does not exist)' if path else ''}, a file of "
-            f"panels, or a .toml of parts that draws it"
+            f"the hull is missing; give its mesh by --mesh{near}, a file of panels, or a .toml of parts that draws it"
         )
     try:
         panels = read_mesh(path.resolve())

@@ -26,6 +26,9 @@ from ..results.heard import heard
 from .problem import bodies
 
 EVERY = 5.0  # s, between writings
+QUIET = 30.0  # s, between lines in a log
+LONG = 300.0  # s left, above which what takes less time is named
+LESS = "; fewer frequencies (--omega) or a smaller --difference take less"
 
 
 def solve(db, question, fresh):
@@ -127,27 +130,30 @@ def _begun(stored, question, full):
 
 
 class _Told:
-    """Progress of several runs over the same frequencies and pairs, one terminal line for each part"""
+    """Progress of several runs over the same frequencies and pairs, one terminal line for each part, or in a log a line
+    every QUIET s"""
 
     def __init__(self, runs):
-        self.runs, self.part, self.done, self.before, self.since = runs, None, {}, 0, 0.0
+        self.runs, self.part, self.done, self.before, self.since, self.told = runs, None, {}, 0, 0.0, 0.0
 
     def of(self, run):
         """Callback of one run"""
 
         def report(part, done, of):
             self.done[part, run] = done
-            if sys.stderr.isatty():
-                self._print(part, sum(self.done.get((part, n), 0) for n in range(self.runs)), of * self.runs)
+            self._print(part, sum(self.done.get((part, n), 0) for n in range(self.runs)), of * self.runs)
 
         return report
 
     def _print(self, part, done, of):
+        now, screen = time.monotonic(), sys.stderr.isatty()
         if part != self.part:  # the pace is measured for this run's part
-            self.part, self.before, self.since = part, done, time.monotonic()
-        left = f", {duration(self._left(done, of))} left" if self.before < done < of else ""
-        print(f"\r\033[K{done}/{of} {part}{left}", end="\n" if done == of else "", file=sys.stderr, flush=True)
-
-    def _left(self, done, of):
-        """s"""
-        return (time.monotonic() - self.since) / (done - self.before) * (of - done)
+            self.part, self.before, self.since, self.told = part, done, now, now
+        if not screen and now - self.told < QUIET:
+            return
+        self.told, left = now, ""
+        if self.before < done < of:
+            seconds = (now - self.since) / (done - self.before) * (of - done)
+            left = f", {duration(seconds)} left" + (LESS if seconds > LONG else "")
+        start, end = ("\r\033[K", "\n" if done == of else "") if screen else ("", "\n")
+        print(f"{start}{done}/{of} {part}{left}", end=end, file=sys.stderr, flush=True)

@@ -12,6 +12,7 @@ from functools import cached_property
 
 import numpy as np
 
+from ...kernels.progress import OWN, report_progress
 from ...methods.panel_problem import PanelProblem
 from ...modes import displacing
 from ...waves import wavenumber
@@ -47,6 +48,7 @@ class Own:
         if known is None or not set(turned.tolist()) <= set(known[2]):
             wanted = np.unique(np.concatenate([turned, np.round(np.mod(_images(turned), 2 * np.pi), 6)]))
             wanted = wanted if len(wanted) else np.zeros(1)  # any heading, for a set without forces
+            report_progress(OWN, (self._prepared(), float(omega)))
             result = self._prepared().run(float(omega), wanted, frozenset(WANT), None, _dofs()).result()
             A, B, X = (result[name] for name in WANT)
             known = self.solved[key] = (A, B, dict(zip(wanted.tolist(), X, strict=True)))

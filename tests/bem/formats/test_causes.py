@@ -11,6 +11,7 @@ import pytest
 from hakobune.bem.formats.judging.causes import FORCES, MATRICES, changed, corrected, finding, of_length, turned
 from hakobune.bem.formats.judging.own_solution import Own, gaps
 from hakobune.bem.formats.values import FormatError, Values, about
+from hakobune.bem.kernels.progress import OWN, progress_callback
 from hakobune.bem.modes import reference_change
 from hakobune.bem.waves import wavenumber
 from hakobune.meshing.shapes import box
@@ -23,6 +24,17 @@ SIZE = np.array([1, 1, 1, 6, 6, 6.0])
 A0 = (HALF + HALF.swapaxes(1, 2) + 8 * np.eye(6)) * np.outer(SIZE, SIZE) * 1e5
 B0 = (np.einsum("nij,nkj->nik", HALF, HALF) + np.eye(6)) * np.outer(SIZE, SIZE) * 3e4
 HARMONICS = (random.normal(size=(2, 5, 6)) + 1j * random.normal(size=(2, 5, 6))) * SIZE * 1e5
+
+
+@pytest.mark.parametrize("nodes", [1, 4])
+def test_each_solution_to_compare_with_is_announced_once(nodes):
+    """Panels, nodes and frequency of what is solved, before it is; what is known already is not solved again"""
+    said, own = [], Own(box(4.0, 2.0, 1.0, counts=(2, 2, 1)), DEPTH, RHO, G, nodes=nodes)
+    with progress_callback(lambda stage, what: said.append((stage, what))):
+        for omega in (0.5, 0.9, 0.5):
+            own.at(omega, [0.0])
+    assert [stage for stage, _ in said] == [OWN, OWN] and [omega for _, (_, omega) in said] == [0.5, 0.9]
+    assert all(prepared.problem.nodes_per_panel == nodes for _, (prepared, _) in said)
 
 
 class Hull:

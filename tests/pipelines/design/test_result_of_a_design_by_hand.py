@@ -113,17 +113,31 @@ def test_parts_of_a_design_are_made_from_each_other(monkeypatch, tmp_path, asked
 def test_a_folder_is_looked_at_before_anything_is_made_and_workers_are_let_go(monkeypatch, tmp_path):
     said = []
     workers = SimpleNamespace(shutdown=lambda **words: said.append(words))
-    monkeypatch.setattr(result, "read_project", lambda project: f"read {project}")
+    read = SimpleNamespace(name="p.toml", study={"simulation": {"ramp": 9.0}}, raw={"simulation": {}})
+    monkeypatch.setattr(result, "read_project", lambda project: read if project == read.name else None)
     monkeypatch.setattr(result, "executor_of", lambda name: workers)
     monkeypatch.setattr(result, "made", lambda *given: said.append(given) or ("verdict", "names", "change"))
     monkeypatch.setattr(result, "result_of", lambda *given: given)
     monkeypatch.setattr(result, "provenance", lambda **words: words)
     found = result.design("p.toml", tmp_path / "out", advice=False)
     made, ended = said
-    assert made == ("read p.toml", tmp_path / "out", workers, None, False)
+    assert made == (read, tmp_path / "out", workers, None, False)
     assert ended == {"wait": False, "cancel_futures": True}
-    assert found == ("verdict", "change", "names", {"project": "p.toml", "folder": str(tmp_path / "out")})
+    assert found[:4] == ("verdict", "change", "names", {"project": "p.toml", "folder": str(tmp_path / "out")})
+    assert [line.split(";")[0] for line in found[4]] == ["left out: of [simulation] of the study ramp = 9.0"]
     (tmp_path / "file").write_text("")
     with pytest.raises(ValueError, match="file"):
         result.design("p.toml", tmp_path / "file")
     assert len(said) == 2
+
+
+@pytest.mark.parametrize(("study", "project", "told"), [
+    ({}, {"simulation": {"seeds": 2}}, ""), ({"simulation": {"damping_ratio": {"roll": 0.03}}}, {}, ""),
+    ({"simulation": {"duration": 600.0, "seeds": 5}}, {"simulation": {"duration_hours": 1.0}}, ""),
+    ({"simulation": {"damping_ratio": {"roll": 0.03}}}, {"simulation": {"damping_ratio": {"roll": 0.05}}}, ""),
+    ({"simulation": {"damping_ratio": {"roll": 0.03}, "seeds": 5}}, {"simulation": {"seeds": 2}},
+     "left out: of [simulation] of the study damping_ratio = {'roll': 0.03}; a project reads its own"),
+])  # fmt: skip
+def test_what_a_study_gives_its_simulation_and_the_project_does_not_is_told(study, project, told):
+    said = list(result.unread_simulation(study, project))
+    assert len(said) == bool(told) and all(line.startswith(told) for line in said)

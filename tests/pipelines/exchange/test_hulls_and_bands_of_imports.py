@@ -133,3 +133,8 @@ def test_a_hull_that_is_missing_is_told_with_the_file_that_would_have_it(hulls, 
     with pytest.raises(ValueError) as refused:
         importing.hull_of("place", "kind", SimpleNamespace(hull_of=lambda *_: path), None, {})
     assert str(refused.value) == f"{begins} ({path} does not exist){ends}"
+    (tmp_path / "other_pan.dat").write_text("")
+    for name, near in (("set.1", ""), ("other.1", f" ({tmp_path / 'other_pan.dat'}, beside the files)")):
+        with pytest.raises(ValueError) as refused:
+            importing.hull_of(tmp_path / name, "kind", SimpleNamespace(), None, {})
+        assert str(refused.value) == f"{begins}{near}{ends}"

@@ -10,7 +10,11 @@ import pytest
 from hakobune.bem.database.schema import DOFS
 from hakobune.bem.formats.afloat import Weight
 from hakobune.bem.formats.values import FormatError
+from hakobune.bem.kernels.progress import OWN
+from hakobune.bem.methods.panel_problem import PanelProblem
+from hakobune.bem.panels.band import cost
 from hakobune.bem.stored_laws import OF_MOTIONS
+from hakobune.meshing.shapes import box
 from hakobune.pipelines.cli import main
 from hakobune.pipelines.exchange import importing
 from hakobune.pipelines.solve import checking
@@ -172,3 +176,17 @@ def test_a_hull_that_cannot_be_read_beside_results_may_be_given_otherwise(tmp_pa
     beside.unlink()
     with pytest.raises(ValueError, match=r"does not exist\), a file of panels, or a .toml of parts that draws it$"):
         importing.hull_of(tmp_path / "a.1", None, module, None, {})
+
+
+@pytest.mark.parametrize(("seconds", "least", "told"), [(42.0, 100, True), (9.9, 100, False), (42.0, 10_000, False)])
+def test_a_long_solution_to_compare_with_is_told_with_its_time(seconds, least, told, monkeypatch, capsys):
+    """Above ten seconds, and where there are nodes enough that asking is worth it"""
+    hull = box(100, 50, 10, panels=500)
+    prepared = PanelProblem(hull, depth=20.0).prepared()
+    monkeypatch.setattr(cost, "seconds_alone", lambda *_: seconds)
+    monkeypatch.setattr(importing, "NODES_WORTH_ASKING", least)
+    importing._told_of_own(OWN, (prepared, 0.5))
+    importing._told_of_own("waves", 7)
+    wanted = f"own solution of {hull.total} panels, 4 nodes on each at 0.5 rad/s, to compare with: about 42 s"
+    said = capsys.readouterr().err
+    assert wanted in said if told else not said

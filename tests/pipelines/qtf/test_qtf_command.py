@@ -321,7 +321,7 @@ def test_a_larger_difference_adds_to_what_is_stored(coarse, tmp_path, recorded):
 
 
 def test_progress_tells_frequencies_pairs_and_the_time_left(monkeypatch, capsys):
-    now = iter([0.0, 2.0, 6.0])
+    now = iter([0.0, 2.0, 6.0, 200.0])
     monkeypatch.setattr(running.time, "monotonic", lambda: next(now))
     monkeypatch.setattr(running.sys.stderr, "isatty", lambda: True)
     told = running._Told(2)
@@ -333,6 +333,22 @@ def test_progress_tells_frequencies_pairs_and_the_time_left(monkeypatch, capsys)
         "20/200 pairs",
         "40/200 pairs, 32 s left",
     ]
+    told.of(0)("pairs", 40, 100)
+    assert (
+        "60/200 pairs, 11 min 33 s left; fewer frequencies (--omega) or a smaller --difference"
+        in capsys.readouterr().err
+    )
+
+
+@pytest.mark.parametrize("since, lines", [(29.0, []), (31.0, ["40/100 pairs, 46 s left"])])
+def test_progress_is_told_in_a_log_too_every_half_minute(since, lines, monkeypatch, capsys):
+    """40 of 100 pairs, 40 of them in 31 s: 46.5 s for 60 more"""
+    now = iter([100.0, 100.0 + since])
+    monkeypatch.setattr(running.time, "monotonic", lambda: next(now))
+    told = running._Told(1)
+    for done in (0, 40):
+        told.of(0)("pairs", done, 100)
+    assert capsys.readouterr().err.splitlines() == lines
 
 
 def test_a_question_that_is_stored_is_not_solved_again_and_differences_end_with_the_band(path, monkeypatch):
