@@ -43,8 +43,9 @@ METHODS = {
 def chosen_method(scene):
     """Name of METHODS; `auto` selects contour if it can represent the scene of one body and no panels are requested.
 
-    Boxes and vertical cylinders take the contour method a twentieth of the panel method's time at equal error; over
-    a bed far below the keel it loses digits.  For several bodies the contour method does not give the drift of each
+    For boxes and vertical cylinders the contour method takes a twentieth of the panel method's time at equal error.
+    Over a bed far below the keel it loses digits.
+    For several bodies the contour method does not give the drift of each
     body, which moorings need. Many bodies far from each other are therefore solved by transfer matrices, others on
     panels.
     """

@@ -51,8 +51,8 @@ def sections(
     xi: Sequence[float] = XI,
     tolerance: float = 1e-6,
 ) -> Result:
-    """Added mass, damping and excitation of rectangular sections: the SR179 report's Tables 2.1.3.1 to 20; or sections
-    side by side in beam waves, free or held together by hinges.
+    """Added mass, damping and excitation of rectangular sections: the SR179 report's Tables 2.1.3.1 to 20. With a
+    study: sections side by side in beam waves, free or held together by hinges.
 
     study : path of a study of sections side by side, its tables as a dictionary, or a `study.SectionsStudy`; without it
     a table of rectangles:
