@@ -81,7 +81,7 @@ def fit_extremes(maxima, family="gumbel"):
     if x.ndim != 1 or not np.all(np.isfinite(x)):
         raise ValueError("yearly maxima are not one row of finite numbers")
     if len(x) < FEWEST:
-        raise ValueError(f"{len(x)} yearly maxima; allowed: at least {FEWEST}, better {ENOUGH}")
+        raise ValueError(f"there are {len(x)} yearly maxima; allowed: at least {FEWEST}, and {ENOUGH} are better")
     if not np.ptp(x) > 1e-9 * np.abs(x).max():
         raise ValueError("all yearly maxima are equal; there is no distribution to fit")
     if family == "gev":

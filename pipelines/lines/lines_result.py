@@ -122,7 +122,7 @@ def _unstable(quantities, axes):
     if "period" in quantities:
         modes = axes["mode"].values[np.isnan(quantities["period"].values)].tolist()
         if modes:
-            yield fails(f"unstable on its lines: {', '.join(modes)}; the body needs more restoring")
+            yield fails(f"the body is unstable on its lines in: {', '.join(modes)}; it needs more restoring")
 
 
 def _check_effort(system, characteristic):

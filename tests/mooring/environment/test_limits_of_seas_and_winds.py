@@ -155,7 +155,7 @@ FETCH = (3.5 / 0.13) ** (1 / 0.33) * 25 / 9.80665  # m, of 5 m/s, where f_p U/g 
             "confidence is 0.991; allowed: 0.5 to",
         ),
         (lambda v: fit_extremes([1, 2, 3, 4, 6]).interval(9, v, 9), 0.5, 0.49, "confidence is 0.49"),
-        (lambda v: fit_extremes([1, 2, 3, 4, 6][:v]), 5, 4, "4 yearly maxima; allowed: at least 5"),
+        (lambda v: fit_extremes([1, 2, 3, 4, 6][:v]), 5, 4, "there are 4 yearly maxima; allowed: at least 5"),
         (lambda v: fit_extremes([v, 2, 3, 4, 6], "weibull"), 0.1, 0.0, "smallest yearly maximum is 0"),
     ],
 )
