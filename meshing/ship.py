@@ -39,7 +39,7 @@ def ship(
     waterplane : C_WP, without these
     panels : largest number on the whole hull; counts : (n_length, n_bottom, n_side) over the length, half the bottom,
     and bilge with side, instead: 2 n_length (n_bottom + n_side) on the whole hull; longest : as for `shapes.box`
-    raises : ValueError, one line
+    raises : ValueError, with a message of one line
     """
     for name, value in (("length", length), ("beam", beam), ("draft", draft)):
         if not 0 < value < math.inf:

@@ -53,7 +53,7 @@ def lines(
     database : path of the body's, or an open one, for natural periods
     returns : Result, in SI; its `detail` is the SystemEquilibrium, [OffsetCurve] and {line lost: equilibrium without
         it}
-    raises : ValueError, one line
+    raises : ValueError, with a message of one line
     """
     asked = {"force": force, "offset": offset, "directions": directions, "characteristic": characteristic}
     asked |= {"broken": broken, "database": database}

@@ -86,7 +86,8 @@ def names_given(scene, names, named):
 
 
 def check_method(scene):
-    """Raises ValueError, one line, if the scene's method does not exist or does not support the scene."""
+    """Raises ValueError, with a message of one line, if the scene's method does not exist or does not support the
+    scene."""
     for body in scene.bodies:
         if body.shape != "mesh" and not (body.fixed and body.draft == scene.water.depth):
             check_gap(body.draft, scene.water.depth)

@@ -58,7 +58,7 @@ def sections(
     a table of rectangles:
     beam_draft : B/d; depth_draft : H/d, above 1, or inf; xi : ξ_B = ω²B/2g; tolerance : relative error
     returns : Result, without units as in the report; its `detail` has the rows of `bem.sections.tables.tables`
-    raises : ValueError, one line
+    raises : ValueError, with a message of one line
     """
     if study is not None:
         from .side_by_side import side_by_side

@@ -91,7 +91,8 @@ def simulate(
     seeds : number of seeds; duration : s of a run; both replace the study's; fresh : replace an existing file
     executor : as in the command; window : s, of the windows reported for the first record; console : for the progress
     returns : Result, in SI; records are in the file
-    raises : ValueError, one line, before anything is written; KeyboardInterrupt, complete seeds are kept
+    raises : ValueError, with a message of one line, before anything is written; KeyboardInterrupt, complete seeds
+    are kept
     """
     if output is None:
         with tempfile.TemporaryDirectory() as folder:
