@@ -64,7 +64,7 @@ def viscous_of_text(scene, box, density, gravity):
     """`bem.viscous.Viscous` of the text of a scene that has the table.
 
     box : {"length", "beam", "draft"} m, empty for other bodies, and for several
-    Raises ValueError, one line.
+    Raises ValueError, with a message of one line.
     """
     tables = tomllib.loads(scene)
     table, bodies = msgspec.convert(tables["viscous"], ViscousTable), tables.get("bodies", ())
@@ -105,7 +105,7 @@ def laws_of(where, table, box, density, gravity):
     """{degree of freedom: law} of a table of `Laws`.
 
     where : the table's name, for messages; box : {"length", "beam", "draft"} m, empty for other bodies
-    Raises ValueError, one line.
+    Raises ValueError, with a message of one line.
     """
     given = {mode: getattr(table, mode) for mode in MODES if getattr(table, mode) is not None}
     if not given:

@@ -16,8 +16,8 @@
     outline : points, [[x, z], …] of a side view, breadth, m: a barge with raked ends, a bow; y : m, of its middle
 
 The parts below still water, z = 0, are joined, and gmsh meshes their surface.  The waterplane in z = 0 is left open.
-Flat panels with corners on a circle enclose less volume than the circle: all radii are enlarged by about 1 %, so that
-the panels enclose the volume of the drawing.
+Flat panels with corners on a circle enclose less volume than the circle. All radii are therefore enlarged by about 1 %,
+so that the panels enclose the volume of the drawing.
 """
 
 import math

@@ -76,8 +76,8 @@ def graded_patches(patches, symmetry="", name=""):
         patch of three sides is polar about the first point of the first side. The third side has as many points as the
         first, and the panels at that point are triangles. returns : PanelMesh; patches share their common points
 
-    gmsh has no cosine spacing for the points of a side, so every segment is a line of one element, and the corners of
-    the patch are passed to gmsh.
+    gmsh has no cosine spacing for the points of a side. Every segment is therefore a line of one element, and the
+    corners of the patch are passed to gmsh.
     """
     with session(name or "patches") as gmsh:
         build = _Builder(gmsh)

@@ -40,7 +40,7 @@ def folded(mesh, tolerance=SAME_POINT):
     """The part of a hull whose images in x = 0 and y = 0 complete the hull; for a hull without such symmetry the mesh
     itself.
 
-    Every point, and every panel with its normal, must have an image within `tolerance` times the size of the hull; a
+    Every point, and every panel with its normal, must have an image within `tolerance` times the size of the hull. A
     panel that crosses the plane is its own image and cannot be halved.  The images of the returned mesh are exact.
     """
     for axis in "xy":

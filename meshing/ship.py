@@ -12,8 +12,8 @@
 l the share of the length of entrance and of run: LONG, from which φ = φ_b = φ_s follows, or what follows from given
 φ_b and φ_s.  Of a given coefficient of the waterplane C_WP = 1 − 2l (1 − φ) the fullness φ goes evenly from the keel to
 the waterline, such that the volume is C_B L B d: V-shaped ends where C_WP is above C_B/C_M; l is 0.4, or 0.5 where that
-is not enough.  Panels are graded towards both ends, the bilge and the waterline; half-breadths are scaled so that their
-volume is L B d C_B, by a factor that tends to 1 with the square of the panel size.  x points to the bow.
+is not enough.  Panels are graded towards both ends, the bilge and the waterline. Half-breadths are scaled so that their
+volume is L B d C_B, by a factor that tends to 1 with the square of the panel size. x points to the bow.
 """
 
 import math
@@ -43,7 +43,7 @@ def ship(
     waterplane : C_WP, without these
     panels : largest number on the whole hull; counts : (n_length, n_bottom, n_side) over the length, half the bottom,
     and bilge with side, instead: 2 n_length (n_bottom + n_side) on the whole hull; longest : as for `shapes.box`
-    raises : ValueError, one line
+    raises : ValueError, with a message of one line
     """
     for name, value in (("length", length), ("beam", beam), ("draft", draft)):
         if not 0 < value < math.inf:
@@ -113,7 +113,7 @@ def _form(block, middle, bow, stern):
     if not BLOCKS[0] <= block <= BLOCKS[1]:
         raise ValueError(f"block coefficient is {block:g}; allowed: {BLOCKS[0]:g} to {BLOCKS[1]:g}")
     if (bow is None) != (stern is None):
-        raise ValueError("fullness of bow and stern: one is given; allowed: both or neither")
+        raise ValueError("fullness is given for only one of bow and stern; give both or neither")
     missing = 1 - block / middle
     if bow is None:
         bow = stern = 1 - missing / (2 * LONG)

@@ -238,7 +238,9 @@ def sweep(
     /,
     *,
     output: Annotated[Path | None, Parameter(help="one file of all cases, .h5 [beside the sweep]")] = None,
-    executor: Annotated[str, Parameter(help="local, processes:N, dask:N, dask://host:port, slurm:N")] = "local",
+    executor: Annotated[
+        str, Parameter(help="where cases run: local, processes:N, dask:N, dask://host:port, slurm:N")
+    ] = "local",
     fresh: Annotated[bool, Parameter(help="replace an existing file", negative="")] = False,
     plot: Annotated[Path | None, Parameter(help="picture over the first key: .png, .svg or .pdf")] = None,
 ):

@@ -325,8 +325,9 @@ class Reader:
         return slice(first, first + 6)
 
     def drift_of_each(self, omega, headings=None, fixed=False):
-        """Mean drift per squared wave amplitude on each of several bodies, fixed bodies included, about the point of
-        the body in the axes of the body; shape (q, p, bodies, 3). The drift is interpolated from stored drift, which is
+        """Mean drift per squared wave amplitude on each of several bodies, fixed bodies included; shape (q, p, bodies,
+        3). It is about the point of each body, in the axes of that body.
+        The drift is interpolated from stored drift, which is
         for fixed bodies or for the stored motions, even if the motions are restrained here.
 
         Raises BetweenError if it is not stored.

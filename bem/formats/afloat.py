@@ -2,8 +2,8 @@
 
     C₃₃ = ρ g A_w,    V,    m = ρ V        of the hull in its water; a length in a wrong unit shows in each of them
 
-With mass, centre of mass and radii of gyration, which the file lacks, the motions follow as for a solved body: inertia
-about the rotation centre, stiffness of the hull with the weight.
+With mass, centre of mass and radii of gyration, which the file lacks, the motions follow as for a solved body. They use
+the inertia about the rotation centre and the stiffness of the hull with the weight.
 """
 
 from dataclasses import replace

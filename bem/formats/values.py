@@ -118,7 +118,7 @@ def _about_each(values, points):
 
 def of_each(values):
     """[Values] of each of several bodies: the forces on the body due to the motions of all bodies, and the data of the
-    body; for a single body [Values] itself"""
+    body. For a single body the list has the given Values"""
     if not values.bodies:
         return [values]
     return [_of_one(values, number) for number in range(len(values.bodies))]

@@ -6,8 +6,8 @@ alone, and their files list the kernels to be loaded before them.  Processes sha
 kernel that another process is compiling (`claimed`).
 None waits in a circle, since kernels wait for their callees alone.
 
-Private parts of numba, all used only here: `CompileResult._reduce` and `_rebuild`, the pickled form of a kernel;
-`CodeLibrary._shared_module`, which callers link, and `_reload_init`, called before a kernel is loaded.
+Private parts of numba, all used only here. `CompileResult._reduce` and `_rebuild` make the pickled form of a kernel;
+callers link `CodeLibrary._shared_module`; `_reload_init` is called before a kernel is loaded.
 """
 
 import hashlib

@@ -3,7 +3,8 @@
 Comments, docstrings and line breaks are not part of the digest: a change of these does not compile a kernel again.
 The imports of a file and its own digest are kept beside the compiled kernels, by its time of change and size. Reading
 all sources at every start took a third of the time of the smallest command.  A file that was read within `TICK` of its
-change is read again the next time, since a second change in the same tick of the file system's clock has the same time.
+change is read again the next time. A second change in the same tick of the file system's clock would have the same
+time.
 """
 
 import ast

@@ -9,7 +9,7 @@ about the rotation centre, equal to inertia times acceleration for a body withou
 The error of the drift is the error of the pressures, as a fraction of ρgζ² times the breadth, however small the drift
 is. In long waves this error exceeds the drift.
 
-A surface in the water around the hull would be no check: for every flow by Green's theorem or by eigenfunctions, right
+A surface in the water around the hull would be no check. For every flow by Green's theorem or by eigenfunctions, right
 or wrong, the momentum flux through it equals that far away.
 """
 
@@ -36,9 +36,10 @@ def near_field_error(run, moving):
     """Estimated bound of the difference between drift from the near field and from the far field, N/m², N m/m²; shape
     (m, 3), as in `near_field_drift`.
 
-    Per metre of breadth and wave amplitude squared the terms are up to ρg(1 + v)² at the waterline, water standing up
-    to twice the wave at a wall, and ρω²d a² on the sides, v the vertical motion there and a that of any point of the
-    hull.  A relative error of the pressures causes twice this relative error in these terms.  The relative error of the
+    Per metre of breadth and wave amplitude squared the terms are up to ρg(1 + v)² at the waterline, with water up to
+    twice the wave height at a wall, and ρω²d a² on the sides. Here v is the vertical motion at the waterline, and a the
+    motion of any point of the hull.
+    A relative error of the pressures causes twice this relative error in these terms.  The relative error of the
     pressures is taken from the estimated errors of coefficients and forces. For the contour method, whose forces are
     wrong at second order and whose pressures at first order, it is no less than `bem.contour.pressure_drift.PRESSURES`.
     Errors of the motions are not included: near and far field are equal for any motions. run, moving : as in

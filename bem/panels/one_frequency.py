@@ -316,8 +316,8 @@ class PanelRun(FrequencyRun):
     def pressure(self):
         """Mean dynamic pressure iωρφ on each panel, Pa per m of wave amplitude; shape (m, panels of the whole hull)
 
-        For the freely floating body if its inertia is known, otherwise for the fixed body; panels as in `mesh.whole()`,
-        where the mesh is that of the original run if this one is finer.
+        It is for the freely floating body if its inertia is known, otherwise for the fixed body. Panels are as in
+        `mesh.whole()`; the mesh is that of the original run if this run is finer.
         """
         if self.refined is not None:
             return self.refined.pressure()

@@ -25,8 +25,8 @@ LOWEST = 1e-3  # lowest frequency over √(g/h), in deep water over √(g/draft)
 def kept_forces(problem, omega, number):
     """Forces D of waves of frequencies (f,), rad/s, with wavenumbers (f, w, 2), rad/m; shape (f, w, 6), complex
 
-    A run of every sea of a database asks for them again: they are kept from one run to the next.
-    problem : `bem.methods.panel_problem.PanelProblem` of a body that does not bend
+    A run of every sea of a database needs these forces again, so they are kept from one run to the next. problem :
+    `bem.methods.panel_problem.PanelProblem` of a body that does not bend
     """
     body, mesh = LongWaveBody(problem), problem.mesh
     of = mesh.points, mesh.corners, mesh.symmetry, () if mesh.body is None else mesh.body, problem.transform

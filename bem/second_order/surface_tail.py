@@ -10,8 +10,9 @@ of ψ combine around the circle, with a factor that depends on frequencies alone
 
     2π C ∫ f_m(kr) f̄_n(qr) H_p(κr) r dr + …
 
-Radii are real up to the radius at which all orders oscillate. Beyond it they are r + ix, where products of sent waves
-with sent or incident waves decay, and r − ix for products with the incoming part of the first incident wave.  All pairs
+Radii are real up to the radius at which all orders oscillate. Beyond the circle the paths are r + ix, where products of
+sent waves with sent or incident waves decay. For products with the incoming part of the first incident wave they are r
+− ix.  All pairs
 use the same radii on a path, and the same values of the functions at these radii.
 
 At the sum of two frequencies (`kinds`) κ > k + q, and all products decay along r + ix.  φⱼ is Σ (−1)ⁿ c₋ₙ H_n e^{−inθ},

@@ -38,8 +38,8 @@ class WavesAround(NamedTuple):
     pierces: bool
 
     def elevation(self, places):
-        """Complex elevation per metre of amplitude at places (p, 2), m; shape (p,): Re η exp(−iωt) is the surface; nan
-        in the plan of the body, for several bodies in the outline around all"""
+        """Complex elevation per metre of amplitude at places (p, 2), m; shape (p,). The surface is Re η exp(−iωt). nan
+        in the plan of the body, or for several bodies in the outline around all"""
         places = np.atleast_2d(np.asarray(places, float))
         total = np.full(len(places), np.nan, complex)
         outside = ~self.sources.covers(places - self.middle) if self.pierces else np.ones(len(places), bool)

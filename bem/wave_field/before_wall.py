@@ -47,9 +47,9 @@ class WallError(ValueError):
 def neglected(body, wall):
     """Height of a local wave at the hull after its way to the image and back, as a share of its height at the start
 
-    exp(−2πg/b), g the gap from hull to wall, b the depth or, in deeper water, the breadth of the hull: sway of the box
-    of the module is off by 0.04 and 0.30 where it says 0.04 and 0.28 in 100 m, forces by 0.004, 0.02, 0.6 for 0.0004,
-    0.04, 0.39 in 20 m.
+    exp(−2πg/b), with g the gap from hull to wall, and b the depth or, in deeper water, the breadth of the hull. For the
+    box of the module in 100 m it gives 0.04 and 0.28, where sway is off by 0.04 and 0.30; in 20 m it gives 0.0004,
+    0.04, 0.39, where forces are off by 0.004, 0.02, 0.6.
     """
     low, high = _breadth(body)
     return float(np.exp(-max(wall - high, low - wall) / _decay(body.depth, high - low)))
@@ -94,8 +94,9 @@ def before_wall(body, wall):
 def given_back(body):
     """Negative radiated energy, 0 or more: minus the lowest eigenvalue of damping over the largest of each motion
 
-    Negative energy is an error of the result: 1e-4 for the box of the module at 25 m with headings stored every 15°,
-    for 50 m 0.02, and 0.12 with every 30°: sharp resonances between hull and wall are sensitive to errors.
+    Negative energy is an error of the result. For the box of the module with headings stored every 15° it is 1e-4 at 25
+    m and 0.02 at 50 m; with headings every 30° it is 0.12. Sharp resonances between hull and wall are sensitive to
+    errors.
     """
     B = body.between.quantities["radiation_damping"]
     size = np.sqrt(np.einsum("nii->ni", B).max(axis=0))

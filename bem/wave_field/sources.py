@@ -5,9 +5,9 @@
 H₀ Hankel's function of the first kind, sources on two convex curves inside the plan of the body.  The far field
 determines the propagating wave everywhere outside. The sources are its least-squares fit after Tikhonov: combinations
 of sources that send less than `SMALLEST` away, which are errors of H magnified, fade out.
-Around a circle that reflects,
-with H a thousandth off, the water at the hull is at most 0.009 m/m off (k times radius up to 6.5); where they were cut
-at once it was 0.015, and stepped by 0.014 from one frequency to the next (0.001 now).  Waves that stand within one
+Around a circle that reflects, with an error of a thousandth in H, the water at the hull is off by at most 0.009 m/m (k
+times radius up to 6.5). If such combinations were cut off sharply, it would be 0.015, with steps of 0.014 from one
+frequency to the next (0.001 now).  Waves that stand within one
 curve alone send nothing away near their resonance, and a fit to it moves the water at the hull by metres (4.3 m/m at
 the bow of a box of 100 × 50 m in 20 m of water at 0.8325 rad/s, waves 60° off the bow, where it is 1.25): the few
 sources of the second, deeper one have other resonances.  Beyond the circle about the body the fit is as good as H.

@@ -38,7 +38,7 @@ class Speeds(NamedTuple):
         """m/s, exceeded once in `contacts` contacts.  Raises BerthingError."""
         if not 1 < contacts < math.inf:
             raise BerthingError(
-                f"the speed exceeded once in {contacts:g} contacts is requested; allowed: above 1, finite"
+                f"the speed is requested that is exceeded once in {contacts:g} contacts; allowed: above 1, finite"
             )
         return self.scale * math.log(contacts) ** (1 / self.shape)
 
@@ -52,8 +52,8 @@ def speeds_of_moments(mean, deviation):
     ratios = [Speeds(1.0, m).deviation / Speeds(1.0, m).mean for m in (high, low)]
     if not ratios[0] <= deviation / mean <= ratios[1]:
         raise BerthingError(
-            f"standard deviation over mean of the speeds is {deviation / mean:.3g}; allowed: {ratios[0]:.2g} to "
-            f"{ratios[1]:.3g}"
+            f"the standard deviation of the speeds over their mean is {deviation / mean:.3g}; allowed: "
+            f"{ratios[0]:.2g} to {ratios[1]:.3g}"
         )
     for _ in range(80):
         middle = 0.5 * (low + high)

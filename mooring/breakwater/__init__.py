@@ -2,6 +2,6 @@
 
 y to leeward, z up, rotation from y to z; exp(−iωt), unit wave amplitude at the origin.  F seaward, B leeward line.
 Kihara, Kitatani & Todoroki (1975), "A Study on the Function and Mooring Force of Floating Breakwaters with Circular
-Cross Section", Reports of the PHRI 14(2), 79-110, whose time factor is exp(+iσt); tensions here are forces per metre,
-amplitudes.
+Cross Section", Reports of the PHRI 14(2), 79-110. Their time factor is exp(+iσt). Tensions here are amplitudes of
+forces per metre.
 """

@@ -5,8 +5,8 @@
     pile of one line       Q_a = ψ L_p c / 3,             spacing Q_a / (P_max sin α)
 
 Forces in N/m, weights as submerged.  Kihara, Kitatani & Todoroki (1975), chapter 6, whose 6.7 prints ≤ for ≥ and whose
-greatest leeward tension, printed 24.3, is 14.6 + 3.5 + 7.2 = 25.3 t/m.  A sinker of the paper slides and is not lifted:
-for one line the vertical part of the tension is neglected, unless `sinker` is called with `lifted`.
+greatest leeward tension, printed 24.3, is 14.6 + 3.5 + 7.2 = 25.3 t/m.  A sinker of the paper slides and is not lifted.
+For one line the vertical part of the tension is therefore neglected, unless `sinker` is called with `lifted`.
 """
 
 import numpy as np

@@ -2,8 +2,9 @@
 
     m_n(hour) = ∫ ωⁿ S(ω; H, T) P(ω, β) dω,    P(ω, β) = ∫ D(θ − β) |X(ω, θ)|² dθ
 
-P is computed once on a ring of headings and is interpolated over β by the six nearest (Lagrange), with an error of 1e-6
-of the largest m_n; hours are grouped by those six, and each group is one product of matrices.  S of a family of one
+P is computed once on a ring of headings and interpolated over β by the six nearest (Lagrange), with an error of 1e-6 of
+the largest m_n. Hours are grouped by these six headings, and each group is one product of matrices.
+S of a family of one
 shape scales with its period: S(ω; H, T) = H² τ S₁(ωτ), τ = T/T₁, so that no table over periods is needed.
 
 The frequencies are those of `response.linear.frequencies` for all waves together, with as many between them as the peak

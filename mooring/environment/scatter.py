@@ -35,7 +35,9 @@ class Scatter:
         if self.period_kind not in KINDS:
             raise ValueError(f"period kind is {self.period_kind!r}; allowed: {', '.join(KINDS)}")
         if not (heights[0] > 0 and periods[0] > 0):
-            raise ValueError(f"the first classes are {heights[0]:g} m and {periods[0]:g} s; allowed: above 0")
+            raise ValueError(
+                f"the first classes of the scatter diagram are {heights[0]:g} m and {periods[0]:g} s; allowed: above 0"
+            )
         if probability.shape != (len(heights), len(periods)):
             shape = f"{len(heights)} heights and {len(periods)} periods"
             raise ValueError(f"probability has the shape {probability.shape} for {shape}; allowed: the same shape")

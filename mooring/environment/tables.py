@@ -57,7 +57,7 @@ def without_rounding(time):
 
 
 def check_even(path, time, off, lines):
-    """Raise TableError if a step of the times (n,) of a table differs from the median step by more than `off` of it;
+    """Raises TableError if a step of the times (n,) of a table differs from the median step by more than `off` of it;
     lines : (n,) of the file"""
     steps = np.diff(time)
     if len(steps) and not np.all(np.abs(steps - np.median(steps)) <= off * np.median(steps)):

@@ -6,7 +6,7 @@
 
 U₁₀ is a 10-minute and U₀ a one-hour mean, both 10 m above the sea.  C_H multiplies the speed, not the pressure. It is
 the square root of the height coefficient of classification rules.  C_H is a step table; each band includes its lower
-and excludes its upper bound; in the middle of the bands α varies from 1/17 at 23 m to 1/11 above 130 m (the report says
+and excludes its upper bound. In the middle of the bands α varies from 1/17 at 23 m to 1/11 above 130 m (the report says
 about 1/12 to 1/14).
 """
 

@@ -222,6 +222,11 @@ def _check_marks(made):
                 f"{made.limit / made.height:.3g} where its table ends"
             )
     if not 0 < made.return_length < np.inf:
-        raise FenderError(f"{made.name}: its return length is {made.return_length:g} m; allowed: above 0, finite")
+        raise FenderError(
+            f"{made.name}: its return length, the deflection between loading and unloading curve, is "
+            f"{made.return_length:g} m; allowed: above 0, finite"
+        )
     if made.overload is not None and not 0 < made.overload < np.inf:
-        raise FenderError(f"{made.name}: its overload stiffness is {made.overload:g} N/m; allowed: above 0, finite")
+        raise FenderError(
+            f"{made.name}: its overload stiffness, beyond its table, is {made.overload:g} N/m; allowed: above 0, finite"
+        )

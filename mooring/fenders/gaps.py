@@ -24,7 +24,7 @@ class Side(NamedTuple):
 
 
 def pairs_of(sides):
-    """Pairs (Side, Side) of hulls between which a gap is reported: at least one of them moves, their boxes do not
+    """Pairs (Side, Side) of hulls between which a gap is reported. At least one of them moves, their boxes do not
     overlap at rest (as a float and its spar do), and no third hull lies between them (as in a row of three)"""
     rest = np.zeros((1, 1 + max((one.moves for one in sides), default=0), 6))
     for one in sides:

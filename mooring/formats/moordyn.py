@@ -1,8 +1,8 @@
 """MoorDyn input files, read and written: tables of text under headings of dashes.
 
-Columns are found by the names in the table's first line, so files of version 1 and 2 are both read; with unknown names
+Columns are found by the names in the table's first line, so files of version 1 and 2 are both read. With unknown names
 the order of version 2 is assumed.  A row has an entry for every column; text after # or ! is a note. All content is
-kept as written, including content that the statics of `mooring.lines` cannot use: `moordyn_system` makes a System of
+kept as written, including content that the statics of `mooring.lines` cannot use. `moordyn_system` makes a System of
 it, or reports why not. MoorDyn 2.7 documentation, "Inputs" (moordyn.readthedocs.io).
 """
 

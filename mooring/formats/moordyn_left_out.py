@@ -1,7 +1,7 @@
 """Contents of a MoorDyn file that lines at rest on a flat bed in still water do not support: one text for each kind.
 
 Settings of a run in time (step, scheme, relaxation, outputs, stiffness and damping of the bed, drag, added mass, axial
-damping) have no effect at rest and are not named; bending stiffness is named for moving lines.  MoorDyn 2.7
+damping) have no effect at rest and are not named. Bending stiffness is named for moving lines.  MoorDyn 2.7
 documentation, "Inputs" and "Features".
 """
 

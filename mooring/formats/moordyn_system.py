@@ -2,8 +2,9 @@
 
 Coupled points and bodies are fixed at their given places: a run in time would move them with the vessel. The points
 belong to one body named "vessel" at the origin, those of bodies 1, 2 … to "body 1" …; other names are the ids of the
-file.  Ends of a fixed rod are points "R1A", "R1B"; a free rod without length is one free point "R1", one with a length
-a body "rod 1" that floats or sinks as a whole.  A free body has its weight at its CG, and its whole buoyancy at its
+file.  Ends of a fixed rod are points "R1A", "R1B". A free rod without length is one free point "R1"; a free rod with a
+length is a body "rod 1" that floats or sinks as a whole.
+A free body has its weight at its CG, and its whole buoyancy at its
 origin.  Submerged weight is (mass − ρ π/4 d²) g; for lines above the water it is mass g (`moordyn_dry`). Content that
 statics cannot represent is refused by name, or omitted with a warning for each kind.
 """

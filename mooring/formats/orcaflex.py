@@ -4,9 +4,9 @@
     vessel (in its axes, from InitialPosition and Orientation); sections of LineType and Length from end A
     submerged weight of a type: (MassPerUnitLength + contents − ρ π/4 OD²) g
 
-Keys stand one by one with places in brackets, Length[1]: 660, or several with rows, "LineType, Length: [[chain, 660]]";
-ends of before OrcaFlex 11 are EndAConnection, EndAX.  Vessels are held in heave, roll and pitch.  Drag, added mass and
-bending are not read; what would change the rest of the lines and is not represented is refused by name.
+Keys stand one by one with places in brackets, Length[1]: 660, or several with rows, "LineType, Length: [[chain, 660]]".
+Before OrcaFlex 11 the ends are EndAConnection, EndAX.  Vessels are held in heave, roll and pitch.  Drag, added mass and
+bending are not read. Content that would change the rest of the lines and cannot be represented is refused by name.
 """
 
 from __future__ import annotations

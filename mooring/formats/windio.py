@@ -5,12 +5,12 @@
     components.floating_platform   joints: location [x, y, z], or [r, θ, z] where cylindrical; members: joint1, joint2,
                                    axial_joints, each at a share `grid` of the way
 
-Version 2 has θ in degrees, version 1 has it in radians, and files of version 1 are called version 2: the angles are
-radians where none of them is above 2π.
+Version 2 has θ in degrees, and version 1 has it in radians; but files of version 1 may be called version 2. The angles
+are therefore taken as radians if none of them is above 2π.
 
-A chain by its diameter d alone is the chain that WISDEM makes of it, told in a warning: d is that of the bar, as in the
-turbines of IEA Wind (0.185 and 0.225 m), although windIO's schema of turbines, version 2, asks for that of the same
-volume, 1.8 d.  No bar is thicker than `THICKEST`.
+A chain given by its diameter d alone is the chain that WISDEM makes of it, and a warning says so. d is the diameter of
+the bar, as in the turbines of IEA Wind (0.185 and 0.225 m); windIO's schema of turbines, version 2, asks for the
+diameter of the same volume, 1.8 d.  No bar is thicker than `THICKEST`.
 
     m = 19.9e3 d² kg/m,    EA = 8.54e10 d² N        studless chain, `wisdem/floatingse/mooring.py`
 """

@@ -10,8 +10,9 @@ by least squares of the whole record, or with − B₃ ẋ³ in place of the squ
 coefficient with the same energy in a cycle is B₁ + (8/3π) ωX B₂; one coefficient with the same largest force is B₁ + ωX
 B₂.
 
-Noise without memory on the force perturbs B₁ and B₂ by the covariance of least squares, s² (MᵀM)⁻¹, M the columns of
-the fit and s its residual: no unbiased estimate has less (Cramér and Rao).  Noise on the motion shifts its phase by δφ.
+Noise without memory on the force perturbs B₁ and B₂ by the covariance of least squares, s² (MᵀM)⁻¹, with M the columns
+of the fit and s its residual. No unbiased estimate has less (Cramér and Rao).
+Noise on the motion shifts its phase by δφ.
 This moves a part A ω δφ of the inertia into B₁.
 """
 

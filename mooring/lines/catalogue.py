@@ -13,12 +13,13 @@ Wire:  break = K d² R / 1000 kN, mass = W d² / 100 kg/m, EN 12385-4 (2002), 6x
 (2004) as makers quote it; R that of the wires, class societies take 1370 to 1960 N/mm², JIS G 3525 E 1320, G 1470, A
 1620, B 1770 N/mm² (its own 6x24 A break with 0.304 d² R, a twelfth more, by a maker's table); modulus over the nominal
 circle 7.0e10 N/m² six strands, 1.13e11 spiral strand, DNV-OS-E301. Fibre rope and the loads of spiral strand:
-coefficients drawn from makers' catalogues as published with NREL's mooring property library (MoorPy, 2021 to 2024);
-stiffness quasi-static, a multiple of the breaking load. The submerged weight is the weight of the material less its own
+coefficients fitted to makers' catalogues as published with NREL's mooring property library (MoorPy, 2021 to 2024).
+Stiffness is quasi-static, a multiple of the breaking load.
+The submerged weight is the weight of the material less its own
 buoyancy; water fills the gaps.
 
-Drag: coefficients on the nominal diameter of DNV-OS-E301 (2013) ch. 2 sec. 2, which gives none along ropes; added mass
-along a chain 0.5 of its displaced water, as in NREL's library.
+Drag: coefficients on the nominal diameter from DNV-OS-E301 (2013) ch. 2 sec. 2, which gives none along ropes. Added
+mass along a chain is 0.5 of its displaced water, as in NREL's library.
 """
 
 import re

@@ -12,7 +12,7 @@ is one mass M + ΔM that moves with its centroid by Z_m cos ωt; α = ω² Z_m /
     T_v = T_v0 + (C_xz X + C_zz Z − F_v1) cos ωt − F_v2 sin ωt,   T_H = T_v T_H0/T_v0                 (3.2.3 to 3.2.8)
 
 The print has 3λ for 3π in (3.2.1); (3.2.10) confirms π.  By text and formula of (3.2.9), dynamic effects begin where
-the inertia is twice the static restoring force; a fifth would be expected. `onset` is this factor.
+the inertia is twice the static restoring force; one would expect a fifth. `onset` is this factor.
 """
 
 from enum import IntEnum

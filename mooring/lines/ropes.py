@@ -70,7 +70,7 @@ def rope(name, bollard, fairlead, main, pretension, *, tail=None, tail_length=0.
     )
     if (tail is None) != (tail_length == 0) or not 0 <= tail_length < length:
         raise LineSystemError(
-            f"rope {name}: it is {length:.4g} m long, its tail {tail_length:g} m; allowed: a shorter tail"
+            f"rope {name} is {length:.4g} m long and its tail {tail_length:g} m; allowed: a tail shorter than the rope"
         )
     tension = weakest * np.linspace(0.0, 1.0, POINTS) ** 2
     e = (length - tail_length) * main.strain_at(tension, hardening)

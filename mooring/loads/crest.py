@@ -2,7 +2,7 @@
 
 The current force on a box is largest on a line b = r(h) of the b-h plane: in ever shallower water at fixed b it rises,
 passes the crest and falls.  Linear interpolation between two columns of h would cut the crest off.  Here each column is
-a curve over b with the crest among its points; between columns, points at the same fraction u of the way from the edge
+a curve over b with the crest among its points. Between columns, points at the same fraction u of the way from the edge
 of the tests to the crest are joined:
 
     deep side     u = (b − b₀) / (r − b₀),    shallow side   u = (b₁ − b) / (b₁ − r)

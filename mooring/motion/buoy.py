@@ -7,8 +7,8 @@
 w is the velocity of the buoy; q and a are the velocity and acceleration of the water (incident waves and current) at
 the middle of its draft; B, ε_B and n are those of a rope (`mooring.lines.ropes`).  The vertical equation has the added
 mass, without the ρ∇ a of the buoyancy.  The damping of a hawser grows with its elongation up to e_c, the elongation at
-a tenth of B. The force is then continuous where the hawser becomes taut.  A buoy with hawsers at a height h over its
-lines tilts under their pull without delay; its centre of gravity is at half its height.  The tilt of a small buoy
+a tenth of B. The force is then continuous where the hawser becomes taut.  A buoy with hawsers at a height h above its
+lines tilts under their pull without delay. Its centre of gravity is at half its height.  The tilt of a small buoy
 exceeds the elongation of its hawsers, and reduces their snap loads.  Apart from the tilt, hawsers run from the deck of
 the body to the axis of the buoy.  Lines have their static form.  Waves scattered by the body are not included.  The
 motion of the water is tabulated for each window, as wave forces are (`wave_loads`), at the position of the buoy at the

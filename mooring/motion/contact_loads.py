@@ -12,7 +12,7 @@ of the body:
     e = |x₀ + η + R p − a| − L₀,    pull T(e) towards a.
 
 On another body, a moves with that body, which receives the opposite force there. u then turns with the touched body.
-Quantities with a history (`mooring.fenders.hysteresis`, u) keep their value from the start of a step; `settle` stores
+Quantities with a history (`mooring.fenders.hysteresis`, u) keep their value from the start of a step. `settle` stores
 the value at the end of the step.
 """
 

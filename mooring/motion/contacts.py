@@ -1,5 +1,5 @@
-"""Fenders and ropes of bodies at a berth or side by side, as values, and the places of rest of bodies between fenders
-and ropes, or hinged."""
+"""Fenders and ropes of bodies at a berth or side by side, as values. The module also finds the places of rest of bodies
+between fenders and ropes, or with hinges."""
 
 from dataclasses import dataclass, replace
 
@@ -274,8 +274,8 @@ def rest_bent(body, berth, others, start, unit, free):
 
 
 def rest_between(system, berth, links, water, load):
-    """Positions in space at which lines of a `System`, fenders, ropes, links, water and a load are in equilibrium,
-    shape (n,), and forces μ of the links, shape (r,)
+    """Positions in space (n,) at which lines of a `System`, fenders, ropes, links, water and a load are in equilibrium,
+    and the forces μ (r,) of the links
 
     links : `links.Links`, or None; water : (n, n) stiffness along the axes of the bodies; load : (n,) in space
     raises : ValueError without a balance

@@ -14,8 +14,9 @@ of its own (`buoy`) and a hull that slews in a current (`tables.hull_water`) are
 Filter of the slow pose:  s̈ = ωc² (p − s) − 2 ωc ṡ  for x, y and ψ.
 
 State of a body: η (6), ν (6), slow pose (3) and its rate (3), work done on the body by each of WORKS, J.  The state
-contains that of every body, one after another, displacement (3) and velocity (3) of a buoy in space, and the memory of
-all.  N bodies have one equation. M + A∞ and B′ are (6N, 6N), the memory is that of the whole system, and lines, fenders
+contains that of every body, one after another, then displacement (3) and velocity (3) of a buoy in space, then the
+memory of all bodies.
+N bodies have one equation. M + A∞ and B′ are (6N, 6N), the memory is that of the whole system, and lines, fenders
 and ropes between two bodies act on both with opposite sign. ψ is the heading of each body, not 0 at rest for all.
 
 Shapes of bodies that bend have amplitudes ξ beside these motions, and the same equation without the terms of slow
@@ -199,8 +200,8 @@ def add_horizontal(force, y, rate, x, y_force, moment, number):
 
 @kernel(counted=False)
 def restore(body, b, y, rate, force, work):
-    """Hydrostatic and spring forces on body b, and the forces of the turning axes, whose work is the work of the
-    current, if any
+    """Hydrostatic and spring forces on body b, and the forces of the turning axes; the work of the latter is the work
+    of the current, if any
 
     y, rate : (BLOCK,), force : (6,) of it
     """
@@ -479,7 +480,7 @@ def of_links_on_shapes(body, held, kept, y):
 
 @kernel(counted=False)
 def of_links(scene, links, y, rate):
-    """Forces of hinges between the bodies of a `Scene` in the state y (n,), added to the forces; the work of dampers
+    """Forces of hinges between the bodies of a `Scene` in the state y (n,), added to the forces. The work of dampers
     and springs, in the rates (n,), counts as damping
     """
     held, kept = links

@@ -7,9 +7,9 @@ all runs exceed m.
     at most a share 1 − (1−c)^(1/n) of such runs exceeds the largest of n, with confidence c       (2)
 
 The interval of CONFIDENCE lies between those of two neighbouring d and is interpolated between them (Hettmansperger and
-Sheather 1986, Statistics & Probability Letters 4, 75-79).  No distribution is fitted: the largest values of lines that
-snap in few runs come from two populations, and slow motion has peaks in clusters (tests/bench/extremes_coverage.py
-shows the effect on fitted distributions).
+Sheather 1986, Statistics & Probability Letters 4, 75-79).  No distribution is fitted, since the largest values of lines
+that snap in few runs come from two populations, and slow motion has peaks in clusters.
+`tests/bench/extremes_coverage.py` shows the effect on fitted distributions.
 """
 
 from typing import NamedTuple

@@ -1,14 +1,15 @@
 """Integration in time: Runge and Kutta's method of Dormand and Prince (1980), orders 5 and 4, with the step chosen by
 the error of the step.
 
-The error of a step is the difference of the two orders.  The limit of this error is a share of the tolerance, of the
-scale of each motion, times the step over the time in which an error decays; positions and velocities count.  Where a
+The error of a step is the difference of the two orders.  The limit of this error is a share of the tolerance, relative
+to the scale of each motion, times the step over the time in which an error decays. Positions and velocities count.
+Where a
 line becomes taut or a fender is touched, the force has a corner, and the error of a step over it falls only like h².
 Such a step may have the error of a share of the usual step, which is the mean of steps over time.  Steps end where a
 window of wave forces ends and where a line breaks, so that no step contains a jump.  Samples between steps are Hermite
 polynomials, of fifth degree for quantities with known velocity and acceleration.
 
-Lines with a motion of their own (`moving_lines`) follow a step that is computed with their predicted pull; the step is
+Lines with a motion of their own (`moving_lines`) follow a step that is computed with their predicted pull. The step is
 then repeated with their computed pull.
 """
 

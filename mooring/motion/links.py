@@ -10,8 +10,8 @@ second body, therefore does no work while the constraint is satisfied.
 A spring and a damper of a slider or a hinge give −k (s −
 rest) − c ṡ along or about its axis R₁h, with the travel s = R₁h · d or the angle of Q about h.  Ġν is a difference
 quotient along the course.  Remainders of g from errors of steps decay at the rate α (Baumgarte 1972).  On a body that
-bends the point of a link moves by R Σ ξ u and its axes turn by exp(Σ ξ w), of shapes with amplitudes ξ; these are then
-among the motions ν.
+bends, the point of a link moves by R Σ ξ u and its axes turn by exp(Σ ξ w), for shapes with amplitudes ξ. The
+amplitudes are then among the motions ν.
 """
 
 from typing import NamedTuple

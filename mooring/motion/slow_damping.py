@@ -23,7 +23,7 @@ def drift_damping_ring(forces, weather, depth, gravity):
     (HEADINGS + 3, 6)
 
     Wave drift damping (`mooring.response.wave_drift_damping`) of all seas together, from the drift of `WaveForces`.
-    The damping acts on the slow velocity over ground; the drift B V that a current adds at rest is part of the drift of
+    The damping acts on the slow velocity over ground. The drift B V that a current adds at rest is part of the drift of
     `wave_loads.wave_table`.
     """
     headings, omega = np.arange(HEADINGS) * (2 * np.pi / HEADINGS), forces.omega

@@ -8,13 +8,13 @@ approximation, with the square root of both diagonal terms (`mooring.response.sl
 On a current V the exponent of waves at a place contains ωᵢ + kᵢ·V, and Dᵢ is D + B V of each wave
 (`mooring.response.wave_drift_damping`). Time is divided into
 windows. A slow pose is predicted for the end of each window. Forces change linearly from those of the pose at its
-beginning to those of the pose at its end, so they are continuous for any motion. Around the instant between two
-windows exp(−iωt) at equal steps is always the same matrix: the waves of a pose are summed once, for the window before
-it and the one after it (`tables.harmonics`). Between two steps a force is the polynomial of fifth degree through its
+beginning to those of the pose at its end, so they are continuous for any motion. Around the instant between two windows
+exp(−iωt) at equal steps is always the same matrix. The waves of a pose are therefore summed once, for the window before
+it and the window after it (`tables.harmonics`). Between two steps a force is the polynomial of fifth degree through its
 values at the six nearest steps.
 
 Each of several bodies has its own slow pose, and the origin of its wave phases moves with the body. The waves that the
-other bodies scatter are those of the positions at rest, which is valid while the distances change little.
+other bodies scatter are those of the positions at rest, which is accurate while the distances change little.
 """
 
 from dataclasses import dataclass, replace

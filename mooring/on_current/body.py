@@ -25,7 +25,7 @@ class OnCurrent(Reader):
     """A `Reader` whose `motions` are the motions on the current of a `Carrier`; all other quantities, including drift,
     are as in still water.
 
-    omega of its functions is the frequency in which waves are given, absolute or intrinsic (`waves.Carrier`); forces,
+    omega of its functions is the frequency in which waves are given, absolute or intrinsic (`waves.Carrier`). Forces,
     drift and far field use the intrinsic one
     """
 

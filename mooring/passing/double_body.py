@@ -1,12 +1,12 @@
 """Forces of a passing ship by panels: both hulls under a rigid lid, in water of any depth, with or without a wall.
 
-With the surface as a lid the energy of the water is ½ Σ aᵢⱼ q̇ᵢ q̇ⱼ, a the added mass of both hulls at zero frequency
-where they lie, and Lagrange's equations (Lamb, art. 137) give the force on the moored hull, which is at rest:
+With the surface as a lid the energy of the water is ½ Σ aᵢⱼ q̇ᵢ q̇ⱼ, with a the added mass of both hulls at zero
+frequency in their positions. Lagrange's equations (Lamb, art. 137) give the force on the moored hull, which is at rest:
 
     Fⱼ = −d/dt (a_js U) + ½ U² ∂a_ss/∂qⱼ,     s the surge of the passing ship, d/dt = U d/dξ
 
 The first part is the force of the unsteady pressure, the second part the force of the squares of the flow. The second
-part is smaller by an order of the ship's slenderness; it is computed for surge, sway and yaw only, and at fewer places.
+part is smaller by an order of the ship's slenderness. It is computed for surge, sway and yaw only, and at fewer places.
 """
 
 from collections.abc import Callable, Iterable

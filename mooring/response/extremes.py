@@ -24,7 +24,9 @@ def bandwidth(m0, m2, m4):
     """ε from moments; 0 for one frequency.  Raises ValueError for moments that no spectrum has."""
     m0, m2, m4 = (np.asarray(m, float) for m in (m0, m2, m4))
     if np.any(m0 <= 0) or np.any(m2 <= 0) or np.any(m2**2 > m0 * m4 * (1 + 1e-9)):
-        raise ValueError("these moments are not those of a spectrum; allowed: above 0, with m2² at most m0 m4")
+        raise ValueError(
+            "the moments m0, m2 and m4 do not belong to a spectrum; allowed: above 0, with m2² at most m0 m4"
+        )
     return np.sqrt(np.maximum(1 - m2**2 / (m0 * m4), 0.0))
 
 

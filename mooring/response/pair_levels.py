@@ -258,7 +258,7 @@ def stored_pairs(db, sea, level="body", spread=False, body=None):
     several directions where `spread` allows them.
 
     body : number of one of several bodies
-    raises : ValueError, one line, for what is not stored in it
+    raises : ValueError, with a message of one line, for what is not stored in it
     """
     from hakobune.bem.second_order.stored import read_forces
 

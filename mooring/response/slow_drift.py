@@ -158,8 +158,8 @@ def slow_parts(body, spectrum, omega, heading, parts, weights):
     """Spectrum, frequencies (g,) and means over the headings (g, …) of drift parts (q, p, …), as `force_spectrum` and
     `cross_spectrum` take them.
 
-    On a current two waves beat at the difference of the frequencies at which the body meets them, for any headings:
-    parts, with the energy, are summed over the headings at equal met frequencies.
+    On a current two waves beat at the difference of the frequencies at which the body meets them, for any headings.
+    Parts are therefore summed, with the energy, over the headings at equal met frequencies.
     """
     carrier = getattr(body, "carrier", None)
     if carrier is None or carrier.absolute:

@@ -5,8 +5,9 @@ In irregular motion with standard deviations σ and σ_v it is evaluated at ω =
 drag N₂ gives √(8/π) σ_v N₂: the least mean square difference for a Gaussian motion (Borgman 1969).  Motion and damping
 depend on each other and are found by the secant rule.
 
-Every study uses the laws of a database's scene here: in a sea (`in_sea`), in regular waves (`in_regular_waves`, the
-damping with the same dissipation per cycle), in time (`in_time`, where a drag remains quadratic).
+Every study uses the laws of a database's scene through this module: in a sea (`in_sea`), in regular waves
+(`in_regular_waves`, the damping with the same dissipation per cycle), and in time (`in_time`, where a drag remains
+quadratic).
 """
 
 from dataclasses import replace

@@ -1,25 +1,27 @@
 """Wave drift damping: change of the mean drift by a slow velocity of the body.
 
-A body with the slow velocity U, along the waves U_L and across them (to the left) U_T, meets them at the frequency ω −
-kU_L and in the direction β − U_T/C_g, and its drift is
+A body has the slow velocity U, with U_L along the waves and U_T across them (to the left). It meets the waves at the
+frequency ω − kU_L and in the direction β − U_T/C_g, and its drift is
 
     D(U) = {1 + (ω dn/dω − 2) U_L/C_g} D(ω − kU_L, β − U_T/C_g),    n = C_g/C
 
     B_jk = −∂F_j/∂U_k = [k ∂D_j/∂ω + (2 − ω dn/dω) D_j/C_g] e_L,k + (∂D_j/∂β)/C_g e_T,k
 
 In deep water n = ½ and 1/C_g = 2ω/g: the formula of Aranha (1994), ω²/g ∂D/∂ω + 4ω/g D along and 2ω/g ∂D/∂β across. In
-finite depth it follows from the same two balances, of wave action and momentum along rays; for a totally reflecting
-wall, and a body that scatters evenly, they give {1 − 2U_L/C_g} of the drift at rest in any depth.  The long waves bound
+finite depth it follows from the same two balances, of wave action and momentum along rays. For a totally reflecting
+wall, and for a body that scatters evenly, they give {1 − 2U_L/C_g} of the drift at rest in any depth.
+The long waves bound
 to wave groups are neglected.  The yaw moment is treated like the forces; a yaw velocity is not included.
 
 On a current V the velocity through the water is U = ẋ − V: the force on a body at rest is, to first order,
 
     D(V) = D + B V
 
-The wave in the water is held fixed: its intrinsic frequency ω, with it its length, its amplitude and the direction β of
-its crests.  A vertical cylinder on the bed (radius 10 m, depth 20 m) has (dD/dV)/D = 0.4464, 0.3598, 0.4769 s/m at ka =
-0.5, 1, 1.5.  Where the frequency at a fixed place is held instead (`on_current.waves`, "absolute") the intrinsic one
-falls by kV, which removes k ∂D/∂ω: (2 − ω dn/dω)/C_g remains along the waves, 0.2512, 0.4277, 0.5164 s/m for that
+The wave in the water is held fixed: its intrinsic frequency ω, and therefore its length, its amplitude and the
+direction β of its crests.
+A vertical cylinder on the bed (radius 10 m, depth 20 m) has (dD/dV)/D = 0.4464, 0.3598, 0.4769 s/m at ka =
+0.5, 1, 1.5.  If the frequency at a fixed place is held instead (`on_current.waves`, "absolute"), the intrinsic one
+falls by kV, which removes k ∂D/∂ω. Along the waves (2 − ω dn/dω)/C_g remains: 0.2512, 0.4277, 0.5164 s/m for that
 cylinder.
 """
 

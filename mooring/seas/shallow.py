@@ -3,7 +3,7 @@
     S = S_JONSWAP(ω) Φ(ω),    Φ = k⁻³ ∂k/∂ω / {(ω²/g)⁻³ 2ω/g} = tanh²(kh) / 2n,    n = ½(1 + 2kh/sinh 2kh)
 
 which tends to ω²h/2g in long waves, where the tail is then ω⁻³, and to 1 in short waves.  The peak period is that of
-the JONSWAP form; the spectrum is scaled to a height, or by fetch to the height possible in this depth.
+the JONSWAP form. The spectrum is scaled to a height, or by fetch to the height possible in this depth.
 """
 
 from dataclasses import dataclass

@@ -4,8 +4,8 @@
     netCDF of WAVEWATCH III, ERA5, SWAN, WWM, NDBC, Sofar and wavespectra (`netcdf`);  a table of densities (.csv)
 
 Nautical directions are directions that waves come from, clockwise from north; with the x axis of the body towards ψ of
-the compass waves travel to β = ψ − (N + 180°).  Cartesian ones are directions travelled to, from the x axis of the
-model, which is assumed to be the body's after a turn by the given heading.
+the compass waves travel to β = ψ − (N + 180°).  Cartesian directions are those in which waves travel, from the x axis
+of the model. This axis is assumed to be the body's after a turn by the given heading.
 """
 
 from pathlib import Path

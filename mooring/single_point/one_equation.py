@@ -1,9 +1,9 @@
 """A body at a single point in one equation with its waves and its buoy (`mooring.motion`): its parts, and a run.
 
-Slow and wave motion are one motion, with six degrees of freedom and memory of the water if there is a database, and
-with three in the plane otherwise.  On a hawser the buoy has mass, drag and lines of its own; a contact buoy is part of
+Slow and wave motion are one motion. It has six degrees of freedom and the memory of the water if there is a database,
+and otherwise three in the plane.  On a hawser the buoy has mass, drag and lines of its own; a contact buoy is part of
 the body, whose lines then end at it.  Loads are those of the statics and of the slow motion (`loads`), from turning
-tests or coefficients, for all directions; drift is that of every pair of waves, or the mean drift given in a study.
+tests or coefficients, for all directions. Drift is that of every pair of waves, or the mean drift given in a study.
 """
 
 from dataclasses import dataclass, replace

@@ -1,7 +1,7 @@
 """Functions of an angle around the circle, as periodic cubic splines: the steady loads on a turning body.
 
-Zeros of a ring are those of its cubics, so that a search finds all of them; they are then polished on the exact
-function, and an extremum that just touches 0 is examined closely.
+Zeros of a ring are those of its cubics, so a search finds all of them. They are then polished on the exact function,
+and an extremum that just touches 0 is examined closely.
 """
 
 import numpy as np

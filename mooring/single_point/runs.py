@@ -1,7 +1,8 @@
 """Motion in time of a body at a single point, from near one of its equilibrium headings, by one of three schemes.
 
-`slow_run` computes the slow motion alone, `two_scale_run` the waves of a step at a fixed slow position (as the report
-does), `full_run` slow and wave motion in one equation.  Gusts are those of the wind of the loads; tensions of lines are
+`slow_run` computes the slow motion alone. `two_scale_run` adds the waves of a step at a fixed slow position, as the
+report does. `full_run` has slow and wave motion in one equation.
+Gusts are those of the wind of the loads; tensions of lines are
 static, with their ends moved by all motions together.
 """
 

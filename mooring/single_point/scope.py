@@ -4,8 +4,8 @@
 
 V is the height of the upper end above the bed, T the tension there and w the weight in water, for an inextensible
 catenary with its vertex at the anchor.
-The report's smallest scope is S₀ over the water depth at the peak tension; its tables use
-the peak T_static + (T_significant − T_static)/(2/3), not the 1.3 times significant of its text.
+The report's smallest scope is S₀ over the water depth at the peak tension. Its tables use the peak T_static +
+(T_significant − T_static)/(2/3), not the 1.3 times significant of its text.
 """
 
 import numpy as np

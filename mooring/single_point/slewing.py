@@ -4,8 +4,8 @@
 
 T is the mass with added mass. C is the inertia of turning axes, without the moment of the added mass (Munk's), which
 turning tests and current coefficients contain.  With turning tests C cancels in surge and sway: the tests include the
-inertia of the turning model.  SR179 report (1982), eq. 3.6.1 and 3.6.8, with u̇, v̇ for the ü, v̈ printed there; and
-with velocities through the water on both sides, so that a mooring that drifts with the current has no load.
+inertia of the turning model.  SR179 report (1982), eq. 3.6.1 and 3.6.8, with u̇, v̇ for the ü, v̈ printed there.
+Velocities on both sides are through the water, so a mooring that drifts with the current has no load.
 """
 
 from typing import NamedTuple
@@ -70,8 +70,8 @@ def linearised(point: SinglePoint, state, held: Hold | None = None):
     """Derivatives of the `rates` at an equilibrium, by displacements, m, m, rad, and by the rates of displacements;
     shape (6, 6).
 
-    Unknowns are the place, the heading and the velocity over the ground in axes that do not turn, so that all rates are
-    zero at rest.  The mooring reacts by its stiffness, loads by differences of fourth order.
+    Unknowns are the place, the heading and the velocity over the ground. The axes do not turn, so all rates are zero at
+    rest.  The mooring reacts by its stiffness, loads by differences of fourth order.
     held : Hold of the mooring there, computed if not given
     """
     state, current = np.asarray(state, float), point.loads.water.velocity

@@ -1,8 +1,8 @@
 """Published criteria for the yaw stability of a ship at a single point, in addition to the quartic (`criterion`).
 
-static         a > N_ψ/Y_ψ: the attachment lies ahead of the point where the side force of a small heading acts; behind
-               it the heading diverges without oscillation to one of two oblique ones (a pitchfork), whatever the length
-               of the hawser.  D > 0 of the quartic.  Papoulias and Bernitsas, Journal of Ship Research 32 (1988); Leite
+static a > N_ψ/Y_ψ: the attachment lies ahead of the point where the side force of a small heading acts. Behind it the
+               heading diverges without oscillation to one of two oblique headings (a pitchfork), for any length of the
+               hawser.  D > 0 of the quartic.  Papoulias and Bernitsas, Journal of Ship Research 32 (1988); Leite
                et al.,
                Applied Ocean Research 20 (1998)
 straight line  Y_v N_r − N_v (Y_r − MU) > 0, for a free-running ship, about its centre of mass: Abkowitz, "Stability

@@ -6,8 +6,9 @@
 
     x_R : P(x_R) = 1 − 1/R
 
-Interval.  For gumbel, and for weibull in −ln x, (x̂_R − x_R)/ŝ has a distribution free of b and s (Lawless, 1982): its
-quantiles come from samples of the standard distribution, and the interval is exact except for their number.  For gev
+Interval.  For gumbel, and for weibull in −ln x, (x̂_R − x_R)/ŝ has a distribution free of b and s (Lawless, 1982). Its
+quantiles come from samples of the standard distribution, and the interval is exact except for the number of samples.
+For gev
 every sample of uniform numbers is converted to the distribution for which these numbers give the maxima's own L-moments
 and κ̂, and the quantiles are those of its x_R (the generalised fiducial distribution, Hannig 2009): exact in location
 and scale, and to the order of few years in κ.
@@ -80,7 +81,7 @@ def fit_extremes(maxima, family="gumbel"):
     if x.ndim != 1 or not np.all(np.isfinite(x)):
         raise ValueError("yearly maxima are not one row of finite numbers")
     if len(x) < FEWEST:
-        raise ValueError(f"{len(x)} yearly maxima; allowed: at least {FEWEST}, better {ENOUGH}")
+        raise ValueError(f"there are {len(x)} yearly maxima; allowed: at least {FEWEST}, and {ENOUGH} are better")
     if not np.ptp(x) > 1e-9 * np.abs(x).max():
         raise ValueError("all yearly maxima are equal; there is no distribution to fit")
     if family == "gev":

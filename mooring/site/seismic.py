@@ -25,7 +25,9 @@ LARGEST = 0.3  # largest coefficient of rule A
 def seismic_coefficient(rule, **factors):
     """K_h of a rule from its FACTORS.  Raises ValueError for another rule, other factors, factors not above 0."""
     if rule not in FACTORS:
-        raise ValueError(f"rule is {rule!r}; allowed: {', '.join(FACTORS)} (B and D give no seismic coefficient)")
+        raise ValueError(
+            f"rule is {rule!r}; allowed: {', '.join(FACTORS)}; the rules B and D give no seismic coefficient"
+        )
     if set(factors) != set(FACTORS[rule]):
         given = ", ".join(factors) or "nothing"
         raise ValueError(f"factors of rule {rule} are {given}; allowed: {', '.join(FACTORS[rule])}")

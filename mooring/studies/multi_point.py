@@ -8,10 +8,10 @@ body: in irregular waves, or by the report's regular wave of significant height 
 in phase, with the signs, per line, that pull the fairlead outward and up; statics give the tension. Angles of the body
 are small throughout. Loads and motions are those of its heading at rest. Motions of slow drift are not included.
 
-Several bodies are held by lines to anchors and to each other: forces and motions are six per moving body, one body
-after another, with one equilibrium and one set of natural periods.  A line between two bodies is tightened by the
+Several bodies are held by lines to anchors and to each other. Forces and motions are six per moving body, one body
+after another; there is one equilibrium and one set of natural periods.  A line between two bodies is tightened by the
 largest motions of both.  Fenders and ropes at a berth or between bodies, and hinges, are included in the state of rest,
-the equilibrium and the periods; in waves hinges alone change the motions of the free bodies.  Bodies with hinges are
+the equilibrium and the periods. In waves only hinges change the motions of the free bodies.  Bodies with hinges are
 not trimmed for the weight of their lines, since the hinges carry a part of it.
 
 Bodies that bend have the amplitudes of their shapes after these motions; lines, fenders and ropes bend them, and their

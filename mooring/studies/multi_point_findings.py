@@ -154,7 +154,8 @@ def _unstable(result):
         names = [name for name, value in zip(periods.names, periods.period, strict=True) if np.isnan(value)]
         if names:
             yield fails(
-                f"unstable {where}, without waves: {', '.join(map(_worded, names))}; the body needs more restoring"
+                f"the body is unstable {where}, without waves, in: {', '.join(map(_worded, names))}; it needs "
+                "more restoring"
             )
 
 

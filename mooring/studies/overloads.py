@@ -36,8 +36,8 @@ def _missed(curve):
         nearest = min(curve.missed, key=abs)
         yield fails(
             f"{curve.body} cannot be held at {len(curve.missed)} of {len(curve.offset)} offsets along "
-            f"{np.degrees(curve.direction):g}°; at the nearest, {nearest:g} m: {curve.missed[nearest]}; or give a "
-            "smaller --offset"
+            f"{np.degrees(curve.direction):g}°; the reason at the nearest, {nearest:g} m: "
+            f"{curve.missed[nearest]}; or give a smaller --offset"
         )
 
 

@@ -83,10 +83,10 @@ def place_findings(system, hulls):
         if inside > NEAR * hull.length:
             through.append(f"{line.name} {inside:.3g} m")
     if beside:
-        yield f"fairleads away from the hull: {some(beside, LINES_NAMED)}; {limit}; check their coordinates"
+        yield (f"these fairleads are away from the hull: {some(beside, LINES_NAMED)}; {limit}; check their coordinates")
     if through:
         yield (
-            "lines that pass through the hull on the straight path from fairlead to anchor: "
+            "these lines pass through the hull on the straight path from fairlead to anchor: "
             f"{some(through, LINES_NAMED)}; {limit}; check fairleads and headings"
         )
 
@@ -103,7 +103,8 @@ def off_the_mesh(system, body, mesh):
     if off:
         limit = f"limit {NEAR * length:.3g} m"
         yield (
-            f"fairleads away from the hull of the database: {some(off, LINES_NAMED)}; {limit}; check their coordinates"
+            f"these fairleads are away from the hull of the database: {some(off, LINES_NAMED)}; {limit}; check "
+            "their coordinates"
         )
 
 

@@ -21,8 +21,8 @@ the larger of two sums, both Gaussian: significant slow motion + largest wave mo
 significant wave motion.
 
 Several bodies move together on the stiffness of lines, fenders and hinges. Each body has three slow motions, with its
-own mean drift and the phases of the waves at its place.  Damping and stiffness of a mode are
-then those of the coupled natural mode named after the motion; the drag of each hull is linearised in its own velocity.
+own mean drift and the phases of the waves at its place.  Damping and stiffness of a mode are then those of the coupled
+natural mode named after the motion. The drag of each hull is linearised in its own velocity.
 """
 
 from collections.abc import Callable

@@ -49,7 +49,7 @@ def berth(study: File | Tables | BerthStudy, database: File | Database | None = 
     database : path of the ship's database, or an open one, for the memory of the water
     returns : Result, in SI; its `detail` is the `study.Approach` and the `mooring.berthing.memory.Berthing`, None where
         the fenders cannot absorb the energy
-    raises : ValueError, one line
+    raises : ValueError, with a message of one line
     """
     study, text = given(study, BerthStudy, read_berth, lambda raw: typed(raw, BerthStudy, StudyError))
     approach = approach_of(study)

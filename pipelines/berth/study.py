@@ -144,7 +144,7 @@ def read_berth(path):
 
 
 def approach_of(study):
-    """The `Approach` of a study.  Raises ValueError, one line."""
+    """The `Approach` of a study.  Raises ValueError, with a message of one line."""
     given, approach = study.ship, study.approach
     water_density("ship.density", given.density)
     mass = None if given.displacement is None else 1e3 * given.displacement

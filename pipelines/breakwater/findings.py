@@ -60,7 +60,10 @@ def wanted(optimisation, front):
     if len(enough):
         i = enough[0]
         sizes = ", ".join(f"{name} {x:.4g}" for name, x in zip(front.names, front.designs[i], strict=True))
-        yield f"for waves of {wanted:g} or less behind, the least tension is {_kN(front.tension[i])}: {sizes}"
+        yield (
+            f"for waves of {wanted:g} or less behind the breakwater, the least tension is "
+            f"{_kN(front.tension[i])}: {sizes}"
+        )
 
 
 def _kN(value):

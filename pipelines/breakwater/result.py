@@ -52,7 +52,7 @@ def breakwater(study: File | Tables | BreakwaterStudy, database: File | Database
     study : path of a study, its tables as a dictionary, or a `pipelines.breakwater.study.BreakwaterStudy`
     database : path of the database of a unit of finite length along x, or an open one, for [map]
     returns : Result, in SI; its `detail` is a Found
-    raises : ValueError, one line
+    raises : ValueError, with a message of one line
     """
     read, text = given(study, BreakwaterStudy, read_breakwater, make_breakwater)
     if read.map is not None and database is None:

@@ -11,15 +11,15 @@ def warn_of_anchors(heights, depth):
     high = [f"{name} (z = {z:g} m)" for name, z in heights.items() if z > HIGHEST]
     if high:
         warnings.warn(
-            f"anchors above the water: {', '.join(high)}, limit {HIGHEST:g} m, the height of a high quay; z is 0 at "
-            "still water and negative below it",
+            f"these anchors are above the water: {', '.join(high)}, limit {HIGHEST:g} m, the height of a high "
+            "quay; z is 0 at still water and negative below it",
             stacklevel=2,
         )
     limit = max(OFF_BED[0], OFF_BED[1] * depth)
     floating = [f"{name} ({z + depth:.4g} m)" for name, z in heights.items() if limit < z + depth and z < 0]
     if floating:
         warnings.warn(
-            f"anchors above the bed: {', '.join(floating)}, limit {limit:.3g} m; the bed is at z = {-depth:g} m; check "
-            "their z, or ignore this if they are on piles",
+            f"these anchors are above the bed: {', '.join(floating)}, limit {limit:.3g} m; the bed is at z = "
+            f"{-depth:g} m; check their z, or ignore this if they are on piles",
             stacklevel=2,
         )

@@ -84,7 +84,8 @@ def with_tables_in(raw, folder):
 
 
 def fender_of(table, where="fender"):
-    """`mooring.fenders.fender.Fender` of a FenderTable without its dolphin.  Raises ValueError, one line."""
+    """`mooring.fenders.fender.Fender` of a FenderTable without its dolphin.  Raises ValueError, with a message of
+    one line."""
     below(f"{where}.height", table.height, LARGEST)
     if (table.family is None) == (table.table is None):
         state = "neither is given" if table.family is None else "both are given"

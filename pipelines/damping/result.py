@@ -38,9 +38,9 @@ def damping(record: File | dict[str, np.ndarray | Sequence[float]], *, mass: flo
 
     record : path of a CSV of time_s, motion_m, and force_kN of the water where the body is moved, or {column: values};
         of a rotation motion_deg and moment_kNm; a decay may have other names with their units, "t (s), roll (deg)"
-    mass : with added mass, of a free decay, kg, or of a rotation kg m²
+    mass : mass with added mass, of a free decay, kg, or of a rotation kg m²
     returns : Result, in SI
-    raises : ValueError, one line
+    raises : ValueError, with a message of one line
     """
     if mass is not None and not 0 < mass < np.inf:
         raise ValueError(f"mass is {mass:g} kg; allowed: above 0, finite")

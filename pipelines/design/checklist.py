@@ -1,7 +1,7 @@
 """Requirements on a simulation of a mooring, according to the rules compared in the SR179 report (1982), chapter 4.
 
-The list follows the report's comparison of rules: a hull in three dimensions, lines and fenders with their complete
-characteristics, directional spectra, gusts, a steady current, slow drift in finite depth, earthquakes.
+The list follows the report's comparison of rules. It has a hull in three dimensions, lines and fenders with their
+complete characteristics, directional spectra, gusts, a steady current, slow drift in finite depth, and earthquakes.
 """
 
 import tomllib

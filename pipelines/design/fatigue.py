@@ -7,7 +7,7 @@ criterion is factor · D ≤ 1.  The record is that of the fairlead, with the re
 section of each type.
 
 No 90 % interval is computed if fewer cycles than `mooring.motion.extremes.FEWEST` cause the damage, as in a run with
-few slow oscillations, or for a regular wave, whose cycles are not those of a sea.
+few slow oscillations. The same holds for a regular wave, whose cycles are not those of a sea.
 """
 
 import numpy as np

@@ -35,7 +35,7 @@ def design(
     project : path of a project; output : path of the folder of its page, load cases and databases
     executor : local or processes:N; advice : try other sizes and pretensions if it fails; console : for progress
     returns : Result, in SI; its `detail` is the `verdict.Verdict` and the names of the files written
-    raises : ValueError, one line, before anything is solved
+    raises : ValueError, with a message of one line, before anything is solved
     """
     read, output = read_project(project), Path(output)
     check_folder(output)

@@ -65,8 +65,8 @@ def judged_project(read, ran, of_databases=()):
 
 
 def broken_in(ran):
-    """Failures that the studies of load cases report (lines that part, fenders beyond their capacity): a line for each
-    kind of failure, from the first case that has this failure. Tensions at multiples of motions, which some rules
+    """Failures that the studies of load cases report (lines that part, fenders beyond their capacity). There is one
+    line for each kind of failure, from the first case that has it. Tensions at multiples of motions, which some rules
     require, are not such failures.
     """
     found = {}
@@ -92,8 +92,9 @@ def project_quantities(read):
 def side_by_side(read, cases):
     """The RuleSet of each rule set and subject with a criterion that Cases can judge, the largest use first
 
-    As Table 4.3 of the SR179 report (1982): a rule set has several subjects, such as chain or hawser, or one of several
-    kinds of anchor, each with its own row if the study has such a part.  Limits on motions apply to a ship with its
+    As in Table 4.3 of the SR179 report (1982), a rule set has several subjects, such as chain or hawser, or one of
+    several kinds of anchor. Each has its own row if the study has such a part.
+    Limits on motions apply to a ship with its
     cargo; they appear only if the project has chosen them.
     """
     own, found, motions = set(read.criteria), [], {dof.lower() for dof in DOFS}

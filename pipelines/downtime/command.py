@@ -19,7 +19,9 @@ def downtime(
     states: Annotated[
         Path | None, Parameter(help="file for simulated states, .jsonl [beside the study, with [simulation]]")
     ] = None,
-    executor: Annotated[str, Parameter(help="local, processes:N, dask:N, dask://host:port, slurm:N")] = "local",
+    executor: Annotated[
+        str, Parameter(help="where states run: local, processes:N, dask:N, dask://host:port, slurm:N")
+    ] = "local",
     page: Annotated[Path | None, Parameter(help=".html: tables and pictures of all results")] = None,
 ):
     """Compute the hours of years in which operations at a berth stop, and weather windows, from a hindcast.

@@ -117,7 +117,7 @@ def _notes(read, hindcast, found):
         f"one random realisation"
     )
     if len(hindcast.waves) > 1:
-        yield "limiting seas are defined for one wave system; none are given with several systems"
+        yield "limiting seas are defined for one wave system; with several systems they are left out"
 
 
 def _others(read, folder, db, path, workers, say):

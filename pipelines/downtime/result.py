@@ -64,7 +64,7 @@ def downtime(
     states : path of the file of simulated states, continued where it stopped; None to keep none
     executor : executor of the simulations, as in the command; say : called with each line of progress
     returns : Result, in SI; its `detail` is a Detail
-    raises : ValueError, one line; KeyboardInterrupt, finished states are kept
+    raises : ValueError, with a message of one line; KeyboardInterrupt, finished states are kept
     """
     read, text = given(study, DowntimeStudy, read_downtime, make_downtime)
     folder = Path(study).parent if isinstance(study, str | os.PathLike) else Path()

@@ -26,7 +26,7 @@ def earthquake(study: File | Tables | EarthquakeStudy, database: File | Database
     study : path of an earthquake study, its tables as a dictionary, or a `study.EarthquakeStudy`
     database : path of the body's database, or an open one, in place of [body]
     returns : Result, in SI; its `detail` is the `mooring.dolphins.methods.Quake`
-    raises : ValueError, one line
+    raises : ValueError, with a message of one line
     """
     study, text = given(study, EarthquakeStudy, read_study, make_study)
     quake = quake_of(study, database=database)

@@ -1,7 +1,7 @@
 """`hakobune body`: mass, centre of gravity and radii of gyration added to an imported database, or replaced.
 
-Stiffness by weight, and motions of the free body, are recomputed; drift of the free body and forces of wave pairs,
-which depend on the old motions, are removed.
+Stiffness by weight, and motions of the free body, are recomputed. Drift of the free body and forces of wave pairs are
+removed, since they depend on the old motions.
 """
 
 from dataclasses import replace

@@ -69,7 +69,7 @@ def executor_of(text):
 
         return there(text, rest[2:])
     if kind not in ("processes", "dask", "slurm") or not rest.isdigit() or not 1 <= int(rest) <= MOST[kind]:
-        raise ValueError(f"executor is {text!r}; allowed: {EXECUTORS}, N from 1 to 256, of slurm to 10000")
+        raise ValueError(f"executor is {text!r}; allowed: {EXECUTORS}, with N from 1 to 256, or to 10000 for slurm")
     if kind == "processes":
         from .processes import Processes
 

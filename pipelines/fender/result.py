@@ -56,7 +56,7 @@ def fender(
     table : keys of the table [fender] of studies as a dictionary, or a `common.fender_tables.FenderTable`
     strain, deflection (m), energy (J) : one of them requests one compression
     returns : Result, in SI; its `detail` is a `Pressed`
-    raises : ValueError, one line
+    raises : ValueError, with a message of one line
     """
     table, text = given(table, FenderTable, None, lambda raw: typed(raw, FenderTable, StudyError))
     asked = {"strain": strain, "deflection": deflection, "energy": energy}

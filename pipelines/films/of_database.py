@@ -29,7 +29,7 @@ def film_of_database(path, output, period=None, omega=None, heading=180.0, heigh
     """Write the film; returns the number of frames.
 
     height : m, of the waves, crest to trough; field : "pressure" colours the panels
-    raises : ValueError, one line
+    raises : ValueError, with a message of one line
     """
     check_film(output, (path,))
     if field not in (None, "pressure"):

@@ -27,7 +27,7 @@ def film_of_run(path, output, seed=None, start=None, length=60.0, step=1.0):
 
     seed : a seed with a stored record, by default the first
     start : by default half a length before the largest tension, or the largest deflection without lines
-    raises : ValueError, one line
+    raises : ValueError, with a message of one line
     """
     check_film(output, (path,))
     with opened(path) as file:

@@ -1,7 +1,7 @@
 """A run of a body at a single point as a film: the slewing hull, hawsers, and the buoy on its lines.
 
-Lines have their static shape under the buoy, which is drawn at the height in the study; the surface is flat, since the
-file contains neither that height over time nor the waves.
+Lines have their static shape under the buoy, which is drawn at the height in the study. The surface is flat, since the
+file contains neither the height of the buoy over time nor the waves.
 """
 
 import tomllib

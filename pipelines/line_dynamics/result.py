@@ -66,7 +66,7 @@ def line_dynamics(
     duration : s, tolerance : in place of the study's
     progress : function of the duration, s, that returns a function called with the time reached
     returns : Result, in SI; its `detail` is a Run
-    raises : ValueError, one line
+    raises : ValueError, with a message of one line
     """
     read, text = given(study, LineDynamicsStudy, read_line_dynamics, make_line_dynamics)
     changed = {"duration": duration, "tolerance": tolerance}

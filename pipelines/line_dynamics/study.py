@@ -1,7 +1,8 @@
 """One mooring line and the motion of its fairlead, as typed TOML.
 
-In m, s, kg and degrees, other units in the key.  Segments, and the bodies between them, count from the anchor up; z is
-measured from still water, and the bed lies `water.depth` below it under the anchor.  Every fault is one line that names
+In m, s, kg and degrees, other units in the key.  Segments, and the bodies between them, count from the anchor up. z is
+measured from still water, and under the anchor the bed lies `water.depth` below still water.
+Every fault is one line that names
 key, value and allowed values.
 """
 

@@ -56,7 +56,7 @@ def line(
         the bed
     characteristic : whether to include the curves from slack to taut
     returns : Result, in SI; its `detail` is a `mooring.lines.one_line.OneLine`, its span and its LineSolution
-    raises : ValueError, one line
+    raises : ValueError, with a message of one line
     """
     words = words_of(**locals())
     _check(weight=weight, stiffness=stiffness, length=length, depth=depth, fairlead_z=fairlead_z)

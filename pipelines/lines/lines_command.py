@@ -16,7 +16,7 @@ from .system_file import read_given
 def lines_command(file, depth, output, picture, moordyn, **asked):
     """Run the system of a file; asked : the words of `lines_result.lines`; returns the exit status.
 
-    raises : ValueError, one line
+    raises : ValueError, with a message of one line
     """
     check_picture(picture, PLOTS)
     check_result(output, "lines", [file])

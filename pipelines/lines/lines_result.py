@@ -53,7 +53,7 @@ def lines(
     database : path of the body's, or an open one, for natural periods
     returns : Result, in SI; its `detail` is the SystemEquilibrium, [OffsetCurve] and {line lost: equilibrium without
         it}
-    raises : ValueError, one line
+    raises : ValueError, with a message of one line
     """
     asked = {"force": force, "offset": offset, "directions": directions, "characteristic": characteristic}
     asked |= {"broken": broken, "database": database}
@@ -122,7 +122,7 @@ def _unstable(quantities, axes):
     if "period" in quantities:
         modes = axes["mode"].values[np.isnan(quantities["period"].values)].tolist()
         if modes:
-            yield fails(f"unstable on its lines: {', '.join(modes)}; the body needs more restoring")
+            yield fails(f"the body is unstable on its lines in: {', '.join(modes)}; it needs more restoring")
 
 
 def _check_effort(system, characteristic):

@@ -127,7 +127,7 @@ def read_system(path, depth=None) -> System:
     """The System of a file, by its suffix: .toml, .yaml or .yml, otherwise MoorDyn.
 
     depth : m, for a MoorDyn or YAML file without it.  Warns of a file without anchors.
-    Raises ValueError, one line.
+    Raises ValueError, with a message of one line.
     """
     given = read_given(path, depth)
     for line in given.said:
@@ -136,7 +136,8 @@ def read_system(path, depth=None) -> System:
 
 
 def read_given(system, depth=None) -> Given:
-    """The system of a path, a dictionary or a System; depth as in `read_system`.  Raises ValueError, one line."""
+    """The system of a path, a dictionary or a System; depth as in `read_system`.  Raises ValueError, with a message
+    of one line."""
     if isinstance(system, System):
         return Given(system)
     if depth is not None and not 0 < depth < math.inf:
@@ -182,7 +183,7 @@ def _read(path, depth):
 
 
 def make_system(raw) -> System:
-    """The System of nested dictionaries read from TOML.  Raises ValueError, one line."""
+    """The System of nested dictionaries read from TOML.  Raises ValueError, with a message of one line."""
     table = typed(raw, SystemTable, StudyError)
     bodies = [
         MooredBody(

@@ -26,7 +26,7 @@ def members(study: File | Tables | MembersStudy) -> Result:
 
     study : path of a study of members, its tables as a dictionary, or a `study.MembersStudy`
     returns : Result, in SI
-    raises : ValueError, one line
+    raises : ValueError, with a message of one line
     """
     study, text = given(study, MembersStudy, read_study, make_study)
     wave, wind, standing = wave_of(study), wind_on(study), placed(study)

@@ -2,8 +2,8 @@
 
     lines_file = "moorings.dat"      # MoorDyn, MoorPy, RAFT or OrcaFlex, beside the study
 
-Each line runs from an anchor to the only body of the file, the hull of the study; for a file with several bodies,
-`lines_body` names it.  The tables become part of the study, of a state of a design and of a result.
+Each line runs from an anchor to the only body of the file, the hull of the study. If the file has several bodies,
+`lines_body` names the hull.  The tables become part of the study, of a state of a design and of a result.
 """
 
 import math

@@ -62,7 +62,7 @@ def moor(study: File | Tables | Study, database: File | Database) -> Result:
     study : path of a mooring study, its tables as a dictionary, or a `pipelines.moor.study.Study`
     database : path of the body's database, or an open one
     returns : Result, in SI; its `detail` is a `mooring.studies.multi_point.MultiPoint` and the hull
-    raises : ValueError, one line
+    raises : ValueError, with a message of one line
     """
     read, text = given(study, Study, read_study, make_study)
     db = database_of(database)
@@ -71,7 +71,8 @@ def moor(study: File | Tables | Study, database: File | Database) -> Result:
 
 
 def studied(study, db):
-    """The MultiPoint result of a Study on an open database, and its hull.  Raises ValueError, one line."""
+    """The MultiPoint result of a Study on an open database, and its hull.  Raises ValueError, with a message of one
+    line."""
     if not db.bodies or study.quay is not None:
         study.without_berth("moor of one body")
     hull = study.hulls_of(db)

@@ -37,7 +37,7 @@ def passing(study: File | Tables | PassingStudy) -> Result:
 
     study : path of a study, its tables as a dictionary, or a `study.PassingStudy`
     returns : Result, in SI; its `detail` is the `mooring.passing.passage.Passage`
-    raises : ValueError, one line
+    raises : ValueError, with a message of one line
     """
     from hakobune.mooring.passing.double_body import double_body, largest_section
 

@@ -1,7 +1,7 @@
 """The single way to print: a console whose tables are never cut, or are printed as CSV or JSON on request.
 
 A table wider than its terminal is printed at its own width.  With --csv or --json (`tables_as`) each table is a block
-of lines, its names first, or one line {"title", "rows": [{name: text or number}]}; everything else goes to stderr.
+of lines with its names first, or one line {"title", "rows": [{name: text or number}]}. Everything else goes to stderr.
 Cells made by `number` have all their digits; a number that is not finite is empty in CSV and null in JSON.
 """
 

@@ -30,8 +30,8 @@ def qtf(
 ):
     """Compute slow forces of pairs of waves (QTF) and store them in the database.
 
-    These forces include the products of first-order quantities, bound long waves and the moving hull.  --level full
-    adds the forcing of the surface around the body; its size is estimated otherwise.  Response studies and simulations
+    These forces include the products of first-order quantities, bound long waves and the moving hull. --level full adds
+    the forcing of the surface around the body; otherwise its size is estimated.  Response studies and simulations
     use them by qtf = "body" or "full".  Differences are stored one by one, from the smallest on: an interrupted run
     continues, and a larger --difference adds to what is stored.  The body is solved on its panels, a vertical cylinder
     by the contour method.

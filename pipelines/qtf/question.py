@@ -89,7 +89,7 @@ def waves_and_sums_of(db, omega, heading, highest):
     if highest is None:
         highest = max(min(all_of_them, carried_by(db.mesh, db.water_depth, db.gravity)), lowest)
     elif not lowest <= highest < math.inf:
-        raise ValueError(f"--highest is {highest:g}; allowed: {lowest:.4g} rad/s, twice the lowest frequency, or above")
+        raise ValueError(f"--highest is {highest:g}; allowed: {lowest:.4g} rad/s (twice the lowest frequency) or more")
     return frequencies, headings, float(min(highest, all_of_them))
 
 
@@ -114,8 +114,8 @@ def waves_of(db, omega, heading, difference):
     step = frequencies[1] - frequencies[0]
     if difference is not None and difference < step * (1 - EVEN):
         raise ValueError(
-            f"--difference is {difference:g}; allowed: {step:.4g} rad/s, the frequency step, or above; "
-            "or give more frequencies with --omega"
+            f"--difference is {difference:g}; allowed: {step:.4g} rad/s (the frequency step) or more; or give "
+            "more frequencies with --omega"
         )
     if len(frequencies) * len(headings) > MOST_WAVES:
         raise ValueError(

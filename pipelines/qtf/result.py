@@ -50,7 +50,7 @@ def qtf(
     level : body, full (with the surface's forcing) or, of differences, auto; by default body, of sums full
     method : panel, contour or auto; fresh : whether to solve again
     returns : Result, in SI; its `detail` is the `bem.second_order.stored.StoredForces`
-    raises : ValueError, one line
+    raises : ValueError, with a message of one line
     """
     db = database_of(database)
     level, allowed = level or ("full" if sums and not db.bodies else "body"), LEVELS[:2] if sums else LEVELS

@@ -35,7 +35,7 @@ class Moored(NamedTuple):
 
 
 def moored(path, read, db, sea, duration, points):
-    """`Moored` of the mooring study at `path` and a ResponseStudy.  Raises ValueError, one line."""
+    """`Moored` of the mooring study at `path` and a ResponseStudy.  Raises ValueError, with a message of one line."""
     from hakobune.mooring.on_current.body import on_current
     from hakobune.mooring.on_current.waves import carrier_of
     from hakobune.mooring.response.viscous import in_sea

@@ -49,7 +49,7 @@ def response(study: File | Tables | ResponseStudy, database: File | Database, mo
     database : path of the body's database, or an open one
     moored : path of a mooring study whose lines, wind and current hold the body, None for a freely floating body
     returns : Result, in SI; its `detail` is a `SeaState` or a `Climate` of `mooring.response`
-    raises : ValueError, one line
+    raises : ValueError, with a message of one line
     """
     read, text = given(study, ResponseStudy, read_response_study, make_response_study)
     place = Path("study" if isinstance(study, dict | ResponseStudy) else study)  # files lie beside it

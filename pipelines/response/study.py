@@ -223,7 +223,7 @@ def viscous_words(body, laws, damping):
     for dof in laws:
         i = body.names.index(dof)
         share = damping[i, i] / body.critical_damping(i)
-        yield f"viscous damping of {body.words[i]} in this sea: {100 * share:.3g} % of critical"
+        yield f"viscous damping of {body.words[i]} in this sea is {100 * share:.3g} % of critical"
 
 
 def read_response_study(path):

@@ -26,7 +26,7 @@ def given(
 
     kind : class of the typed study; read : path → both, None if there are no such files
     make : nested dictionaries → study
-    raises : ValueError, one line, as these do; TypeError for other arguments
+    raises : ValueError, with a message of one line, as these do; TypeError for other arguments
     """
     if isinstance(study, kind):
         return study, to_toml(study)

@@ -1,6 +1,6 @@
 """The HDF5 file of a result: one schema for all kinds of results, with a seal; xarray reads it.
 
-Datasets have the names of quantities and of axes, with dimension scales, units and long_name; attributes of the file
+Datasets have the names of quantities and of axes, with dimension scales, units and long_name. Attributes of the file
 are its kind, findings, notes and provenance.
 """
 

@@ -43,11 +43,12 @@ def chosen_method(scene):
     """Name of METHODS; `auto` selects contours if they can represent the scene of one body, transfer matrices if they
     can represent that of several, and panels otherwise or where a number of them is given.
 
-    Boxes and vertical cylinders take the contour method a twentieth of the panel method's time at equal error; over
-    a bed far below the keel it loses digits.  Several whose circles are apart are solved one shape at a time: jobs of
-    four frequencies of two and three bodies took a fifth to a third of the time of panels, and 1.2 times it with
-    circles 0.03 of the depth apart.  The contour method around all does not give the drift of each body, which moorings
-    need, and takes the time of panels where a gap is a twentieth of the beam.
+    For boxes and vertical cylinders the contour method takes a twentieth of the panel method's time at equal error.
+    Over a bed far below the keel it loses digits.
+    Several bodies whose circles do not overlap are solved one shape at a time. Jobs of four frequencies of two and
+    three bodies took a fifth to a third of the time of panels, and 1.2 times it with circles 0.03 of the depth apart.
+    The contour method around all bodies does not give the drift of each body, which moorings need, and takes the time
+    of panels where a gap is a twentieth of the beam.
     """
     if scene.method != "auto":
         return scene.method
@@ -83,7 +84,8 @@ def names_given(scene, names, named):
 
 
 def check_method(scene):
-    """Raises ValueError, one line, if the scene's method does not exist or does not support the scene."""
+    """Raises ValueError, with a message of one line, if the scene's method does not exist or does not support the
+    scene."""
     for body in scene.bodies:
         if body.shape != "mesh" and not (body.fixed and body.draft == scene.water.depth):
             check_gap(body.draft, scene.water.depth)

@@ -171,12 +171,14 @@ def listed(key, value):
     """The numbers of a list, a Span or, for a Band, its ends.  Raises SceneError."""
     if isinstance(value, Band):
         if not (math.isfinite(value.first) and math.isfinite(value.last) and value.first < value.last):
-            raise SceneError(f"{key} goes from {value.first} to {value.last}; allowed: finite, from less than to")
+            raise SceneError(
+                f"{key} goes from {value.first} to {value.last}; allowed: finite numbers, with from below to"
+            )
         return [value.first, value.last]
     if not isinstance(value, Span):
         return [float(v) for v in value]
     if not 2 <= value.count <= MOST:
         raise SceneError(f"{key}: count is {value.count}; allowed: 2 to {MOST}")
     if not (math.isfinite(value.first) and math.isfinite(value.last) and value.first < value.last):
-        raise SceneError(f"{key} goes from {value.first} to {value.last}; allowed: finite, from less than to")
+        raise SceneError(f"{key} goes from {value.first} to {value.last}; allowed: finite numbers, with from below to")
     return np.linspace(value.first, value.last, value.count).tolist()

@@ -8,7 +8,8 @@ from hakobune.bem.viscous_table import MODES, box_of, viscous_of_several, viscou
 
 
 def viscous_of(scene):
-    """`bem.viscous.Viscous` of a scene, None if the scene has no viscous damping.  Raises ValueError, one line."""
+    """`bem.viscous.Viscous` of a scene, None if the scene has no viscous damping.  Raises ValueError, with a message
+    of one line."""
     table = scene.viscous
     if table is None:
         return None

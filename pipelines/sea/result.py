@@ -70,7 +70,7 @@ def sea(
     reading : likewise of a record that is read: column, segment, and step (s) if it has no times
     depth : m, of the water, deep without
     returns : Result, in SI; its `detail` is a Findings
-    raises : ValueError, one line
+    raises : ValueError, with a message of one line
     """
     with heard() as said:
         if isinstance(spectrum, Spectrum | dict):

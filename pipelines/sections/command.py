@@ -29,8 +29,8 @@ def sections(
 ):
     """Compute added mass, damping and excitation of rectangular sections (SR179 report, Tables 2.1.3.1 to 20).
 
-    Without flags it takes the report's twenty shapes and ten frequencies; with a study, sections side by side in beam
-    waves, free or held together by hinges.
+    Without flags it computes the report's twenty shapes and ten frequencies. With a study it computes sections side by
+    side in beam waves, free or held together by hinges.
 
     hakobune new sections
     """

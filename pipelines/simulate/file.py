@@ -248,7 +248,7 @@ def told(file):
 def stored_findings(file):
     """Lines of text: findings that hold for all runs, and findings of single runs
 
-    Findings that differ only in a number, such as the mean frequency of the waves of each seed, are merged; the finding
+    Findings that differ only in a number, such as the mean frequency of the waves of each seed, are merged. The finding
     with the largest number remains.
     """
     of_all = str(file.attrs.get("findings_of_all", "")).split("\n")

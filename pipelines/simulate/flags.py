@@ -18,7 +18,9 @@ def simulate(
     seeds: Annotated[int | None, Parameter(help="number of runs, from seed 1 on, in place of the study's")] = None,
     duration: Annotated[float | None, Parameter(help="duration of a run, s, in place of the study's")] = None,
     fresh: Annotated[bool, Parameter(help="replace an existing file", negative="")] = False,
-    executor: Annotated[str, Parameter(help="local, processes:N, dask:N, dask://host:port, slurm:N")] = "local",
+    executor: Annotated[
+        str, Parameter(help="where seeds run: local, processes:N, dask:N, dask://host:port, slurm:N")
+    ] = "local",
     windows: Annotated[
         float | None, Parameter(help="length of windows, s: significant motions in each window of the first record")
     ] = None,

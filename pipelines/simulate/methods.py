@@ -105,7 +105,8 @@ def _divided(study, body, path):
     water, here = db.reader, body.reader
     if not np.allclose(water.rotation_center, here.rotation_center, atol=1e-6) or water.depth != here.depth:
         raise StudyError(
-            f"--division is {path}, whose depth or rotation centre differs; allowed: those of the database"
+            f"--division is {path}, whose depth or rotation centre differs; allowed: the depth and rotation centre "
+            "of the database"
         )
     water = replace(water, inertia=here.inertia, stiffness=here.stiffness, viscous=None, own=False)
     return moored(

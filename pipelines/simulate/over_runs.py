@@ -114,13 +114,13 @@ def notes(file):
         )
     elif runs < FEWEST:
         yield (
-            f"largest: the largest value in {runs} run{'s' * (runs != 1)}; {further}; run {FEWEST} seeds for a "
-            "median extreme with its interval"
+            f"the largest is the largest value in {runs} run{'s' * (runs != 1)}; {further}; run {FEWEST} "
+            "seeds for a median extreme with its interval"
         )
     else:
         yield (
-            "median extreme: exceeded by half of such runs; its interval holds for any distribution of the "
-            f"largest values; largest: the largest value in {runs} runs; {further}"
+            "the median extreme is exceeded by half of such runs, and its interval holds for any distribution of the "
+            f"largest values; the largest is the largest value in {runs} runs; {further}"
         )
 
 

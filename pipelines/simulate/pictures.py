@@ -110,8 +110,8 @@ def _figure(rows, columns, size, between=0.12, title=0.6, **more):
 
 
 class Worst(NamedTuple):
-    """The line with the largest tension of all runs, without lines the fender with the largest deflection, without
-    lines and fenders the motion that takes the hull farthest from rest
+    """The line with the largest tension of all runs. Without lines it is the fender with the largest deflection;
+    without fenders too, the motion that takes the hull farthest from rest
 
     kind : "tension", "deflection" or "motion", its dataset; at : its place there; factor : to its unit
     """

@@ -93,7 +93,8 @@ def simulate(
     executor : as in the command; window : s, of the windows reported for the first record; console : for the progress
     pictures : whether the caller draws some afterwards; matplotlib then loads during the runs
     returns : Result, in SI; records are in the file
-    raises : ValueError, one line, before anything is written; KeyboardInterrupt, complete seeds are kept
+    raises : ValueError, with a message of one line, before anything is written; KeyboardInterrupt, complete seeds
+    are kept
     """
     if output is None:
         with tempfile.TemporaryDirectory() as folder:

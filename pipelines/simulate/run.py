@@ -93,7 +93,7 @@ def simulate(asked, database, output, console, executor, seeds=None, duration=No
     asked : Input of the study; database : open; console : for the progress, None for none
     seeds : number of seeds instead of the study's; duration : s, likewise; fresh : replace existing runs
     windows : s, length of windows of a record, which must then be stored; pictures : whether some are drawn afterwards
-    raises : ValueError, one line, before anything is written
+    raises : ValueError, with a message of one line, before anything is written
     """
     output, db, folder, (study, text) = Path(output), database, asked.folder, asked[:2]
     files = force_files(study, folder)

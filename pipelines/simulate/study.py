@@ -367,7 +367,7 @@ def _seeds(table, count):
         raise StudyError(f"there are {asked} seeds; allowed: 1 to {MOST_SEEDS}")
     seeds = tuple(range(1, given + 1)) if isinstance(given, int) else tuple(given)
     if min(seeds) < 0 or len(set(seeds)) < len(seeds):
-        raise StudyError("seeds are whole numbers from 0, each given once")
+        raise StudyError("seeds must be whole numbers from 0, each given once")
     return seeds
 
 

@@ -298,7 +298,7 @@ def largest_use(body, motion, tension):
     """Largest share of the breaking load, at the body, in motion (t, n), m, rad, and tension (t, lines), N; shape
     (lines,)
 
-    Lines of segments include the utilisation of each segment, at the time of the largest pull on the body: below a
+    Lines of segments include the utilisation of each segment, at the time of the largest pull on the body. Below a
     submerged buoy the tension exceeds the tension at the body.
     """
     system = body.system

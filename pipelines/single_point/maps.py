@@ -1,6 +1,6 @@
 """Growth of slewing over one or two numbers of a study: the criterion at every value, and its picture.
 
-A key is the path of a number in the study, such as "hawser.length"; "hull.length_over_beam" keeps the waterplane's area
+A key is the path of a number in the study, such as "hawser.length". "hull.length_over_beam" keeps the waterplane's area
 and draft, and the relative place of the attachment along the hull.
 """
 

@@ -52,7 +52,7 @@ def single_point(study: File | Tables | Study, database: File | Database | None 
     study : path of a study, its tables as a dictionary, or a `pipelines.single_point.tables.Study`
     database : path of the body's database, or an open one, for its masses and the drift of the waves
     returns : Result, in SI; its `detail` is a Found
-    raises : ValueError, one line
+    raises : ValueError, with a message of one line
     """
     read, text = given(study, Study, _read, make_study)
     db = None if database is None else database_of(database)

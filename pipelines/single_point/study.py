@@ -161,7 +161,7 @@ def _pretension(m, line, height):
     """N, horizontal, at rest"""
     horizontal, top = force("mooring", m, "pretension"), force("mooring", m, "top_tension")
     if (horizontal is None) == (top is None):
-        raise StudyError("mooring: give one of pretension (horizontal) and top_tension, in tonf or kN")
+        raise StudyError("mooring: give either pretension (horizontal) or top_tension, in tonf or kN")
     if top is None:
         return horizontal
     if not isinstance(line, UniformLine):

@@ -30,7 +30,7 @@ def site(study: File | Tables | SiteStudy) -> Result:
 
     study : path of a site, its tables as a dictionary, or a `pipelines.site.study.SiteStudy`
     returns : Result, in SI; its `detail` is a Site
-    raises : ValueError, one line
+    raises : ValueError, with a message of one line
     """
     read, text = given(study, SiteStudy, read_site, lambda raw: typed(raw, SiteStudy, StudyError))
     values = site_values(read, Path(study).parent if isinstance(study, str | os.PathLike) else Path())

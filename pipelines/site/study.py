@@ -202,7 +202,7 @@ def read_site(path):
 
 
 def site_values(study, folder):
-    """SiteValues of a SiteStudy; folder : folder of its files.  Raises ValueError, one line."""
+    """SiteValues of a SiteStudy; folder : folder of its files.  Raises ValueError, with a message of one line."""
     own, findings = study.site, []
     water_depth("site.depth", own.depth)
     if (own.probability is None) == (own.return_period is None):

@@ -5,7 +5,7 @@ Each frequency is stored as usual; the error between frequencies is estimated fr
 Their places do not depend on values (`bem.database.interpolant.chosen`). The same number, placed where the estimated
 error is largest, would leave errors beyond the tolerance where no value has shown a resonance yet.  The tolerance is
 relative to the largest coefficient of a band. The height of a resonance depends on damping that can be a thousandth of
-it.  Resonances (`bem.database.resonances`) are therefore solved too; for drift also those that amplify, by 1/2ζ, the
+it.  Resonances (`bem.database.resonances`) are therefore solved too. For drift so are those that amplify, by 1/2ζ, the
 error ε of the radiated waves beyond the tolerance, if no frequency lies within their width.
 """
 

@@ -146,7 +146,7 @@ def panels_matter(scene):
 def make_lid(scene, mesh):
     """Lid of a third as many panels as the hull, or fewer with edges of a fifth of the shortest wave.
 
-    A coarser lid does not resolve short waves: for the series box the excitation has an error of 0.4 % with edges of a
+    A coarser lid does not resolve short waves. For the series box the excitation has an error of 0.4 % with edges of a
     quarter of the wave, and of 1.4 % with a third.
     """
     if not scene.lid:

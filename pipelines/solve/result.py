@@ -34,7 +34,8 @@ def solve(
     executor : as in the command; console : for the progress
     returns : Database, open for reading, in SI, angles in rad
     warns : with the remarks of the command, on violated laws and on a missed tolerance
-    raises : ValueError, one line, also for an unsolved frequency, while the others are kept; KeyboardInterrupt
+    raises : ValueError, with a message of one line, also for an unsolved frequency, while the others are kept;
+    KeyboardInterrupt
     """
     from hakobune.bem.database import open_database
 

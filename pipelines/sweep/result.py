@@ -34,7 +34,7 @@ def sweep(
     output : path of the file of all cases, continued where it stopped; None for no file
     executor : as in the command; fresh : replace an existing file; say : called with progress, line by line
     returns : Result, in SI, with the axis "case", "keys.NAME" of what is varied, and "status", 0 where a case is well
-    raises : ValueError, one line, also after the loss of a worker; finished cases are kept
+    raises : ValueError, with a message of one line, also after the loss of a worker; finished cases are kept
     """
     with tempfile.TemporaryDirectory() as folder, in_files(study, Path(folder)) as path:
         place = Path(folder) / "sweep.h5" if output is None else Path(output)

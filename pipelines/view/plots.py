@@ -1,7 +1,7 @@
 """A page of curves from a database: one column per degree of freedom, one row per kind of result.
 
-Curves are those of `bem.database.reader` between the stored frequencies, with a point at every resonance: straight
-lines between a dozen frequencies, chosen for smooth coefficients, would not show them.
+Curves are those of `bem.database.reader` between the stored frequencies, with a point at every resonance. Straight
+lines between a dozen frequencies, chosen for smooth coefficients, would not show the resonances.
 """
 
 from functools import cached_property

@@ -40,7 +40,7 @@ def waves(
     database : its path, or an open one; period s, or omega rad/s; heading : rad that the waves travel to
     fixed : for a fixed body; width : m, of the map; at : [(x, y) m], additional places
     returns : Result, in SI; its `detail` is a `mooring.studies.waves_around.Map`
-    raises : ValueError, one line
+    raises : ValueError, with a message of one line
     """
     wanted = np.asarray(at, float).reshape(-1, 2) if len(at) else np.zeros((0, 2))
     if not np.all(np.isfinite(wanted)):

@@ -1,7 +1,8 @@
 """Plane problems outside and inside a circle, for the depth modes of a vertical cylinder.
 
-A plan has the Neumann-to-Dirichlet maps of a body's plan contour, from normal velocity to potential, in real functions
-ψ that are orthonormal on the whole contour and have parity (sign in x, sign in y); here cos mθ and sin mθ.  With r the
+A plan has the Neumann-to-Dirichlet maps of a body's plan contour, from normal velocity to potential. They are in real
+functions ψ (here cos mθ and sin mθ) that are orthonormal on the whole contour and have parity (sign in x, sign in y).
+With r the
 distance from the axis the maps from ∂φ/∂r to φ are diagonal:
 
     outside, decaying like exp(−κr)    Kₘ(κR) / κKₘ'(κR)         inside     Iₘ(κR) / κIₘ'(κR)

@@ -4,7 +4,7 @@ contours, and plane waves.
     (½ − D_aa) φ_a − Σ D_ab φ_b = −Σ S_ab v_b + φ_I        on contour a, b ≠ a in the first sum
     Σ D_b φ_b − S_b v_b + φ_I = 0                            waves, at points inside (Schenck 1968, `plan.rectangle`)
 
-Each plan has the nodes of its quarter contour in its own axes and four symmetry classes of densities there; all classes
+Each plan has the nodes of its quarter contour in its own axes and four symmetry classes of densities there. All classes
 of all plans are coupled.  Waves that decay over the depth hardly reach the next plan: beyond `REACH` their coupling is
 zero.
 """

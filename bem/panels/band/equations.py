@@ -1,7 +1,8 @@
 """Integral equations of a band of frequencies: a frequency-independent Rankine part and low-rank wave matrices.
 
-The equations of `bem.panels.influence`, those of the lid with the other sign, S₀ and D₀ the Rankine part of S and D and
-W, S_w the wave part in the low-rank form of `bem.panels.band.low_rank_waves`, are with f on the hull and g on the lid
+The equations are those of `bem.panels.influence`, with the equations of the lid multiplied by −1. S₀ and D₀ are the
+Rankine part of S and D; W, S_w are the wave part in the low-rank form of `bem.panels.band.low_rank_waves`. With f on
+the hull and g on the lid they are
 
     2πφ − D₀φ − K S₀φ' = f,    −4πφ' − K S₀φ' − D₀φ = g,    (f, g) = X m − S₀V v
     m = W[points, sources] α − S_w[points, monopoles] M v,    α = Y (φ, φ')

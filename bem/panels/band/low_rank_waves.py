@@ -6,9 +6,9 @@ and of the lid nodes.  Over all frequencies of a band and all symmetry classes, 
 
     W ≈ X W[points, sources] Y,    S_w V ≈ X S_w[points, monopoles] M,    ∂φ_I/∂n ≈ Z ∂φ_I/∂n[flux_nodes]
 
-where V holds normal velocities: those of the motions and the columns of Z.  `points`, `sources`, `monopoles` and
-`flux_nodes` are interpolation nodes, chosen among the nodes of the mesh, and X, Y, M, Z frequency-independent
-interpolation matrices.  These matrices are computed from snapshots, the matrices themselves at a few frequencies, rows
+where V holds normal velocities: those of the motions and the columns of Z. `points`, `sources`, `monopoles` and
+`flux_nodes` are interpolation nodes among the nodes of the mesh. X, Y, M, Z are interpolation matrices, which do not
+depend on frequency.  These matrices are computed from snapshots, the matrices themselves at a few frequencies, rows
 and columns weighted as in the L² norm (`bem.algebra.interpolative_decomposition`).
 """
 

@@ -3,7 +3,7 @@
 Rows and columns are those of the residual with the largest entries (Bebendorf, Numerische Mathematik 86, 2000).  The
 single and the double layer of a block lie side by side, [S D] ≈ U [V_S V_D]: both come from one evaluation of the Green
 function.  The blocks are real parts; the imaginary parts are in `bem.panels.standing_waves`.  If the last term is
-small, a few other rows are checked, since the rows used so far may miss parts of the block: a panel has no influence on
+small, a few other rows are checked. The rows used so far may miss parts of the block, since a panel has no influence on
 panels in its own plane.
 """
 

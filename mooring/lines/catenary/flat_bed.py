@@ -60,7 +60,8 @@ def free_length(horizontal, height, weight, flexibility):
 
 @kernel(inline=True)
 def bed_stretch(horizontal, lying, weight, flexibility, friction):
-    """Stretch of the part on the bed, its derivatives to H and to its length, and the tension left at its far end."""
+    """Stretch of the part on the bed, its derivatives to H and to its length, and the tension that remains at its far
+    end."""
     rate = weight * friction
     pulled = lying if horizontal >= rate * lying else horizontal / rate
     held = horizontal - rate * lying if pulled >= lying else 0.0

@@ -167,8 +167,8 @@ def grounded_stiffness(H, S, length, weight, flexibility, slope, friction):
 def free_length_at_height(H, z, length, weight, flexibility, slope, friction):
     """Free length of a line with known H and height of the fairlead; inf where no part of the line is on the bed.
 
-    Explicit on a flat bed.  On a slope the height falls with the length on the bed, and its root is bisected to
-    rounding; nan where the bed rises above the fairlead.
+    Explicit on a flat bed.  On a slope the height falls with the length on the bed, and the root is found by bisection
+    to rounding; nan if the bed rises above the fairlead.
     """
     if slope == 0:
         return flat_free_length(H, z, weight, flexibility)

@@ -60,7 +60,7 @@ class Bed:
             )
         for name, point in (("anchor", anchor), ("fairlead", fairlead)):
             if not (x[0] <= point[0] <= x[-1] and y[0] <= point[1] <= y[-1]):
-                raise ValueError(f"{name} at ({point[0]:g}, {point[1]:g}) m is off the bed grid; extend the grid")
+                raise ValueError(f"{name} at ({point[0]:g}, {point[1]:g}) m lies outside the bed grid; extend the grid")
         way = (fairlead - anchor) / span
         crossings = [np.array([0.0, span])]
         for axis, lines in enumerate((x, y)):

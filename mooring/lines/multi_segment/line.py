@@ -3,7 +3,7 @@
 Free spans are elastic catenaries in closed form (`free_span`), as is the line on a facet of the bed (`friction`).  For
 a given horizontal tension one integration from the fairlead down to the anchor (`traverse`) finds the contacts with the
 bed; Newton's method on the equations of equilibrium with these contacts (`equations`, `newton`) gives positions and
-forces; a result is returned only if its own pieces confirm it (`verdict`). SR179 report (1982), section 3.1, with these
+forces. A result is returned only if its own pieces confirm it (`verdict`). SR179 report (1982), section 3.1, with these
 differences: there are no nodes and no finite differences; on a slope only T is propagated; friction acts at bed
 vertices too, and only as far as equilibrium needs it.
 

@@ -1,8 +1,9 @@
 """Input of the kernels of a static line, and the state that these kernels integrate along the line.
 
-The line is traversed from the fairlead downwards.  The state q holds H, V (components of the tension, the force of the
-line above on the line below, towards the fairlead and up), x, z, s (unstretched length from the anchor), T and the
-angle φ, the last two for parts on the bed.  Row i of g holds the derivatives of q[i], a column for each unknown; four
+The line is traversed from the fairlead downwards.  The state q holds H, V, x, z, s, T and φ. H and V are the components
+of the tension, the force of the line above on the line below, towards the fairlead and up. s is the unstretched length
+from the anchor; T and the angle φ are for parts on the bed.
+Row i of g holds the derivatives of q[i], a column for each unknown; four
 further rows hold those of a length (LENGTH), of its end (END), and of two limits of the tension (LOW, HIGH).  `at`
 holds the segment, the next point load below and the number of recorded pieces.  A traversal works in the arrays of a
 Workspace, and records its steps and unknowns there.

@@ -1,7 +1,7 @@
 """Kernels that integrate a line downwards along a facet of the bed, and that put a line or a sinker on the facet.
 
-On a facet steeper than friction holds (`friction.slides_down`) a line needs tension down to the lower end: where the
-tension becomes zero before, T continues below zero, and the position is no equilibrium.  The first facet continues
+On a facet that is steeper than friction holds (`friction.slides_down`) a line needs tension down to the lower end. If
+the tension becomes zero before, T continues below zero, and the position is no equilibrium.  The first facet continues
 below the anchor: there a line that slides hangs in a bight.  It turns where T = 0, and its other leg lies up the slope
 to the anchor, which holds it with w (sin β − μ cos β) per length; on that leg β is larger by π.
 """
@@ -150,7 +150,7 @@ def pass_on_bed(line, q, g, at, angle, is_load):
 def pass_sliding_sinker(line, q, g, at, angle, folds):
     """Pass a sinker where the line slides.  returns : whether the line is folded there
 
-    A sinker that the line above does not pull up the slope hangs between both legs; the lower leg carries the part of
+    A sinker that the line above does not pull up the slope hangs between both legs. The lower leg carries the part of
     its weight that friction and the upper leg do not carry.
     """
     weight = line.loads[at[1], 1]

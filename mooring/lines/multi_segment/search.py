@@ -1,8 +1,8 @@
 """Horizontal tension for which a downward traversal of a line ends at its anchor, and all positions of a line.
 
-The contacts of the previous position are tried first.  Where they no longer hold, H is searched for coarsely, Newton's
-method solves the equations with the contacts found there, and a traversal with that H must end at the anchor; else the
-search is repeated with a smaller tolerance.
+The contacts of the previous position are tried first.  If these contacts no longer hold, H is searched for coarsely.
+Newton's method solves the equations with the contacts found there, and a traversal with that H must end at the anchor;
+else the search is repeated with a smaller tolerance.
 """
 
 import math

@@ -107,8 +107,8 @@ class StaticSolution:
 
         The solution leaves a part without tension in place; in reality it would slide down to the nearest low point of
         the bed and pull the line.
-        Parts that slide towards the anchor, or down the first facet, are solved; lines with buoys, and
-        lines whose traversal shows that they slide to a low point beyond their fairlead, are not solved.
+        Parts that slide towards the anchor, or down the first facet, are solved. Lines with buoys are not solved, nor
+        are lines whose traversal shows that they slide to a low point beyond their fairlead.
         """
         if self.line.bed is None:
             return False

@@ -155,8 +155,9 @@ def try_span(line, origin, q0, at0, facet, amount, q, g, at, states, load_weight
 def between(low, high, f_low, f_high, wide, room, least):
     """Next trial for the root between low, with f ≥ 0, and high, with f < 0: the regula falsi.
 
-    The trial is shifted towards the middle, to approach the root from both sides, and so far that the interval is never
-    larger than by bisection one step before, which helps where f jumps. I. F. D. Oliveira and R. H. C. Takahashi, ACM
+    The trial is shifted towards the middle, to approach the root from both sides. The shift is so large that the
+    interval is never larger than by bisection one step before, which helps where f jumps.
+    I. F. D. Oliveira and R. H. C. Takahashi, ACM
     Trans.  Mathematical Software 47 (2020) 5, the ITP method.
 
     wide : initial high − low; room : twice that, halved at every step; least : the smallest step

@@ -33,8 +33,8 @@ def characteristic(state, name, points=24):
     """Characteristic of the line `name` of a SystemEquilibrium, half of the points in the last tenth of the curve,
     where the line is taut.
 
-    It ends where a segment carries its breaking load, or at four times the tension at rest.
-    raises : LineSystemError for an unknown name, EquilibriumError for a line without forces
+    The curve ends where a segment carries its breaking load, or at four times the tension at rest. raises :
+    LineSystemError for an unknown name, EquilibriumError for a line without forces
     """
     system = state.system
     if name not in system.line_names:

@@ -41,8 +41,8 @@ def beyond_tables(system, tension):
     ]
     if past:
         yield (
-            f"lines beyond their table of load over elongation, which is extrapolated linearly: {', '.join(past)}; "
-            f"extend the table"
+            "these lines exceed their table of load over elongation, which is extrapolated linearly: "
+            f"{', '.join(past)}; extend the table"
         )
 
 
@@ -99,9 +99,9 @@ def warn_of_sliding(system, lines):
     names = [name for name, slides in zip(system.line_names, unheld(lines), strict=True) if slides]
     if names:
         warnings.warn(
-            f"slack lines on a bed that is too steep for its friction: {', '.join(names)}; the program keeps such a "
-            "line where it lies, but in reality the line slides and pulls; allowed: tan of the slope up to the "
-            "friction coefficient; give more friction or a shorter line",
+            f"these lines are slack on a bed that is too steep for its friction: {', '.join(names)}; the program "
+            "keeps such a line where it lies, but in reality the line slides and pulls; allowed: tan of the slope up "
+            "to the friction coefficient; give more friction or a shorter line",
             stacklevel=4,
         )
 

@@ -9,7 +9,7 @@ to grow out of rounding errors.  Where tensions or slow motion differ by more th
 tensions of a first trial of SHORT already differ by more than CLEAR, the lines move without a longer trial. Lines that
 move neglect nothing, so a trial that is too short could cost time and never be unsafe.
 
-The regimes of the simplified method (`mooring.lines.regimes`) were tried for this decision: of random chains, wires and
+The regimes of the simplified method (`mooring.lines.regimes`) were tried for this decision. Of random chains, wires and
 ropes in their quasi-static regime, every second one differed by more than a tenth in a run
 (`tests/bench/line_regimes.py`).
 """

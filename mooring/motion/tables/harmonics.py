@@ -2,8 +2,8 @@
 
     S(nΔ) = Σ pᵢ cos ωᵢnΔ + Σ qᵢ sin ωᵢnΔ = P(n) + Q(n),    S(−nΔ) = P(n) − Q(n)
 
-so that the steps after an instant and those before it cost the same two sums.  A block of eight waves is added to
-eight steps at once, in a fixed order: a sum has the same bits whatever is summed beside it.
+so that the steps after an instant and those before it cost the same two sums.  A block of eight waves is added to eight
+steps at once, in a fixed order. A sum therefore has the same bits whatever else is summed with it.
 """
 
 import numpy as np

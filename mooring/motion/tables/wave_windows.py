@@ -126,8 +126,8 @@ def fill_rows(waves, pose, start, body=0):
 
 @kernel(inline=True, counted=False)
 def put_rows(by_cos, by_sin, a, b, c, d, parts):
-    """Rows of a wave of amplitude a + ib m at the body's moved origin, which its forces refer to, and c + id at its
-    rotation centre, where its drift beats; parts (16,) : forces and drift of the wave as in a `WaveTable`"""
+    """Rows of a wave. Its amplitude is a + ib m at the body's moved origin, to which its forces refer, and c + id at
+    the rotation centre, where its drift beats; parts (16,) : forces and drift of the wave as in a `WaveTable`"""
     for j in range(6):
         by_cos[j], by_sin[j] = a * parts[j] - b * parts[6 + j], b * parts[j] + a * parts[6 + j]
     by_cos[6], by_sin[6] = a, b

@@ -286,7 +286,7 @@ class Breakwater:
         return wetted
 
     def changed(self, draft=None, width=None, angle=None):
-        """The breakwater with another draft, width (m) or line angle (rad); the body scales with its section: vertical
+        """The breakwater with another draft, width (m) or line angle (rad). The body scales with its section: vertical
         dimensions with the height of the section, horizontal dimensions with its width"""
         section, body, lines = self.section, self.body, self.lines
         across = "diameter" if section.shape == "circle" else "beam"

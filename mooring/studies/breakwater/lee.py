@@ -2,8 +2,8 @@
 
     K(x, y)² = Σ_ω,β |η(x, y; ω, β)|² S_i Δω Δβ / Σ S_i Δω Δβ,      η with what every unit scatters and radiates
 
-x along the row of units, y to leeward; a unit is the study's section over the database's length, moored as in the study
-(`mooring.breakwater.unit`), separated from its neighbours by a gap (`bem.wave_field.units`).
+x is along the row of units, y to leeward. A unit is the study's section over the database's length, moored as in the
+study (`mooring.breakwater.unit`); a gap separates it from its neighbours (`bem.wave_field.units`).
 """
 
 from dataclasses import replace

@@ -1,7 +1,7 @@
 """Trade-off of draft, width and line angle: the lowest wave behind a breakwater for every tension.
 
-Sobol's points over the given ranges; then, for tension limits between the best of them, COBYLA (Powell 1994) lowers the
-wave behind under each limit; designs with slack lines, and unstable or impossible ones, are excluded.
+Sobol's points are taken over the given ranges. Then, for tension limits between the best of them, COBYLA (Powell 1994)
+lowers the wave behind under each limit. Designs that have slack lines, are unstable or are impossible are excluded.
 """
 
 import warnings

@@ -55,7 +55,7 @@ class SeaTable(SpectrumTable):
             return sea_of(where, self, direction(where, self), depth)
         given = [key for key in (*PERIODS, "gamma") if getattr(self, key) is not None]
         if given:
-            raise StudyError(f"{where}.{given[0]} is given with a file, which contains it; leave it out")
+            raise StudyError(f"{where}.{given[0]} is given together with a file that contains it; leave the key out")
         return _of_file(where, self)
 
 

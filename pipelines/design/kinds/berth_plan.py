@@ -1,7 +1,7 @@
 """Plan of a berth: the hull between its fenders and ropes, coloured by utilisation.
 
-Names are in rows, those of ropes beyond the bollards of their side and those of fenders inside the hull, so that they
-do not overlap.
+Names are in rows so that they do not overlap: names of ropes beyond the bollards of their side, names of fenders inside
+the hull.
 """
 
 import numpy as np

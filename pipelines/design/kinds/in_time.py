@@ -28,7 +28,7 @@ def simulated(study, database, path, factors):
     returns : {"mean", "breaking" (n,) N of the lines and ropes, "largest": {factor: (n,) N}, "horizontal", "uplift":
         (n,) N at the anchor at the same time, "cycles": of `cycles_of`, "motions": (6N,) m, rad, largest from their
         means, "excursion": m, largest horizontal distance from rest, "parts": of gaps and hinges, "findings"}
-    raises : ValueError, one line, for a case that cannot be run
+    raises : ValueError, with a message of one line, for a case that cannot be run
     """
     texts = study.read_text(encoding="utf-8"), repr(factors), "excursion, parts"
     place = path.with_name(f"{path.stem}_extremes.json")

@@ -1,5 +1,5 @@
-"""Plan of hulls made fast to each other, coloured by utilisation: all lines, and beside it the hulls close up, with the
-names of hawsers and ropes above them and of fenders below.
+"""Plan of hulls made fast to each other, coloured by utilisation. One part shows all lines; beside it the hulls are
+shown close up, with the names of hawsers and ropes above them and of fenders below.
 """
 
 import numpy as np

@@ -19,9 +19,8 @@ The tests were analysed over 204.8 s ahead and 102.4 s at 45°, in part of the t
 where motion is slow (appendix 1, sections 5.2, 5.4). Of computed records of the same length, ahead at gain 0.9, 90 %
 have σ of surge from 3.2 to 6.9 cm on chain and from 3.2 to 4.6 cm with sinker, and sinker over chain from 0.5 to 1.25.
 At gain 0.5 the range on chain is 1.5 to 3.1 cm, which does not include the measured 3.6 cm.
-Heave was too damped for its period to be seen (section 4.2): with a
-tenth of critical damping beside that of waves, linear σ of heave is 1.61 and 1.92 cm at gain 0.9, measured 1.48 and
-1.90.
+Heave was too damped for its period to be seen (section 4.2). With a tenth of critical damping in addition to that of
+waves, linear σ of heave is 1.61 and 1.92 cm at gain 0.9; measured were 1.48 and 1.90 cm.
 """
 
 import warnings

@@ -3,7 +3,7 @@
 SR179 report (1982), section 3.7.5: fenders of 700 tonf/m (C2000H, floater A) and 1200 tonf/m (C3000H, B), ISSC spectra,
 waves, wind and current on the beam; strains of at most 10 % under the steady loads and 35 % in all.  Fenders stand on
 two dolphins at a quarter of the length from each end, with `fenders` on each; the report gives no layout.  With a quay
-behind the dolphins, the rows of the design spectrum method include the quay by its far field; the values for open water
+behind the dolphins, the rows of the design spectrum method include the quay by its far field. The values for open water
 stand beside them.
 """
 

@@ -2,8 +2,8 @@
 
 SR179 report (1982), section 3.1.7: T/wL over X/√(L² − Z²), Z the height of the fairlead above the anchor.  Its curves
 and many of its parameters are lost; scope, slopes and the order of the curves follow its text, which `statements`
-judges.  Chosen here: friction, hills of steepness 1/10, sinker and buoys at half the length, and EA/wL of 500 to
-4000: wire rope that breaks at T/wL of 20 to 23 with a strain of 1 to 1.5 % has about 2000.
+judges.  These are chosen here: friction, hills of steepness 1/10, sinker and buoys at half the length, and EA/wL of 500
+to 4000. Wire rope that breaks at T/wL of 20 to 23 with a strain of 1 to 1.5 % has about 2000.
 """
 
 import numpy as np

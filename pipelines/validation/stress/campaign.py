@@ -53,7 +53,7 @@ LAWS = ("reciprocity", "Haskind", "energy", "dissipation", "smooth", "turned")
 
 
 def row_of(seed, number, method="auto", tolerance=0.01, most_waves=np.inf, every=20):
-    """The `Row` of one scene; the scene is not solved if more than `most_waves` waves lie over the body, or if the
+    """The `Row` of one scene. The scene is not solved if more than `most_waves` waves lie over the body, or if the
     method cannot represent it.
 
     every : one scene in so many is solved again with each parameter perturbed, and one rotated and shifted

@@ -127,8 +127,18 @@ FETCH = (3.5 / 0.13) ** (1 / 0.33) * 25 / 9.80665  # m, of 5 m/s, where f_p U/g 
             "46° does not lie between two headings",
         ),
         (lambda v: linear_weights(np.array([0.0, v]), np.zeros(1)), 1e-8, 1e-10, "0° is given twice"),
-        (lambda v: Scatter([v], [5.0], [[1.0]], "peak_period"), 0.1, 0.0, "the first classes are 0 m and 5 s"),
-        (lambda v: Scatter([1.0], [v], [[1.0]], "peak_period"), 0.1, 0.0, "the first classes are 1 m and 0 s"),
+        (
+            lambda v: Scatter([v], [5.0], [[1.0]], "peak_period"),
+            0.1,
+            0.0,
+            "the first classes of the scatter diagram are 0 m and 5 s",
+        ),
+        (
+            lambda v: Scatter([1.0], [v], [[1.0]], "peak_period"),
+            0.1,
+            0.0,
+            "the first classes of the scatter diagram are 1 m and 0 s",
+        ),
         (
             lambda v: seismic_coefficient("A", coefficient=v),
             0.3,
@@ -145,7 +155,7 @@ FETCH = (3.5 / 0.13) ** (1 / 0.33) * 25 / 9.80665  # m, of 5 m/s, where f_p U/g 
             "confidence is 0.991; allowed: 0.5 to",
         ),
         (lambda v: fit_extremes([1, 2, 3, 4, 6]).interval(9, v, 9), 0.5, 0.49, "confidence is 0.49"),
-        (lambda v: fit_extremes([1, 2, 3, 4, 6][:v]), 5, 4, "4 yearly maxima; allowed: at least 5"),
+        (lambda v: fit_extremes([1, 2, 3, 4, 6][:v]), 5, 4, "there are 4 yearly maxima; allowed: at least 5"),
         (lambda v: fit_extremes([v, 2, 3, 4, 6], "weibull"), 0.1, 0.0, "smallest yearly maximum is 0"),
     ],
 )

@@ -40,7 +40,7 @@ def test_spectra_of_the_classes_have_their_periods_and_all_of_the_probability(tm
         (TABLE.replace("0.75,0", "0.75,-1"), "smallest probability is -1"),
         (TABLE.replace("5.5", "4.5"), "period of a class goes from 4.5 to 4.5"),
         (TABLE.replace("0.25,12", "0.95,12"), "height of a class goes from 0.95 to 0.75"),
-        (TABLE.replace("0.25,12", "0,12"), "the first classes are 0 m"),
+        (TABLE.replace("0.25,12", "0,12"), "the first classes of the scatter diagram are 0 m"),
         (TABLE.replace("18", "many"), "line 4 has 'many'"),
         ("1,2\n3,4\n", "begins with a number; allowed: mean_period"),
         ("mean_period,4,5\n1,0,0\n", "allowed: at least 0, and above 0 somewhere"),

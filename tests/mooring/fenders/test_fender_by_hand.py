@@ -184,8 +184,13 @@ X = [0.0, 0.2, 0.5]
         (lambda v: fender_of_points("f", v, X, [0, 1e6, 2e6]), 1.0, 0.0, "height is 0 m"),
         (lambda v: fender_of_points("f", 1.0, [v, 0.2, 0.5], [0, 1e6, 2e6]), 0.0, 0.1, "begin at 0.1"),
         (lambda v: fender_of_points("f", 1.0, [0, v, 0.5], [0, 1e6, 2e6]), 0.4, 0.5, "go from 0.5 to 0.5"),
-        (lambda v: fender_of_points("f", 1.0, X, [0, 1e6, 2e6], overload=v), 1.0, -1.0, "overload stiffness is -1"),
-        (lambda v: fender_of_points("f", 1.0, X, [0, 1e6, 2e6], return_length=v), 1e-3, -1.0, "return length is -1"),
+        (lambda v: fender_of_points("f", 1.0, X, [0, 1e6, 2e6], overload=v), 1.0, -1.0, "overload stiffness, "
+                                                                                        "beyond its table, is -1"),
+        (lambda v: fender_of_points("f", 1.0, X, [0, 1e6, 2e6], return_length=v), 1e-3, -1.0, "return length, "
+                                                                                              "the deflection "
+                                                                                              "between loading "
+                                                                                              "and unloading "
+                                                                                              "curve, is -1"),
         (lambda v: spring().reaction(v), 0.5, 0.501, "0.501 m (50.1 %) is beyond its table, which ends at 0.5 m (50.0"),
         (lambda v: spring().energy(v), 0.5, 0.501, "beyond its table"),
         (lambda v: spring().returned(v), 0.5, 0.501, "beyond its table"),

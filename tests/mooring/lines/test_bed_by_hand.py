@@ -46,9 +46,9 @@ def test_a_line_without_direction_and_ends_off_the_grid_are_refused():
     ):
         section((50.0, 10.0), (50.0, 10.0))
     section((0.0, 0.0), (200.0, 120.0))
-    with pytest.raises(ValueError, match=r"fairlead at \(200\.1, 120\) m is off"):
+    with pytest.raises(ValueError, match=r"fairlead at \(200\.1, 120\) m lies outside"):
         section((0.0, 0.0), (200.1, 120.0))
-    with pytest.raises(ValueError, match=r"anchor at \(10, -0\.1\) m is off"):
+    with pytest.raises(ValueError, match=r"anchor at \(10, -0\.1\) m lies outside"):
         section((10.0, -0.1), (50.0, 120.0))
     with pytest.raises(ValueError, match="x and y rising"):
         Bed.under(X[::-1], Y, np.zeros((3, 4)), (10.0, 10.0), (50.0, 50.0))

@@ -356,7 +356,7 @@ def test_a_section_of_a_plane_grid_is_a_plane():
     way = np.array([80.0, 30.0]) / np.hypot(80, 30)
     assert np.allclose(bed.points[:, 1], bed.points[:, 0] * (0.1 * way[0] + 0.05 * way[1]))
     assert len(bed.points) > 5
-    with pytest.raises(ValueError, match=r"fairlead at .* off the bed grid"):
+    with pytest.raises(ValueError, match=r"fairlead at .* outside the bed grid"):
         Bed.under(x, y, z, (5.0, 0.0), (185.0, 30.0))
 
 

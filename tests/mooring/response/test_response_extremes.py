@@ -99,7 +99,7 @@ def test_thousand_waves_have_the_factor_of_the_report():
     [
         (
             lambda: bandwidth(1.0, 2.0, 1.0),
-            "these moments are not those of a spectrum; allowed: above 0, with m2² at most m0 m4",
+            "the moments m0, m2 and m4 do not belong to a spectrum; allowed: above 0, with m2² at most m0 m4",
         ),
         (lambda: expected_maximum(1.0, 10.0, 8.0), "1.25 zero crossings; allowed: above 3"),
         (lambda: maximum_not_exceeded(1.0, 1e4, 8.0, 1.0), "probability is 1.0; allowed: between 0 and 1"),

@@ -42,14 +42,14 @@ def test_a_fairlead_on_the_hull_or_on_a_bracket_is_accepted(fairlead):
 
 def test_a_fairlead_on_a_bracket_is_told():
     (said,) = place_findings(system((58.0, 0.0, 5.0)), HULLS)
-    assert said == "fairleads away from the hull: one 8 m; limit 1 m; check their coordinates"
+    assert said == "these fairleads are away from the hull: one 8 m; limit 1 m; check their coordinates"
 
 
 def test_a_fairlead_off_the_hull_of_a_database_is_told():
     mesh = box(100, 50, 10, panels=60)
     assert not list(off_the_mesh(system((50.0, 25.0, 7.0)), "body", mesh))
     (said,) = off_the_mesh(system((60.0, 25.0, 7.0)), "body", mesh)
-    assert said.startswith("fairleads away from the hull of the database: ") and "10 m; limit 1 m" in said
+    assert said.startswith("these fairleads are away from the hull of the database: ") and "10 m; limit 1 m" in said
 
 
 def test_a_line_that_no_material_stretches_to_its_anchor_is_refused():
@@ -98,7 +98,7 @@ def test_lines_and_fairleads_of_a_round_hull_meet_its_circle(fairlead, anchor, i
     through = [text for text in said if "through the hull" in text]
     assert len(through) == (inside > 0) and all(f"one {inside:.3g} m" in text for text in through)
     out = np.hypot(*fairlead[:2]) - 20.0
-    beside = [text for text in said if text.startswith("fairleads away")]
+    beside = [text for text in said if text.startswith("these fairleads are away")]
     assert len(beside) == (out > 0.4) and all(f"one {out:.3g} m" in text for text in beside)
 
 

@@ -227,7 +227,7 @@ def test_periods_outside_the_solved_ones_and_motions_that_are_unstable_are_told(
     assert said.endswith("added mass at the nearest good frequency: Surge 80 s, Yaw 90 s")
     result = SimpleNamespace(at_rest=periods(9, 9, 9, np.nan, 9, 9), at_equilibrium=periods(*6 * [9]))
     (said,) = told._unstable(result)
-    assert said == "FAILS: unstable at rest, without waves: Roll; the body needs more restoring"
+    assert said == "FAILS: the body is unstable at rest, without waves, in: Roll; it needs more restoring"
 
 
 @pytest.mark.parametrize(

@@ -93,8 +93,9 @@ def test_the_keel_that_loses_head_is_that_of_the_body_as_it_floats(monkeypatch, 
 
 
 @pytest.mark.parametrize("wanted, says", [
-    (0.5, ["for waves of 0.5 or less behind, the least tension is 20 kN/m: draft 5.5, width 10"]),
-    (0.3, ["for waves of 0.3 or less behind, the least tension is 30 kN/m: draft 6, width 12"]), (0.29, []), (None, []),
+    (0.5, ["for waves of 0.5 or less behind the breakwater, the least tension is 20 kN/m: draft 5.5, width 10"]),
+    (0.3, ["for waves of 0.3 or less behind the breakwater, the least tension is 30 kN/m: draft 6, width "
+           "12"]), (0.29, []), (None, []),
 ])  # fmt: skip
 def test_the_least_tension_that_leaves_no_more_behind_than_wanted_is_told(wanted, says):
     designs = np.array([[5.0, 8.0], [5.5, 10.0], [6.0, 12.0]])

@@ -309,7 +309,7 @@ def test_a_pretension_is_along_the_water_or_at_the_top():
         return _pretension(SimpleNamespace(**keys | more), line, 30.0)
 
     assert force(pretension_kN=470.0) == 470e3 and force(top_tension_kN=500.0) == pytest.approx(470e3)
-    says = "mooring: give one of pretension (horizontal) and top_tension, in tonf or kN"
+    says = "mooring: give either pretension (horizontal) or top_tension, in tonf or kN"
     refused(says, force)
     refused(says, force, pretension_kN=470.0, top_tension_kN=500.0)
     refused("mooring.top_tension is ", force, top_tension_kN=29.0)

@@ -18,7 +18,7 @@ def said(heights, depth):
 def test_a_bollard_is_up_to_thirty_metres_above_the_water(z, told):
     found = said({"A": z, "B": -40.0}, 40.0)
     assert len(found) == told
-    assert not told or found[0].startswith(f"anchors above the water: A (z = {z:g} m), limit 30 m")
+    assert not told or found[0].startswith(f"these anchors are above the water: A (z = {z:g} m), limit 30 m")
 
 
 @pytest.mark.parametrize(

@@ -265,8 +265,8 @@ def test_a_line_without_a_breaking_load_does_not_stretch_for_ever(tmp_path, caps
 
 @pytest.mark.parametrize(
     ("z", "said"),
-    [("60.0", "anchors above the water: anchor (z = 60 m), limit 30 m"),
-     ("-30.0", "anchors above the bed: anchor (30 m), limit 3 m; the bed is at z = -60 m"), ("-59.0", "")],
+    [("60.0", "these anchors are above the water: anchor (z = 60 m), limit 30 m"),
+     ("-30.0", "these anchors are above the bed: anchor (30 m), limit 3 m; the bed is at z = -60 m"), ("-59.0", "")],
 )  # fmt: skip
 def test_an_anchor_that_lies_nowhere_is_warned_of(z, said):
     with warnings.catch_warnings(record=True) as caught:

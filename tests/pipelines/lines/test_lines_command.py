@@ -481,7 +481,7 @@ def test_an_anchor_high_above_the_water_is_warned_of(tmp_path, capsys):
     path = tmp_path / "high.toml"
     path.write_text(SPREAD.replace("position = [-320.0, 0.0, -60.0]", "position = [-320.0, 0.0, 60.0]"))
     main(["lines", str(path)])
-    assert "anchors above the water: A1 (z = 60 m), limit 30 m" in capsys.readouterr().out
+    assert "these anchors are above the water: A1 (z = 60 m), limit 30 m" in capsys.readouterr().out
 
 
 def test_a_moordyn_file_without_lines_is_refused_by_what_it_has(tmp_path, capsys):

@@ -100,7 +100,7 @@ def test_a_characteristic_ends_where_the_first_segment_carries_its_breaking_load
 
 def test_a_hawser_beyond_its_table_is_told_with_the_end_of_the_table(shown):
     said, _ = shown(HAWSER)
-    assert "beyond their table of load over elongation" in said and "table to 600 kN" in said
+    assert "exceed their table of load over elongation" in said and "table to 600 kN" in said
 
 
 STIFF = '[types.stiff]\nweight_kg_per_m = 100.0\n[[lines]]\nname = "short"\ntype = "stiff"\n'

@@ -72,7 +72,7 @@ def test_views_of_stored_pairs_have_the_quantities_of_the_function(path, tmp_pat
         ("--omega 0.5", "two or more"),
         ("--omega 0.4:0.9:0", "two or more"),
         ("--omega 0.9:0.4:5", "increasing"),
-        ("--omega 0.4:0.8:5 --difference 0.05", "the frequency step, or above"),
+        ("--omega 0.4:0.8:5 --difference 0.05", "(the frequency step) or more"),
         ("--heading 0:90:0", "one or more"),
         ("--difference -1", "--difference is -1"),
         ("--heading nan", "--heading is nan"),

@@ -62,5 +62,5 @@ def test_the_largest_difference_is_one_step_of_the_frequencies_or_more(differenc
     if allowed:
         assert waves_of(db, [0.4, 0.5, 0.6], None, difference)[2] == pytest.approx(difference)
     else:
-        with pytest.raises(ValueError, match=r"--difference is 0.09; allowed: 0.1 rad/s, the frequency step"):
+        with pytest.raises(ValueError, match=r"--difference is 0.09; allowed: 0.1 rad/s \(the frequency step"):
             waves_of(db, [0.4, 0.5, 0.6], None, difference)

@@ -90,7 +90,7 @@ def test_the_largest_sum_is_the_one_whose_waves_the_panels_carry(path, tmp_path,
     [
         ("--sum --difference 0.2", "--difference is given; it can be used without --sum"),
         ("--highest 1.0", "--highest is given; it can be used with --sum"),
-        ("--sum --highest 0.3", "--highest is 0.3; allowed: 0.6 rad/s, twice the lowest frequency, or above"),
+        ("--sum --highest 0.3", "--highest is 0.3; allowed: 0.6 rad/s (twice the lowest frequency) or more"),
         ("--sum --highest nan", "--highest is nan"),
         ("--sum --level auto", "--level is 'auto'; allowed: body, full"),
     ],

@@ -46,7 +46,7 @@ def test_damping_that_gives_energy_is_refused_and_coupling_that_does_no_work_is_
 def test_viscous_damping_is_told_as_a_share_of_critical():
     body = SimpleNamespace(names=("Heave", "Roll"), words=("heave", "roll"), critical_damping=lambda i: 10.0 * (i + 1))
     told = list(study.viscous_words(body, ["Roll", "Heave"], np.diag([2.0, 24.0])))
-    assert told == [f"viscous damping of {word} in this sea: {share} % of critical"
+    assert told == [f"viscous damping of {word} in this sea is {share} % of critical"
                     for word, share in (("roll", 120), ("heave", 20))]  # fmt: skip
 
 

@@ -207,8 +207,10 @@ def test_durations_in_hours_are_seconds_and_seeds_count_from_one():
 
 
 @pytest.mark.parametrize("runs, words", [
-    (4, "largest: the largest value in 4 runs; up to 44 % of such runs exceed it (confidence 90 %); run 5 seeds for a"),
-    (5, "median extreme: exceeded by half of such runs; its interval holds for any distribution of the largest values"),
+    (4, "the largest is the largest value in 4 runs; up to 44 % of such runs exceed it (confidence 90 %); run "
+        "5 seeds for a"),
+    (5, "the median extreme is exceeded by half of such runs, and its interval holds for any distribution of "
+        "the largest"),
 ])  # fmt: skip
 def test_five_runs_have_a_median_extreme(folder, runs, words):  # noqa: F811
     """1 − 0.1^(1/n): the largest of four is gone beyond by at most 44 % of runs with a confidence of 90 %"""

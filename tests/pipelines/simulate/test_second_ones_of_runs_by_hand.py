@@ -105,13 +105,15 @@ def test_the_line_with_the_largest_share_of_its_load_is_told_not_that_with_the_l
         (
             1,
             True,
-            "largest: the largest value in 1 run; up to 90 % of such runs exceed it (confidence 90 %); run 5 seeds for",
+            "the largest is the largest value in 1 run; up to 90 % of such runs exceed it (confidence 90 %); "
+            "run 5 seeds for",
         ),
-        (4, True, "largest: the largest value in 4 runs; up to 44 % of such runs exceed it"),
+        (4, True, "the largest is the largest value in 4 runs; up to 44 % of such runs exceed it"),
         (
             5,
             True,
-            "median extreme: exceeded by half of such runs; its interval holds for any distribution of the largest",
+            "the median extreme is exceeded by half of such runs, and its interval holds for any distribution "
+            "of the largest",
         ),
         (5, False, "seeds do not differ, since there are no random waves or gusts: every run has the same largest and"),
     ],

@@ -84,7 +84,7 @@ def test_the_tension_at_the_top_is_the_horizontal_one_and_the_weight_below():
     with pytest.raises(StudyError, match=f"allowed: above {least:.4g} kN, the line's weight from the bed to the buoy"):
         system(mooring__pretension_kN=None, mooring__top_tension_kN=0.999 * least)
     for given in ({"mooring__top_tension_kN": top}, {"mooring__pretension_kN": None}):
-        with pytest.raises(StudyError, match="mooring: give one of pretension"):
+        with pytest.raises(StudyError, match="mooring: give either pretension"):
             system(**given)
 
 

@@ -5,9 +5,10 @@
 The scheme is stiffly accurate and L-stable. Elastic waves shorter than the step are damped instead of ringing, and the
 length of the elements does not limit the step.  The difference e of the embedded solution is passed through the
 iteration matrix, S e* = m (e_q + h d e_v) (Hosea & Shampine 1996), because its raw axial part is not an error: the
-elements' stiffness removes it.  A step is accepted if e* changes the tensions at the ends, and the root mean square of
-all, by no more than `tolerance` of the largest tension so far, and moves no node by more than `tolerance` of the
-control's distance.  Where a line snaps, elements become slack and taut one by one. The largest error is then that of a
+elements' stiffness removes it.  A step is accepted if two conditions hold. e* changes the tensions at the ends, and the
+root mean square of all tensions, by at most `tolerance` of the largest tension so far. It moves no node by more than
+`tolerance` of the control's distance.
+Where a line snaps, elements become slack and taut one by one. The largest error is then that of a
 single element at the corner of its stiffness, and does not affect the others. Work and losses are integrated with the
 weights
 of the scheme.

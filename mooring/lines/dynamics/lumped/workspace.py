@@ -1,7 +1,8 @@
 """Memory of a line's steps, coordinate by coordinate, so that eight nodes or elements fill a SIMD vector.
 
-Node j is column j.  Element e, between nodes e and e + 1, is column e + 1: then node j has the elements of columns j
-and j + 1, and the column before the first and all after the last contain elements of zero force and weight.  Rows are
+Node j is column j.  Element e, between nodes e and e + 1, is column e + 1. Node j then has the elements of columns j
+and j + 1. The column before the first and all columns after the last contain elements of zero force and weight.
+Rows are
 longer than the number of nodes, by at least eight: vectors may begin at any node.
 """
 
