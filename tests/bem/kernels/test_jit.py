@@ -341,20 +341,3 @@ def test_kernels_are_kept_in_the_cache_of_the_user_unless_a_folder_is_named(monk
     for name, value in (given | {"HOME": str(tmp_path / "home")}).items():
         monkeypatch.setenv(name, value)
     assert jit._base() == tmp_path / folder
-
-
-@COMPILED
-def test_the_second_kernel_that_asks_for_the_type_of_a_sum_gets_the_same():
-    """Types that were found once are kept: by order of the arguments, and not where there is none"""
-
-    def mixed(x, n, flag):
-        return x + n, n + x, n + n, n / n, x > n, n + flag
-
-    assert adds.called is not None  # numba is loaded and prepared
-    values = 0.5, 3, True
-    for _ in range(2):
-        found = numba.njit(mixed)(*values)
-        assert found == mixed(*values)
-        assert list(map(type, found)) == [float, float, int, float, bool, int]
-        with pytest.raises(numba.TypingError):
-            numba.njit(lambda x: x + "a")(1.0)
