@@ -126,10 +126,10 @@ def anchor_findings(names, anchors, along, up, where="at the largest tension"):
     if small:
         least = min(small, key=lambda i: mass[i] / anchors[i].chart.reference)
         yield (
-            f"{len(small)} of {len(known)} anchors {where} are far lighter than those of their charts; the "
-            f"lightest is {names[least]} with {mass[least]:.3g} kg, and the limit is a tenth of the chart's "
-            f"{anchors[least].chart.reference:.4g} kg: the curve of the chart is extrapolated; give holding_kN of "
-            "the maker"
+            f"{len(small)} of {len(known)} anchors {where} are far lighter than those of their charts, most of all "
+            f"{names[least]} with {mass[least]:.3g} kg; the limit is a tenth of the chart's "
+            f"{anchors[least].chart.reference:.4g} kg: the curve of the chart is extrapolated; give holding_kN "
+            f"of the maker"
         )
     charted = [anchors[i].chart for i in known if anchors[i].chart]
     unsure = dict.fromkeys(chart.source for chart in charted if chart.status == "unverified")

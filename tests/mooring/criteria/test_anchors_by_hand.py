@@ -44,7 +44,7 @@ def test_what_fails_is_said_with_its_share_and_a_drag_anchor_that_is_lifted_with
     )
     assert list(anchor_findings(NAMES, given, np.array([99e3, 1e3, 9e9]), np.zeros(3))) == []
     small, _ = anchor_findings(["a"], [one(kind="drag", type="Danforth", soil="sand")], [560e3 * 0.05**0.8], [0.0])
-    assert "the lightest is a with 227 kg, and the limit is a tenth of the chart's 4536 kg" in small
+    assert "most of all a with 227 kg; the limit is a tenth of the chart's 4536 kg" in small
     chart = Anchor("drag", 100e3, chart=Chart(4536.0, 1e5, 0.9, "a book", "unverified"))
     assert "by a book has not been checked against the printed source" in next(
         anchor_findings(["a"], [chart], np.ones(1), np.zeros(1))

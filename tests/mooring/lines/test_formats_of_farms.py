@@ -110,7 +110,11 @@ def test_what_a_model_of_orcaflex_lacks_is_named(tmp_path):
     good = ORCAFLEX.format(**SI)
     for old, new, says in (
         ("EA: 854e3", "EA: rope", "EA of line type chain is 'rope', as variable data are"),
-        ("[barge, 10, 0, 0, 0]", "[buoy, 10, 0, 0, 0]", "end A of line one is on buoy; allowed: Fixed, Anchored"),
+        (
+            "[barge, 10, 0, 0, 0]",
+            "[buoy, 10, 0, 0, 0]",
+            "end A of line one is connected to buoy; allowed: Fixed, Anchored",
+        ),
         ("[chain, 100, 5]", "[wire, 100, 5]", "line one has the types wire, chain"),
         (
             "Orientation: [0, 0, 90]",

@@ -229,7 +229,7 @@ def test_a_buoy_that_tilts_yields_to_its_hawsers_as_far_as_its_moments_say():
 def test_a_buoy_that_would_sink_and_a_contact_buoy_are_refused(steady):
     with pytest.raises(SinglePointError, match="floats at"):
         placed(steady, buoy=replace(BUOY, mass=900e3))
-    with pytest.raises(SinglePointError, match=r"metacentric height -\d.* does not float upright"):
+    with pytest.raises(SinglePointError, match=r"metacentric height is -\d.* does not float upright"):
         placed(steady, buoy=BuoyBody(20e3, 2.0, 12.0, lever=1.0))
     with pytest.raises(SinglePointError, match="needs the buoy's mass"):
         body_at(steady, steady.state)

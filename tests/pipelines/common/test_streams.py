@@ -101,7 +101,7 @@ def test_a_ship_by_name_has_blendermanns_coefficients_on_its_silhouette():
     [
         (f'[wind]\nship = "ocimf"\n{BLOWN}', "wind.ship is 'ocimf'; allowed: car carrier; .*OCIMF, which are "
         "not public, can be given by wind.file"),
-        (f'[wind]\nfile = "a.csv"\n{BLOWN}', "wind.file is given in a study that is not a file"),
+        (f'[wind]\nfile = "a.csv"\n{BLOWN}', "wind.file is given in a study that was not read from a file"),
         (f"[wind]\ncenter_z = nan\n{BLOWN}", "wind.center_z is nan"),
         ("superstructure_side = -1.0\n", "hull.superstructure_side is -1"),
         (f"[wind]\ncoefficients = {{ angles_deg = [0, 90], x = [1, 0], y = [0, 1], area_x = 3 }}\n{BLOWN}",

@@ -141,7 +141,11 @@ def test_a_body_is_given_once_and_only_where_it_is_needed(scene, database, neede
         ),
         ("states.0.wind", {"speed": -20.0}, "states[0].wind.speed is -20"),
         ("states.0.wind", {"speed": 20.0, "ship": "boat"}, "states[0].wind.ship is 'boat'; allowed: "),
-        ("states.0.current", {"speed": 1.0, "file": "c.csv"}, "states[0].current.file is given in a study that is not"),
+        (
+            "states.0.current",
+            {"speed": 1.0, "file": "c.csv"},
+            "states[0].current.file is given in a study that was not",
+        ),
     ],
 )
 def test_numbers_and_states_of_a_project(path, value, says):

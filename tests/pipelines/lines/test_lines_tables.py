@@ -148,7 +148,7 @@ def test_offsets_out_of_reach_are_told_and_the_others_shown(shown, found):
     result = found(MOORED, LEGS, offset=10.0, directions=[0.0])
     missed = np.abs(result.labels["offset"].values) > 8.5
     assert np.array_equal(np.isnan(result["curve.restoring"][:, 0]), missed) and missed.sum() == 4
-    assert "barge cannot be held at 4 of 21 offsets along 0°; at the nearest, -9 m: line leg C" in said
+    assert "barge cannot be held at 4 of 21 offsets along 0°; the reason at the nearest, -9 m: line leg C" in said
     assert "give the line its axial stiffness" in said and "a smaller --offset" in said and "<StaticLine" not in said
 
 

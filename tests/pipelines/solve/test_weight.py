@@ -28,7 +28,7 @@ def test_a_centre_of_gravity_off_the_centre_of_buoyancy_is_told_with_its_moment_
     said = [line for line in told(center_of_gravity=[place, 0.0, 0.0]) if "trim" in line]
     angle, moment = np.degrees(np.arctan(place / GM_LONGITUDINAL)), 1025 * 50_000 * 9.80665 * place
     assert len(said) == count
-    assert all(f"trim moment of {moment:.4g} N m, {angle:.3g}° of static trim" in line for line in said)
+    assert all(f"trim moment of {moment:.4g} N m and {angle:.3g}° of static trim" in line for line in said)
 
 
 def test_a_metacentric_height_places_the_centre_of_gravity():

@@ -78,7 +78,7 @@ def test_two_degrees_of_tilt_at_rest_are_the_most_unless_the_body_is_held_trimme
     scene = SimpleNamespace(body=one, motions_known=False, water=SimpleNamespace(gravity=10.0))
     if refused:
         with pytest.raises(
-            SceneError, match=rf"off the centre of buoyancy in y: a heel moment of .*, {degrees}° of static"
+            SceneError, match=rf"off the centre of buoyancy in y: this is a heel moment of .* and {degrees}° of static"
         ):
             weight.check_weight(scene, MESH, body(y=arm))
     else:
