@@ -131,7 +131,7 @@ def effort(beam, draft, depth, tolerance):
     ratio = (depth - draft) / min(draft, beam / 2)
     terms = 1 + int(np.ceil(-np.log10(tolerance) / 6 * np.sqrt(max(ratio, 1.0))))
     if terms > MOST_TERMS:
-        limit = (6 * (MOST_TERMS - 1) / -np.log10(tolerance)) ** 2
+        limit = (6 * (MOST_TERMS - 1) / np.log10(tolerance)) ** 2
         raise ValueError(
             f"depth − draft is {ratio:.0f} times the smaller of draft and half beam; allowed: up to {limit:.0f} at "
             f"tolerance {tolerance:g}, or depth inf"

@@ -330,3 +330,12 @@ def test_modes_alone_are_those_of_each_motion_and_coupled_ones_share_their_energ
         assert period == pytest.approx(2 * np.pi / np.sqrt(squares[number]))
         assert shape[[0, 4]] == pytest.approx(expected / expected[np.abs(expected).argmax()])
         assert np.abs(shape[[1, 2, 3, 5]]).max() < 1e-9
+
+
+def test_forces_between_headings_follow_from_stored_ones_where_the_far_field_of_a_motion_is_unknown():
+    radiated = np.ones((5, 6, 16), complex)
+    radiated[:, 5] = np.nan
+    unknown, without = made(quantities={"kochin_radiation": radiated}), made()
+    asked = OMEGA[:2], np.array([0.2, 0.5])
+    assert unknown.forces(*asked) == pytest.approx(without.forces(*asked))
+    assert np.isfinite(unknown.forces(*asked)).all()

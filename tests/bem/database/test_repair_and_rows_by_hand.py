@@ -17,7 +17,7 @@ from hakobune.bem.database.integrity import DamagedError, _wrong_coordinates, re
 from hakobune.bem.database.natural_periods import _own_frequencies
 from hakobune.bem.database.resonances import about
 from hakobune.bem.database.rows import Database
-from hakobune.bem.database.schema import CELL_AXES, CHECKS, ESTIMATES, QUANTITIES
+from hakobune.bem.database.schema import CELL_AXES, CHECKS, ESTIMATES, QUANTITIES, labels
 from hakobune.bem.database.widening import content, read_group, write_group
 from hakobune.bem.flexible.beams import Beam
 from hakobune.bem.modes import Body, Mode
@@ -390,3 +390,17 @@ def test_errors_of_hdf5_are_told_as_damage_or_as_a_full_disk_and_others_as_they_
     assert words in str(told.value)
     if kind is NotWritten:
         assert str(told.value).endswith("; the data stored before is kept")
+
+
+def test_forces_are_named_of_all_bodies_and_motions_of_those_that_move():
+    """As in Capytaine; shapes by their body, or by themselves between several"""
+    plain = labels(())
+    assert plain["influenced_dof"] == plain["radiating_dof"] == ("Surge", "Sway", "Heave", "Roll", "Pitch", "Yaw")
+    assert plain["drift_dof"] == ("Surge", "Sway", "Yaw") and plain["xyz"] == ("x", "y", "z") and "body" not in plain
+    bent = labels((), (Mode("bow"),))
+    assert bent["influenced_dof"][6:] == bent["radiating_dof"][6:] == ("bow",)
+    several = labels(BODIES, (Mode("bow", body=2), Mode("both", on=(0, 2))))
+    assert several["body"] == ("a", "b", "c") and len(several["influenced_dof"]) == 20
+    assert several["influenced_dof"][5:8] == ("a__Yaw", "b__Surge", "b__Sway")
+    assert several["radiating_dof"][5:7] == ("a__Yaw", "c__Surge")
+    assert several["radiating_dof"][12:] == several["influenced_dof"][18:] == ("c__bow", "both")

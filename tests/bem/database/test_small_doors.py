@@ -81,3 +81,14 @@ def test_every_kind_of_quantity_is_read_by_its_own_way(monkeypatch):
         Reader.at(body, 0.5, "pressure", at)
     body.rebuilds_drift = True
     assert Reader.at(body, 0.5, "drift_force_fixed", at) == ("drift True", "carried drift_force_fixed")
+
+
+def test_what_the_room_offers_is_there_wherever_it_lives_and_nothing_else():
+    import hakobune.bem.database as room
+    from hakobune.bem.database import rows, storing, widening
+
+    where = {"append": storing, "append_limit": storing, "Storing": storing, "extend": widening, "create": rows}
+    for name, module in where.items():
+        assert room.__getattr__(name) is getattr(module, name)
+    with pytest.raises(AttributeError, match=r"module 'hakobune\.bem\.database' has no attribute 'same_omega'"):
+        room.__getattr__("same_omega")

@@ -194,3 +194,17 @@ def test_what_is_fitted_is_symmetric_and_without_motions_that_are_still(monkeypa
     assert np.array_equal(deviation_of[5], body.inertia) and found.damping is deviation_of[3] is heard["B"]
     body.inertia = None
     assert not module._goal(body, (0.5, 2.0), range(6)).deviation[5].any()
+
+
+@pytest.mark.parametrize("pair, words", [
+    ((0, 4), r"\(surge–pitch\); .* damping of surge is 0\.25 of the largest at the lower end and 0\.5 at the upper"),
+    ((4, 2), r"\(pitch–heave\); .* damping of pitch is 0\.1 of the largest at the lower end and 0\.2 at the upper"),
+    ((5, 2), r"\(yaw–heave\); .* damping of yaw is 0 of the largest at the lower end and 0 at the upper"),
+])  # fmt: skip
+def test_damping_at_both_ends_is_told_over_the_largest_of_its_own_motion(pair, words):
+    size = np.sqrt([4.0, 1, 1, 1, 10, 0])
+    damping = np.stack([np.diag([1.0, 1, 1, 1, 1, 3]), np.diag([2.0, 1, 1, 1, 2, 3])])
+    deviation = np.zeros((6, 6))
+    deviation[pair] = 0.2
+    with pytest.raises(ValueError, match=words):
+        module._check_deviation(deviation, (0.2, 1.5), damping, size, BODY.words)

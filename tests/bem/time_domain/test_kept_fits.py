@@ -90,3 +90,12 @@ def test_a_kept_array_is_the_one_that_was_made_and_of_the_same_question(tmp_path
 def test_a_search_in_vain_says_how_near_it_came():
     fault = NoFit(np.float32(0.25))
     assert str(fault) == "0.25" and fault.args == (0.25,) and type(fault.best) is float
+
+
+def test_the_same_bytes_in_another_shape_or_type_are_another_question(fits):
+    """Of two rows of three, three of two, and whole numbers with the bytes of zeros"""
+    numbers = np.arange(6.0)
+    for count, asked in enumerate((numbers, numbers.reshape(2, 3), numbers.reshape(3, 2), np.zeros(2),
+                                   np.zeros(2, int)), 1):  # fmt: skip
+        assert fits(asked)[1] == count
+    assert fits(numbers.reshape(2, 3))[1] == 5

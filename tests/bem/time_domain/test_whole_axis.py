@@ -12,6 +12,7 @@ from hakobune.bem.time_domain.whole_axis import (
     _above,
     _below,
     _unseen,
+    ends_of,
     kramers_kronig,
     monopole_damping,
     whole_axis,
@@ -195,3 +196,26 @@ def test_between_its_frequencies_damping_is_straight_and_added_mass_follows_from
     assert found.imag[:, 0, 0] == pytest.approx(-at * excess) and axis.excess(at)[:, 0, 0] == pytest.approx(excess)
     assert axis.between([0.1, 0.9, 1.5, 3.9, 9.0]).tolist() == [0.5, 1.5, 3.0]
     assert axis._gap(np.array([0.25, 3.0]))[1] == pytest.approx([0.25, 0.5])
+
+
+def test_what_a_body_displaces_is_its_waterplane_with_moments_of_each_body_and_of_shapes():
+    """q = (C₃₃, C₃₄, C₃₅)/ρg of each body, of a shape what it does to heave of all; 0 of motions not asked for"""
+    C = np.zeros((13, 13))
+    for first, row in ((0, [3.0, 0.5, -1.0]), (6, [7.0, -0.2, 2.0])):
+        C[first + 2, first + 2 : first + 5] = row
+    C[2, 12], C[8, 12] = 4.0, 5.0
+    limit = np.arange(169.0).reshape(13, 13)
+    body = SimpleNamespace(words=range(13), rigid=12, stiffness=1e4 * C, density=1000.0, gravity=10.0, depth=20.0,
+                           between=SimpleNamespace(limits={"added_mass_infinity": limit}))  # fmt: skip
+    q = np.array([0, 0, 3.0, 0.5, -1, 0, 0, 0, 7.0, -0.2, 2.0, 0, 9.0])
+    found, waves = ends_of(body)
+    assert np.array_equal(found, limit)
+    assert waves(np.array([0.5]))[0] == pytest.approx(1000 * 0.5 / 80 * np.outer(q, q))
+    some, waves = ends_of(body, [2, 4, 12])
+    kept = np.isin(np.arange(13), [2, 4, 12])
+    assert np.array_equal(some, np.where(np.outer(kept, kept), limit, 0))
+    assert waves(np.array([0.5]))[0] == pytest.approx(1000 * 0.5 / 80 * np.outer(q * kept, q * kept))
+    limit[3, 3] = np.inf
+    assert ends_of(body)[0] is None and ends_of(body, [2, 4])[0] is not None
+    body.stiffness, body.between.limits = None, {}
+    assert ends_of(body) == (None, None)
