@@ -101,3 +101,12 @@ def test_least_squares_by_eigenvalues_are_those_by_singular_values():
     np.testing.assert_allclose(
         truncated_least_squares(A, b, cutoff), expected, atol=10 * 2.2e-16 / cutoff**2 * np.abs(expected).max()
     )
+
+
+def test_a_column_goes_into_four_places_with_random_signs():
+    """± a/√4 each"""
+    sketch = interpolation.Sketch(np.ones(1), 100_000)
+    sketch.add(np.full((1, 50), 3.0))
+    found = sketch.matrix[sketch.matrix != 0]
+    assert np.abs(found) == pytest.approx(np.full(len(found), 1.5)) and 150 < len(found) <= 200
+    assert 0.3 < np.mean(found > 0) < 0.7

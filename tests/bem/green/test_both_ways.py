@@ -72,3 +72,16 @@ def test_beyond_the_last_zone_less_the_wave_it_is_what_takes_the_images_away(z, 
     assert found[2] == pytest.approx(sum(rising), rel=1e-12)
     assert found[3] == pytest.approx(-rising[0] + rising[1] + rising[2], rel=1e-12)
     assert forms.wave_part_at(position, R, depths, 0.0, 0.0, view)[:3] == pytest.approx(found[:3], rel=1e-12)
+
+
+def test_beyond_the_last_zone_the_limit_of_long_waves_has_its_logarithm():
+    """(2/h) ln 2h/R and its slope, less the images, which are all there is of G besides"""
+    table, R, z, zeta, h = tables.limit_table("zero", 20.0, 5000.0, 8.0), 300.0, -2.0, -7.0, 20.0
+    Y, V, upwards = forms.depth_variables(z, zeta)
+    g, gr, gz = forms._beyond(R, Y, V, upwards, forms.table_view(table))
+    heights = zeta - z, zeta + z, zeta + z + 2 * h
+    r = [math.hypot(R, height) for height in heights]
+    assert table.net == 1 / h
+    assert g == pytest.approx(2 / h * math.log(2 * h / R) - sum(1 / one for one in r), rel=1e-12)
+    assert gr == pytest.approx(-2 / (h * R) + sum(R / one**3 for one in r), rel=1e-12)
+    assert gz == pytest.approx(sum(height / one**3 for height, one in zip(heights, r, strict=True)), rel=1e-9)

@@ -221,3 +221,25 @@ def test_files_of_kernels_are_told_apart_by_signature_machine_and_version(tmp_pa
     assert len(files) == 5 and {file.parent for file in files} == {tmp_path}
     assert all(file.name.startswith("test_kernels_that_are_not_kept_are_told_once-") for file in files)
     assert {len(file.stem.rpartition("-")[2]) for file in files} == {16} and {f.suffix for f in files} == {".kernel"}
+
+
+def test_modules_are_imported_by_name_and_names_from_modules_with_and_without_the_package(tmp_path):
+    from hakobune.bem.kernels.sources import imported
+
+    for name in ("one.py", "two.py", "room/__init__.py", "room/three.py", "room/inner/four.py", "room/five.py"):
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text("")
+    source = tmp_path / "room" / "user.py"
+
+    def of(text):
+        source.write_text(text)
+        return {str(path.relative_to(tmp_path)) for path in imported(source, tmp_path)}
+
+    assert of("import hakobune.one, two, os") == {"one.py", "two.py"}
+    assert of("def late():\n    import room.three") == {"room/three.py"}
+    assert of("from hakobune.room import three, absent") == {"room/__init__.py", "room/three.py"}
+    assert of("from . import five\nfrom .inner import four\nfrom .. import one") == {
+        "room/__init__.py", "room/five.py", "room/inner/four.py", "one.py",
+    }  # fmt: skip
+    assert of("if True:\n    from .inner.four import name\nelse:\n    import two") == {"room/inner/four.py", "two.py"}
+    assert of("import numpy\nfrom numpy import linalg") == set()

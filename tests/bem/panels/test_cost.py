@@ -29,6 +29,9 @@ def test_memory_of_a_frequency_alone_is_that_of_its_matrices_and_of_the_program(
     many = prepared(80_000, compressed=True)
     assert cost.memory_alone(many) == pytest.approx(2.0e3 * 80_000 * np.log2(80_000) + program)
     assert cost.memory_alone(prepared(few, compressed=True, sectors=ring)) == pytest.approx(6e7 + program)
+    for nodes, kept in ((21_999, 1.44e4), (22_000, 0.0)):  # Rankine parts of so many are kept
+        some = cost.memory_alone(prepared(nodes, compressed=True))
+        assert some == pytest.approx(2.0e3 * nodes * np.log2(nodes) + kept * nodes + program)
 
 
 def test_time_of_a_frequency_alone_is_that_of_its_rows_and_factors(monkeypatch):

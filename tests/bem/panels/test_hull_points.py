@@ -124,3 +124,21 @@ def test_the_disturbance_of_classes_is_put_together_on_all_images():
     found = hull_flow._on_images(run, parts)
     for i in range(4):
         assert found[i] == pytest.approx(sum(SIGNS[c, i] * parts[cls][0] for c, cls in enumerate(CLASSES)))
+
+
+@pytest.mark.parametrize("moves", [True, False])
+def test_motions_of_unit_velocity_of_one_of_two_bodies_have_their_potentials(moves, monkeypatch):
+    """i/ω of displacement in each motion, none of a hull that is held; class by class on all images"""
+    monkeypatch.setattr(hull_flow, "_flow", lambda *them: them)
+    phi = {cls: RNG.normal(size=(2, 3)) for cls in CLASSES[:2]}
+    geometry = SimpleNamespace(images=IMAGES, hull=3, signs=lambda cls: SIGNS[CLASSES.index(cls)])
+    run = SimpleNamespace(geometry=geometry, omega=0.8, potentials=phi,
+                          columns={CLASSES[0]: ([2, 8], []), CLASSES[1]: ([6, 10], [])})  # fmt: skip
+    _, surfaces, found, waves, motions, headings = hull_flow.radiated_flow(run, "surfaces", 1, moves)
+    assert surfaces == "surfaces" and not waves.any() and not headings.any() and len(waves) == len(headings) == 6
+    assert motions == pytest.approx(np.eye(6) * 1j / 0.8 if moves else np.zeros((6, 6)))
+    wanted = np.zeros((6, 4, 3))
+    wanted[2], wanted[0], wanted[4] = (
+        np.outer(SIGNS[c], phi[CLASSES[c]][n]) for c, n in ((0, 1), (1, 0), (1, 1))
+    )  # fmt: skip
+    assert found == pytest.approx(wanted)

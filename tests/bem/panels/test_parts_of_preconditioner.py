@@ -104,3 +104,13 @@ def test_every_function_has_the_side_and_the_diagonal_of_its_own_cell(monkeypatc
     assert made.side.ravel().tolist() == [-1, -1, -1, 1, 1, 1]
     assert made.diagonal.tolist() == [0.1, 0.1, 0.2, 0.3, 0.3, 0.3]
     assert (made.by_image, made.inverses, made.factors) == ("reduced", "inverses", {})
+
+
+@pytest.mark.parametrize("width, functions", [(0.95e-3, 2), (1.05e-3, 3)])
+def test_the_size_of_a_cell_is_that_of_its_farthest_node(width, functions):
+    """Of two nodes at the ends and two near the middle: x counts as 0.71 beside 1, y as its width"""
+    x, y = np.array([-1.0, -0.1, 0.1, 1.0]), np.array([1.0, -1.0, -1.0, 1.0])
+    nodes = np.stack([20.0 * x + 7.0, 20.0 * width * y, np.full(4, -3.0)], axis=1)
+    tree = SimpleNamespace(nodes=nodes, cells=lambda most: [slice(0, 4)],
+                           elements=SimpleNamespace(nodes=nodes, weights=np.ones(4)))  # fmt: skip
+    assert _cell_functions(tree)[3].tolist() == [0, functions]

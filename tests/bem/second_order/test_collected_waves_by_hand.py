@@ -282,6 +282,8 @@ def test_the_flows_of_several_bodies_are_of_each_hull_with_its_own_motions(monke
     joined = []
     made._joined = lambda parts, loads, rao: joined.append((parts, loads, rao)) or ("flows", "squares")
     assert made.joined() == ("flows", "squares") and made.squares_in_swayed() == "squares"
+    monkeypatch.setattr(PanelWaves, "radiation", lambda self, omega: ("as of one body", omega))
+    assert made.radiation(0.3) == ("as of one body", 0.3) and len(runs) == 2
     assert joined[0] == (made.parts, made.loads, made.rao) and joined[1] == (*made.again, made.in_swayed)
     made.free, made.radiating, made.swayed, made.moving = "others", [], None, False
     made.solve(0.3)
