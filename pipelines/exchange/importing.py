@@ -27,6 +27,7 @@ from ..printing.console import new_console
 from ..printing.verdict import tell
 from .command import format_of
 
+LID = 1e-6, 0.01  # height over the draft of panels above the water that are a lid
 NODES_WORTH_ASKING = 600  # of an own solution; with fewer it takes less than a second
 
 
@@ -47,7 +48,7 @@ def import_(place, kind_name, mesh, known, weight, output, fresh=False, correct=
     values = with_headings_once(read_set(module, place, of_module))
     if known["rotation_center"] is not None:
         values = replace(values, rotation_center=np.array(known["rotation_center"], float))
-    panels = hull_of(place, kind, module, mesh, of_module)
+    panels = without_lid(hull_of(place, kind, module, mesh, of_module))
     values, left_out = _finite(between(values, *known["frequencies"]))
     lost = [
         fails(f"{name} is not finite at {omega} rad/s; these frequencies are not stored: compute them again")
@@ -141,9 +142,8 @@ def hull_of(place, kind, module, mesh, known):
     if path is None and hasattr(module, "hull_of"):
         path = module.hull_of(place, known)
     if path is None or not path.resolve().is_file():
-        near = ["", *(f" ({one}, beside the files)" for one in Path(place).parent.glob(f"{Path(place).stem}_pan.dat"))][
-            -1
-        ]
+        near = Path(place).with_name(f"{Path(place).stem}_pan.dat")
+        near = f" ({near}, beside the files)" if near.is_file() else ""
         near = f" ({path} does not exist)" if path else near
         raise ValueError(
             f"the hull is missing; give its mesh by --mesh{near}, a file of panels, or a .toml of parts that draws it"
@@ -162,6 +162,19 @@ def hull_of(place, kind, module, mesh, known):
         if finding.severity != "error":
             print(f"{path}: {finding}", file=sys.stderr)
     return panels
+
+
+def without_lid(panels):
+    """The PanelMesh below the water, of a hull that ends in a lid a little above it, as AQWA's may; tells so"""
+    low, top = (float(end(panels.points[:, 2])) for end in (np.min, np.max))
+    if not -LID[0] * low < top <= -LID[1] * low:
+        return panels
+    wet = panels.clipped()
+    print(
+        f"{panels.name}: {len(panels) - len(wet)} panels up to {top:.3g} m above the water are left out",
+        file=sys.stderr,
+    )
+    return wet
 
 
 def _remarks(place, said, values):

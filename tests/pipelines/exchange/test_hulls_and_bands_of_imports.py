@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from hakobune.meshing.panels import PanelMesh
 from hakobune.pipelines.exchange import importing
 
 LIMIT = importing.LIMITS[0] if not isinstance(importing.LIMITS, dict) else next(iter(importing.LIMITS))
@@ -138,3 +139,16 @@ def test_a_hull_that_is_missing_is_told_with_the_file_that_would_have_it(hulls, 
         with pytest.raises(ValueError) as refused:
             importing.hull_of(tmp_path / name, "kind", SimpleNamespace(), None, {})
         assert str(refused.value) == f"{begins}{near}{ends}"
+
+
+@pytest.mark.parametrize("above, left", [(0.0, 6), (0.04, 5), (0.06, 6)])
+def test_a_lid_a_little_above_the_water_is_no_hull(above, left, capsys):
+    """A box of 10 × 4 × 5 m with sides from the water and a lid above it: up to a hundredth of the draft, 0.05 m"""
+    x, y = np.array([-5.0, 5, 5, -5]), np.array([-2.0, -2, 2, 2])
+    rings = [np.column_stack([x, y, np.full(4, z)]) for z in (-5.0, 0.0, above)]
+    sides = [[i, (i + 1) % 4, 4 + (i + 1) % 4, 4 + i] for i in range(4)]
+    mesh = PanelMesh(np.vstack(rings), np.array([*sides, [3, 2, 1, 0], [8, 9, 10, 11]]), name="a box")
+    made = importing.without_lid(mesh)
+    assert len(made) == left and made.points[:, 2].max() == (0.0 if left == 5 else above)
+    said = capsys.readouterr().err
+    assert ("a box: 1 panels up to 0.04 m above the water are left out" in said) == (left == 5)
