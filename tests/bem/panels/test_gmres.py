@@ -79,17 +79,17 @@ def test_the_space_is_orthogonal_to_single_precision_where_its_vectors_are_nearl
 
     equations = SimpleNamespace(apply=lambda c, exactly=False: matrix @ c.values)
     sides = rng.normal(size=(SIZE, 1)) + 1j * rng.normal(size=(SIZE, 1))
-    _cycle(equations, kept, Columns(np.zeros((SIZE, 1)), 1), sides, np.zeros(1))
+    _cycle(equations, kept, Columns(np.zeros((SIZE, 1)), 1), sides, np.full(1, 1e-4))
     basis = np.array(seen[:-1])
     assert len(basis) > 1
     assert np.abs(basis.conj() @ basis.T - np.eye(len(basis))).max() < 2e-6
 
 
 @pytest.mark.parametrize("apart, count", [(1.9e-4, 1), (2.1e-4, 2)])
-def test_a_cycle_ends_where_a_ten_thousandth_is_left(apart, count):
+def test_a_cycle_ends_where_as_little_is_left_as_asked(apart, count):
     """Of eigenvalues 1 and 1 + δ and a side with half of each, one iteration leaves δ/2"""
     matrix = np.diag([1.0, 1.0 + apart])
     equations = SimpleNamespace(apply=lambda c, exactly=False: matrix @ c.values)
     sides = np.ones((2, 1), complex)
-    found = _cycle(equations, lambda values, signs: values, Columns(np.zeros((2, 1)), 1), sides, np.zeros(1))
+    found = _cycle(equations, lambda values, signs: values, Columns(np.zeros((2, 1)), 1), sides, np.full(1, 1e-4))
     assert found[1] == count
