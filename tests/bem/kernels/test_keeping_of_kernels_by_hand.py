@@ -160,7 +160,8 @@ def test_a_long_kernel_is_called_by_its_symbol_and_a_file_that_is_there_stays(
     result = SimpleNamespace(signature=SimpleNamespace(return_type="float64"), _reduce=lambda: "reduced",
                              target_context=SimpleNamespace(enable_nrt=True),
                              fndesc=SimpleNamespace(llvm_func_name="symbol"),
-                             library=SimpleNamespace(get_function={"symbol": SimpleNamespace(blocks=blocks)}.get))  # fmt: skip
+                             library=SimpleNamespace(get_function={"symbol": SimpleNamespace(blocks=blocks)}.get),
+                             )  # fmt: skip
     made._save(file, signature, result)
     assert called == [(signature, result, apart)]
     assert file.read_bytes() == (pickle.dumps((apart, "reduced")) if written else b"before")
