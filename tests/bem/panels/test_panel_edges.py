@@ -251,3 +251,18 @@ def test_an_integral_over_panels_is_met_by_lines_between_their_nodes():
     for n, r in enumerate((0.4, 1.7)):
         exact = np.polynomial.Polynomial([0, 0, r, 0, 1.0]).integ()(3.0) / np.pi
         assert missed[0, n] == pytest.approx(matrix[0, n] @ nodes[0] ** 2 - exact, rel=1e-9)
+
+
+def test_a_kernel_that_is_infinite_at_the_edge_is_integrated_on_the_panel_beside_it():
+    """∫ρ^(−1/3) dρ over 3 m, with nodes that gather at the edge and at no other side of a panel"""
+    from hakobune.bem.panels.pressure_drift.edge_flow import _interpolated_integral, at_nodes
+
+    lengths, at = np.array([[1.0, 2.0]]), np.ones((1, 1, 1, 1))
+    one, nodes = (lambda rho: np.ones_like(rho)), at_nodes(lengths)[:, :, None, None]
+    matrix, _ = _interpolated_integral(lambda r, rho: rho ** (-1 / 3), at, one, nodes, lengths)
+    assert matrix[0, 0].sum() == pytest.approx(1.5 * 3 ** (2 / 3) / np.pi, rel=1e-12)
+    matrix, _ = _interpolated_integral(lambda r, rho: rho**12, at, one, nodes, lengths)
+    assert matrix[0, 0].sum() == pytest.approx(3.0**13 / 13 / np.pi, rel=1e-12)
+    # on the second panel 16 nodes are exact up to degree 31, less 1 of the line; with nodes cubed up to 9
+    matrix, _ = _interpolated_integral(lambda r, rho: np.where(rho > 1, (rho - 1) ** 30, 0.0), at, one, nodes, lengths)
+    assert matrix[0, 0].sum() == pytest.approx(2.0**31 / 31 / np.pi, rel=1e-12)
