@@ -156,3 +156,22 @@ def test_bessel_functions_of_next_to_nothing_are_those_of_two_to_minus_forty(x):
     least = 2.0**-40
     assert (j0, found) == pytest.approx((1.0, y0(least)), rel=1e-9)
     assert abs(j1) < 1e-11 and slope == pytest.approx(-y1(least), rel=1e-6)
+
+
+@pytest.mark.parametrize("x, error", [(32.0, 1e-11), (33.75, 1e-11), (900.0, 1e-11),
+                                      *((n * math.pi / 2 + 0.1, 2e-14) for n in (21, 22, 23, 24))])  # fmt: skip
+def test_far_from_the_origin_bessel_functions_are_hankels_series_up_to_its_ninth_term(x, error):
+    """√(2/πx) (P cos χ − Q sin χ), χ = x − νπ/2 − π/4; (4ν² − 1)(4ν² − 9) … (4ν² − (2k − 1)²)/(k! 8ᵏ), DLMF 10.17;
+    sine and cosine by twelve powers of what is beyond quarter turns"""
+    from plain import plain
+
+    deep = plain("bem.green.deep_water")
+    found, scale = deep.bessel(x, deep.universal().bessel.reshape(-1)), math.sqrt(2 / (math.pi * x))
+    for order, j, y in ((0, found[0], found[1]), (1, -found[2], -found[3])):
+        terms = [1.0]
+        for k in range(1, 9):
+            terms.append(terms[-1] * (4 * order**2 - (2 * k - 1) ** 2) / (8 * k * x))
+        P, Q = (sum((-1) ** (k // 2) * terms[k] for k in range(first, 9, 2)) for first in (0, 1))
+        c, s = (part(x - order * math.pi / 2 - math.pi / 4) for part in (math.cos, math.sin))
+        assert j == pytest.approx(scale * (P * c - Q * s), abs=error * scale)
+        assert y == pytest.approx(scale * (P * s + Q * c), abs=error * scale)

@@ -226,3 +226,49 @@ def test_each_part_of_a_band_is_decomposed_to_its_accuracy(few, share, monkeypat
     tested, _, of_X, of_Y, V, N, sizes = found.error_test
     assert (tested, N.tolist()) == ("points", [[[3]], [[7]]]) and of_X is X and of_Y is Y
     assert V is found.velocities and sizes == pytest.approx(root[:hull])
+
+
+def test_blocks_are_of_every_second_frequency_and_tell_how_many_rows_they_stand_for(monkeypatch):
+    """Waves of k (ω² = gk tanh kh) by a table as wide as the hull; 3 of 11 sources of two points are 6/11 of a row"""
+    from hakobune.bem.kernels.progress import progress_callback
+
+    made, asked, told = Snapshots(geometry(), (0.4, 1.9), G), [], []
+    made.geometry.reach, made.geometry.draft = 44.0, 8.0
+    monkeypatch.setattr(low_rank_waves, "wave_table", lambda *them: asked.append(them) or SimpleNamespace(K="K"))
+    monkeypatch.setattr(low_rank_waves, "depth_values", lambda *them: them)
+    monkeypatch.setattr(low_rank_waves, "wave_blocks", lambda g, points, sources, table, Z: ((points, sources), Z))
+    with progress_callback(lambda *them: told.append(them)):
+        found = list(made.blocks([1, 2], [3, 4, 5], 1, 2))
+    k = made.wavenumbers[1::2]
+    assert len(k) > 1 and told == [("waves", pytest.approx(6 / 11))] * len(k)
+    assert [omega for omega, *_ in asked] == pytest.approx(np.sqrt(G * k * np.tanh(k * DEPTH)))
+    assert {tuple(rest) for _, *rest in asked} == {(DEPTH, G, 44.0, 8.0)}
+    assert found == [("K", ([1, 2], [3, 4, 5]), (one, DEPTH)) for one in k]
+
+
+@pytest.mark.parametrize("rows", [2, 3, 256])
+def test_rankine_equations_are_put_together_row_by_row_and_told(rows, monkeypatch):
+    """2π − D on the hull, D on the lid, S V beside S of the lid, of each class; blocks end anywhere"""
+    from hakobune.bem.kernels.progress import progress_callback
+    from hakobune.bem.panels.band import equations
+
+    monkeypatch.setattr(equations, "ROWS", rows)
+    S, D = RNG.normal(size=(2, 2, HULL + LID, HULL + LID))
+    g = geometry()
+    g.elements.nodes[:, 0] = np.arange(HULL + LID)
+
+    def rankine_rows(at):
+        own = at[:, 0].astype(int)
+        return S[:, own], D[:, own], None, None
+
+    g.rankine_rows, told = rankine_rows, []
+    V = RNG.normal(size=(2, HULL, 2))
+    with progress_callback(lambda *them: told.append(them)):
+        matrices, on_lid, sides = equations._rankine_equations(g, V)
+    assert {stage for stage, _ in told} == {"matrices"}
+    assert [count for _, count in told] == [min(rows, HULL + LID - start) for start in range(0, HULL + LID, rows)]
+    for c in range(2):
+        assert matrices[c] == pytest.approx(2 * np.pi * np.eye(HULL) - D[c, :HULL, :HULL])
+        assert on_lid[c] == pytest.approx(D[c, HULL:, :HULL])
+        assert sides[c] == pytest.approx(np.hstack([S[c, :, :HULL] @ V[c], S[c, :, HULL:]]))
+    assert len(matrices) == len(on_lid) == len(sides) == 2
