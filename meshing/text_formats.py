@@ -27,6 +27,8 @@ def read_gdf(path):
     lines = read_text(path, errors="replace").splitlines()
     if len(lines) < 4:
         raise ValueError(f"{path}: {len(lines)} lines; a GDF file has a header, ULEN GRAV, ISX ISY, NPAN, panels")
+    if all(len(line.split()) == 3 and all(map(is_number, line.split())) for line in lines[:4]):
+        raise ValueError(f"{path} begins with coordinates; a GDF file has a header, ULEN GRAV, ISX ISY, NPAN, panels")
     _, gravity = _numbers(path, 2, lines[1], 2)
     unit = length_unit(path, gravity)
     symmetry = _symmetry(path, 3, _numbers(path, 3, lines[2], 2))

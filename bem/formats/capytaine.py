@@ -111,6 +111,20 @@ def read(place, known=None):
         raise FormatError(f"{place} is no file of Capytaine: {error.args[0]}") from None
 
 
+def coupled(place, known, count):
+    """{quantity: array} of added mass and damping of `count` bodies together, (f, 6 count, 6 count)
+
+    known : as in `read`.  Raises FormatError.
+    """
+    with _opened(Path(place)) as file:
+        places = {}
+        for body in range(count):
+            axes = _axes_of_body(file, dict(known or {}) | {"body": body + 1})[0]
+            for axis in ("radiating_dof", "influenced_dof"):
+                places[axis] = [*places.get(axis, []), *axes[axis]]
+        return {name: _ordered(file, name, QUANTITIES[name][0], places) for name in TAKEN[:2]}
+
+
 def _opened(place):
     """An h5py.File; for a netCDF 3 file one in memory with the same datasets and axes"""
     with open(place, "rb") as begin:

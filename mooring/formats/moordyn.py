@@ -94,9 +94,10 @@ def parse_moordyn(text, path="MoorDyn file") -> MoorDynFile:
 def _sections(text, path):
     """Lines of the title, and {section: [(number, line)]}.  Raises FormatError."""
     title, found, key, first = [], {}, None, 0
-    for number, line in enumerate(text.splitlines(), 1):
+    lines = text.splitlines()
+    for number, line in enumerate(lines, 1):
         if line.lstrip().startswith("---"):
-            if key is None and _is_title(line):
+            if key is None and _is_title(line, lines[number:]):
                 title.append(line.rstrip())
                 continue
             key = _section_of(line, number, path)
@@ -115,11 +116,16 @@ def _sections(text, path):
     return title, found
 
 
-def _is_title(line):
-    """Whether a line of dashes before the first section is free text: no heading, nor nearly one"""
+def _is_title(line, following):
+    """Whether a line of dashes before the first section is free text: no heading, nor nearly one, nor one of a table
+    without the name of any column in the next of the lines that follow"""
     words = _words(line)
     if "FILE" in words or not words:
         return True
+    key = _known(words)
+    if key is not None and SECTIONS[key].row is not None and words not in SECTIONS[key].words:
+        head = next((row for row in following if row.strip() and not COUNT.match(row)), "")
+        return not set(head.lower().split()) & set(_fields(key))
     near = difflib.get_close_matches(
         words, [word for section in SECTIONS.values() for word in section.words], cutoff=0.6
     )

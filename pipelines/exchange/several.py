@@ -41,7 +41,9 @@ def import_several(place, kind_name, names, meshes, known, weights, output, fres
     kind = format_of("from", kind_name)
     module = import_module(f"hakobune.bem.formats.{kind.module}")
     if not hasattr(module, "coupled"):
-        able = ", ".join(n for n, one in FORMATS.items() if one.module in ("wamit", "bemio", "nemoh", "hams"))
+        able = ", ".join(
+            n for n, one in FORMATS.items() if one.module in ("wamit", "bemio", "nemoh", "hams", "capytaine")
+        )
         raise ValueError(
             f"--bodies is given with --from {kind_name}; allowed with {able}; for one body of several give --body"
         )

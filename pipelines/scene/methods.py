@@ -47,8 +47,8 @@ def chosen_method(scene):
     Over a bed far below the keel it loses digits.
     Several bodies whose circles do not overlap are solved one shape at a time. Jobs of four frequencies of two and
     three bodies took a fifth to a third of the time of panels, and 1.2 times it with circles 0.03 of the depth apart.
-    The contour method around all bodies does not give the drift of each body, which moorings need, and takes the time
-    of panels where a gap is a twentieth of the beam.
+    The contour method around all bodies does not give the drift of each body, which moorings need, and takes longer
+    than panels where a gap is a twentieth of the beam.
     """
     if scene.method != "auto":
         return scene.method

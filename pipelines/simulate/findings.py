@@ -44,7 +44,8 @@ def tilt_findings(file):
 
 def slack_findings(file):
     """A finding on lines and ropes without any pull in all runs"""
-    slack = [name for name in file["line"].asstr()[()] if summary_of(file, f"tension {name}")["largest"] == 0]
+    pulls = [name for name in file["quantity"].asstr()[()] if name.startswith("tension ")]
+    slack = [name.removeprefix("tension ") for name in pulls if summary_of(file, name)["largest"] == 0]
     if slack:
         yield f"lines without tension in all runs: {some(slack, LINES_NAMED)}; check their lengths"
 

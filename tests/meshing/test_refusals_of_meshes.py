@@ -108,3 +108,9 @@ def test_a_field_on_a_mesh_has_one_value_a_panel(tmp_path):
     assert f"field 'pressure' has shape ({len(BOX) + 1},); allowed: ({len(BOX)},), one value a panel" in str(
         refused.value
     )
+
+
+def test_a_gdf_without_its_header_is_told_as_that(tmp_path):
+    (tmp_path / "bare.gdf").write_text("10.0 5.0 -10.0\n" * 8)
+    with pytest.raises(ValueError, match="begins with coordinates; a GDF file has a header, ULEN GRAV"):
+        read_mesh(tmp_path / "bare.gdf")

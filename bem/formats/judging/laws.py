@@ -26,6 +26,7 @@ CAUSAL = 0.4  # the same for causality, whose integral is cut at the highest fre
 # deviation from the median of five neighbours, relative to the range of added mass, that marks a peak or an irregular
 # frequency
 PEAKED = 0.1
+PEAK = 6  # frequencies above a quarter of the largest damping, without which its peak is not resolved
 STEEP = 0.85  # power of ω above which a ratio counts as proportional to a power of it
 DEPTH_FITS = 0.04  # largest deviation of ratios from 1 at the right depth
 FLOATS = 0.01  # least heave stiffness of a floating body, over ρ g times its size squared
@@ -99,10 +100,17 @@ def _reciprocity(values):
 def _energy(values):
     B, A = (np.einsum("nii->ni", values.get(name)) for name in ("radiation_damping", "added_mass"))
     floor = NOISE * values.omega[:, None] * np.abs(A)
-    wrong = [i + 1 for i in range(6) if np.mean(B[:, i] < -floor[:, i]) > OFTEN and B[:, i].sum() < 0]
-    if not wrong:
+    below = np.mean(B + floor < 0, axis=0)
+    wrong = [i + 1 for i in range(6) if below[i] > OFTEN and B[:, i].sum() < 0]
+    if wrong:
+        return [f"B_{wrong[0]}{wrong[0]} is below 0: damping has the opposite sign"]
+    most = int(np.argmax(below))
+    if not below[most] > OFTEN:
         return []
-    return [f"B_{wrong[0]}{wrong[0]} is below 0: damping has the opposite sign"]
+    return [
+        f"B_{most + 1}{most + 1} is below 0 by more than {100 * NOISE:g} % of ωA at {100 * below[most]:.0f} % of the "
+        "frequencies: the body gives energy to the water, as with an open hull, walls inside it or too few panels"
+    ]
 
 
 def _circle(values):
@@ -360,7 +368,7 @@ def _causality(values):
         limits = values.others == 0 and low is not None and high is not None and low[i, i] - high[i, i]
         if limits and np.isfinite(limits) and abs(limits) > 0.1 * abs(high[i, i]):
             ratio, fall, least, most = _integral(w, b) / limits, limits, 1 - CAUSAL, 1 + CAUSAL
-        elif np.ptp(a) > 0.3 * np.abs(a).max() and _even(a):
+        elif np.ptp(a) > 0.3 * np.abs(a).max() and _even(a) and np.count_nonzero(b > 0.25 * b.max()) >= PEAK:
             ratio, fall, least, most = _follows(w, a, b), float(np.ptp(a)), 0.5, 2.0
             if values.others and not least < ratio < most:  # waves between bodies cause peaks without meaning here
                 continue

@@ -86,14 +86,29 @@ def test_two_of_nineteen_frequencies_are_more_than_a_tenth():
         assert bool(laws._energy(values)) is told
 
 
-def test_damping_of_which_the_positive_part_is_more_has_its_sign():
+def test_damping_of_which_the_positive_part_is_more_has_its_sign_and_gives_energy():
     omega = np.linspace(1.0, 2.0, 10)
     B = np.zeros((10, 6, 6))
     B[:5, 2, 2], B[5:, 2, 2] = -5.0, 5.1
     values = a_set(omega=omega, added_mass=spread(*[50] * 6, n=10), radiation_damping=B)
-    assert laws._energy(values) == []
+    (line,) = laws._energy(values)
+    assert line.startswith("B_33 is below 0 by more than 2 % of ωA at 50 % of the frequencies: the body gives energy")
     B[5:, 2, 2] = 4.9
-    assert laws._energy(a_set(omega=omega, added_mass=spread(*[50] * 6, n=10), radiation_damping=B)) != []
+    (line,) = laws._energy(a_set(omega=omega, added_mass=spread(*[50] * 6, n=10), radiation_damping=B))
+    assert line == "B_33 is below 0: damping has the opposite sign"
+
+
+def test_causality_needs_a_peak_of_damping_that_its_frequencies_resolve():
+    """Of B = 2ω²/(1 + ω²)² up to 60 rad/s twenty frequencies have one or two on the peak, and 1 200 have dozens"""
+    for n, tested in ((20, False), (1200, True)):
+        omega = np.linspace(0.05, 60.0, n)
+        A, B = np.zeros((n, 6, 6)), np.zeros((n, 6, 6))
+        A[:, range(6), range(6)] = 0.5
+        for i in (0, 1):
+            B[:, i, i] = 4 * omega**2 / (1 + omega**2) ** 2
+            A[:, i, i] = 2.0 - (omega**2 - 1) / (1 + omega**2) ** 2
+        values = a_set(omega=omega, added_mass=A, radiation_damping=B)
+        assert (laws._causality(values) is not None) is tested
 
 
 SYMMETRIC = spread(4, 4, 4, 4, 4, 4)

@@ -546,7 +546,14 @@ def test_a_column_of_control_channels_is_read_where_it_is_nought():
 
 
 @pytest.mark.parametrize(
-    "first", ["--- MoorDyn ---", "-----------------------", "---------- Mooring of a buoy, October -----"]
+    "first",
+    [
+        "--- MoorDyn ---",
+        "-----------------------",
+        "---------- Mooring of a buoy, October -----",
+        "--- MoorDyn, 3 LINES of a semi-submersible ---",
+        "----- LINE TYPES and POINTS of the OPTIONS study -----",
+    ],
 )
 def test_dashes_before_the_first_section_are_free_text(first):
     """MoorDyn: the lines before a heading are for notes"""

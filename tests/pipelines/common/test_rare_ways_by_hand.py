@@ -256,8 +256,9 @@ def test_a_run_without_a_file_is_kept_in_a_folder_that_goes(monkeypatch):
     monkeypatch.setattr(of_run, "fill", lambda *given: asked.append(given) or outcome)
     monkeypatch.setattr(of_run, "read_run", lambda *given: given)
     path, window, failed = of_run.simulate("s", "db", seeds=2, duration=60.0, executor="two", window=30.0)
-    study, db, output, console, _, seeds, duration, fresh, asked_window = asked[0]
+    study, db, output, console, _, seeds, duration, fresh, asked_window, pictures = asked[0]
     assert (study, db, seeds, duration, fresh, asked_window) == ("input of s", "open db", 2, 60.0, False, 30.0)
+    assert not pictures
     assert output == path and path.name == "run.h5" and not path.parent.exists() and console is None
     assert window == 30.0 and failed == ("FAILS: seed 3: no line",) and asked[1] == "two"
     outcome.interrupted = True

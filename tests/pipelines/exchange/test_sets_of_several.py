@@ -6,6 +6,8 @@ import pytest
 from hakobune.bem.database import open_database
 from hakobune.bem.formats import hams, nemoh, wamit
 from hakobune.bem.formats.values import about, values_of
+from hakobune.meshing.files import write_mesh
+from hakobune.meshing.shapes import box, buoy
 from hakobune.pipelines.cli import main
 from hakobune.pipelines.scene.scene import make_scene
 from hakobune.pipelines.solve.run import solve
@@ -50,6 +52,34 @@ def test_a_set_of_two_bodies_comes_back_by_the_names_of_the_bodies_alone(kind, t
     for name in ("added_mass", "radiation_damping", "excitation_force"):
         assert np.abs(back[name] - there.get(name)).max() < 2e-5 * np.abs(there.get(name)).max(), name
     assert back["displaced_volume"] == pytest.approx([180.0, np.pi * 2.5**2 * 6], rel=1e-5)
+
+
+def test_two_bodies_in_a_file_of_capytaine_come_back_with_their_hulls(two, tmp_path):
+    """The file has no hulls: they are given, where they lie in the scene"""
+    barge = box(10, 6, 3, panels=120, symmetry="").rotated(np.radians(30.0)).moved(0, 5, 0)
+    write_mesh(barge, tmp_path / "barge.gdf")
+    write_mesh(buoy(2.5, 6.0, panels=120).whole().moved(4, -6, 0), tmp_path / "spar.gdf")
+    place, out = tmp_path / "set.nc", tmp_path / "back.h5"
+    assert main(["export", str(two), "--to", "capytaine", "--output", str(place)]) == 0
+    hulls = f"{tmp_path / 'barge.gdf'},{tmp_path / 'spar.gdf'}"
+    words = [
+        "import",
+        str(place),
+        "--from",
+        "capytaine",
+        "--bodies",
+        "barge,spar",
+        "--mesh",
+        hulls,
+        "--output",
+        str(out),
+    ]
+    assert main([*words, "--gyration", "2,3,3;2,2,1.5", "--center-of-gravity", "0,5,0;4,-6,-4"]) == 0
+    back, there = open_database(out), values_of(open_database(two), several=True)
+    for body, known in zip(back.bodies, there.bodies, strict=True):
+        assert body.rotation_center == pytest.approx(known.rotation_center, abs=1e-9)
+    for name in ("added_mass", "radiation_damping", "excitation_force"):
+        np.testing.assert_allclose(back[name], there.get(name), rtol=1e-12, atol=1e-12 * np.abs(there.get(name)).max())
 
 
 def test_beside_a_fixed_body_columns_are_of_the_bodies_that_move(tmp_path):

@@ -227,7 +227,7 @@ def test_lines_in_motion_are_those_of_the_task_or_of_a_trial_or_none_with_the_re
     plan = SimpleNamespace(settings=Settings(asked), weather="weather")
     found = work._lines_chosen(SimpleNamespace(moving=moving), body, plan)
     if isinstance(wanted, tuple) and not isinstance(wanted, Choice):
-        assert found == Choice(plan.settings, (), wanted) and given == [("system", plan.settings, True)]
+        assert found == Choice(plan.settings, (), wanted) and given == [("system", plan.settings)]
     else:
         assert found == wanted and given == ([(body, "weather", plan.settings)] if wanted == "chosen" else [])
 
