@@ -101,3 +101,11 @@ def test_surfaces_are_of_all_panels_and_of_sides_in_the_surface(surfaces):
     assert outwards == pytest.approx(np.where(np.abs(line.normals[:, 0]) > 0.5, 10.0, 6.0))
     volume = np.sum(hull.points * hull.normals, axis=1) @ hull.weights / 3
     assert volume == pytest.approx(960.0 * (1.0), rel=1e-9)
+
+
+@pytest.mark.parametrize("below, length", [(3e-6, 64.0), (5e-6, 0.0)])
+def test_a_millionth_of_the_draft_below_the_surface_is_still_the_waterline(below, length):
+    """4e-6 m of 4 m"""
+    sunk = box(20.0, 12.0, 4.0, panels=24).moved(0.0, 0.0, -below)
+    found = hull_surfaces(Geometry(sunk, None, DEPTH))
+    assert found.waterline.weights.sum() == pytest.approx(length)
