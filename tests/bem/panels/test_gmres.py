@@ -6,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
+from hakobune.bem.panels.compressed import iteration
 from hakobune.bem.panels.compressed.iteration import _cycle, gmres
 from hakobune.bem.panels.one_frequency import PanelRun
 
@@ -83,6 +84,15 @@ def test_the_space_is_orthogonal_to_single_precision_where_its_vectors_are_nearl
     basis = np.array(seen[:-1])
     assert len(basis) > 1
     assert np.abs(basis.conj() @ basis.T - np.eye(len(basis))).max() < 2e-6
+
+
+@pytest.mark.parametrize("tolerance, fall", [(0.9, 0.1), (0.02, 0.01), (1e-10, 1e-4)])
+def test_a_cycle_falls_to_half_the_tolerance_as_far_as_single_precision_goes(equations, monkeypatch, tolerance, fall):
+    """Of the largest entry, over the scale of each column: a tenth at most, and a ten-thousandth at least"""
+    seen = []
+    monkeypatch.setattr(iteration, "_cycle", lambda *given: seen.append(given[-1]) or (np.zeros((SIZE, SIDES)), 1))
+    gmres(equations, lambda values, signs: values, Columns(np.zeros((SIZE, SIDES)), 1), tolerance, 40)
+    assert seen[0] == pytest.approx(np.full(SIDES, fall))
 
 
 @pytest.mark.parametrize("apart, count", [(1.9e-4, 1), (2.1e-4, 2)])

@@ -203,11 +203,11 @@ def test_shapes_that_are_the_same_are_made_once_and_refined_once():
 
 
 def test_a_body_answers_to_what_is_three_hundredths_of_the_tolerance_of_its_largest_answer():
-    """Of singular values 1, 3.15e-5 and 2.85e-5 of what is scattered two count, with forces of the same size"""
+    """Of singular values 1, 3.05e-5 and 2.95e-5 of what is scattered two count, with forces of the same size"""
     held = SimpleNamespace(bodies=SimpleNamespace(tolerance=1e-3), waves=[PartialWaves("decaying", 0.5, 1)],
-                           _size=lambda a: np.ones(3))  # fmt: skip
+                           _size=lambda body: np.ones(3))  # fmt: skip
     body = SimpleNamespace(plan=SimpleNamespace(reach=2.0))
-    one = SimpleNamespace(members=[np.arange(3)], scattered=np.diag([1.0, 3.15e-5, 2.85e-5]) + 0j,
+    one = SimpleNamespace(members=[np.arange(3)], scattered=np.diag([1.0, 3.05e-5, 2.95e-5]) + 0j,
                           pressed=np.zeros((6, 3), complex), sent=np.zeros((3, 6), complex))  # fmt: skip
     found = Coupled._response(held, body, one)
     assert found.few.shape == (2, 3) and found.scattered.shape == (3, 2)

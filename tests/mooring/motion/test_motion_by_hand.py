@@ -266,7 +266,10 @@ def test_a_trial_compares_the_line_that_changes_most_with_the_largest_pull():
 def test_a_trial_compares_slow_motions_that_are_not_small(monkeypatch):
     """σ of surge 2 and 1 m; sway of a twentieth does not count; yaw counts with the arm to the fairleads, 50 m"""
     monkeypatch.setattr("hakobune.mooring.motion.simulation.trial._arm", lambda moored: 50.0)
-    swing, body = np.array([5.0, 1.0, -1.0, 1.0, -1.0])[:, None], SimpleNamespace(reader=SimpleNamespace(words=WORDS))
+    swing, body = (
+        np.array([5.0, 1.0, -1.0, 1.0, -1.0])[:, None],
+        SimpleNamespace(reader=SimpleNamespace(words=WORDS, rigid=6)),
+    )
     time = np.array([-1.0, 0.0, 1.0, 2.0, 3.0])
     one, other = (
         SimpleNamespace(time=time, slow=swing * np.array(s)) for s in ([2.0, 0.05, 0.01], [1.0, 0.001, 0.012])

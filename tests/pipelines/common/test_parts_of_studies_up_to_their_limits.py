@@ -224,7 +224,9 @@ def test_a_spread_is_of_lines_that_hang():
 
     def legs(kind):
         raw = {"water": {"depth": 20.0}, "types": TYPES, "spreads": [{"type": kind, **spread}]}
-        return make_study(raw)._legs({"": SimpleNamespace(length=60.0, beam=12.0)}, 1025.0, 9.80665, False)
+        return make_study(raw)._legs(
+            {"": SimpleNamespace(length=60.0, beam=12.0, is_round=False)}, 1025.0, 9.80665, False
+        )
 
     assert len(legs("chain")) == 8
     refused("spreads[0].type nylon is a hawser; give it as [[lines]] with a bollard", legs, "nylon")
