@@ -313,3 +313,24 @@ def test_a_strip_is_even_where_no_weight_is_a_hundred_millionth_of_its_largest(s
     weights[1, 1, 2] = 3.0
     none = np.zeros(0)
     assert surface_near.Strips(none, weights, none, none, none, none, none, none).even == even
+
+
+@pytest.mark.parametrize("degrees, images, whole", [
+    ([0, 90, 180, 270, 360], 1, True), ([0, 90, 180], 2, True), ([0, 90], 4, True),
+    ([0, 90, 60, 180, 270, 360], 1, False),  # a side that runs back
+    ([0, 90, 180], 1, False), ([0, 90, 180, 270, 360], 2, False), ([0, 90, 180, 269.9], 1, False),
+])  # fmt: skip
+def test_a_waterline_runs_once_around_the_middle_and_never_back(degrees, images, whole, monkeypatch):
+    turn = np.radians(degrees)
+    corners = 5.0 * np.stack([np.cos(turn), np.sin(turn)], axis=1)
+    sides = np.stack([corners[:-1], corners[1:]], axis=1)
+    monkeypatch.setattr(surface_near, "_sides", lambda mesh: (np.arange(len(sides)), sides))
+    monkeypatch.setattr(surface_near, "_known", lambda panels, sides, line: (panels, panels))
+    monkeypatch.setattr(surface_near, "_strips", lambda *them: SimpleNamespace(even=True))
+    mesh = SimpleNamespace(reflections=lambda: range(images))
+    circle = surface_near.Circle(np.zeros(2), 8.0, np.full(2, 5.0))
+    if whole:
+        assert len(strips_about(mesh, None, circle, 0.1)) == 1
+        return
+    with pytest.raises(ValueError, match="one closed curve, with each point visible from its middle"):
+        strips_about(mesh, None, circle, 0.1)
