@@ -272,3 +272,33 @@ def test_rankine_equations_are_put_together_row_by_row_and_told(rows, monkeypatc
         assert on_lid[c] == pytest.approx(D[c, HULL:, :HULL])
         assert sides[c] == pytest.approx(np.hstack([S[c, :, :HULL] @ V[c], S[c, :, HULL:]]))
     assert len(matrices) == len(on_lid) == len(sides) == 2
+
+
+@pytest.mark.parametrize("lid", [LID, 0])
+def test_unit_columns_of_a_class_are_solved_with_or_without_the_lid(lid):
+    """(2π − D₀) φ = [X, S₀V, S₀ of the lid], φ at samples and sources, ∬ V φ over all images, D₀φ + … on the lid"""
+    from scipy.linalg import lu_factor
+
+    from hakobune.bem.panels.band.equations import BandEquations
+
+    r, v, q, on_hull = 3, 2, 4, np.array([1, 5])
+    X, Y, V = RNG.normal(size=(HULL + lid, r)), RNG.normal(size=(q, HULL + lid)), RNG.normal(size=(2, HULL, v))
+    samples = SimpleNamespace(on_hull=on_hull, hull=len(on_hull))
+    low_rank = SimpleNamespace(X=X, Y=Y, velocities=V, error_test=SimpleNamespace(samples=samples))
+    u, g = r + v + lid, geometry(copies=2)
+    empty = (np.full((2, rows, u), np.nan) for rows in (HULL, len(on_hull), v, q, lid))
+    made = BandEquations(g, 1e-3, low_rank, *empty, None, None, None)
+    A, on_lid = RNG.normal(size=(HULL, HULL)) + 6 * np.eye(HULL), RNG.normal(size=(LID, HULL))
+    sides = RNG.normal(size=(HULL + LID, v + LID))
+    made.solve_class(1, lu_factor(A.T), on_lid, sides)
+    known = np.hstack([X, sides[: HULL + lid, : v + lid]])
+    phi = np.linalg.solve(A, known[:HULL])
+    assert made.unit_potentials[1] == pytest.approx(phi)
+    assert made.potentials_at_samples[1] == pytest.approx(phi[on_hull])
+    areas = 2 * g.elements.weights[:HULL]
+    assert made.integrals[1] == pytest.approx(np.einsum("nv,n,nu->vu", V[1], areas, phi))
+    assert made.at_sources[1] == pytest.approx(Y[:, :HULL] @ phi)
+    assert made.on_lid[1] == pytest.approx(on_lid[:lid] @ phi + known[HULL:])
+    assert np.isnan(made.unit_potentials[0]).all()
+    with pytest.raises(FloatingPointError, match=r"hull \(symmetry class 0\) have no finite solution"):
+        made.solve_class(0, lu_factor(A.T), on_lid, sides * np.nan)
