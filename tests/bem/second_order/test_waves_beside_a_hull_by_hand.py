@@ -334,3 +334,22 @@ def test_a_waterline_runs_once_around_the_middle_and_never_back(degrees, images,
         return
     with pytest.raises(ValueError, match="one closed curve, with each point visible from its middle"):
         strips_about(mesh, None, circle, 0.1)
+
+
+@pytest.mark.parametrize("folds, tried", [({}, 1), ({3}, 2), ({5}, 2), ({3, 5}, 2)])
+def test_strips_of_every_number_of_points_are_even_before_they_are_taken(folds, tried, monkeypatch):
+    """Sides of 1 m and of 9 m have 3 and 5 points; one kind that folds is enough to lean less"""
+    corners = np.array([[4.5, 0.5], [-4.5, 0.5], [-4.5, -0.5], [4.5, -0.5], [4.5, 0.5]])
+    sides, seen = np.stack([corners[:-1], corners[1:]], axis=1), []
+
+    def strips(sides, known, circle, count, outwards, spread):
+        seen.append((count, spread))
+        return SimpleNamespace(even=spread < 0.3 or count not in folds)
+
+    monkeypatch.setattr(surface_near, "_sides", lambda mesh: (np.arange(4), sides))
+    monkeypatch.setattr(surface_near, "_known", lambda panels, sides, line: (panels, panels))
+    monkeypatch.setattr(surface_near, "_strips", strips)
+    found = strips_about(SimpleNamespace(reflections=lambda: [0]), None,
+                         surface_near.Circle(np.zeros(2), 9.0, np.array([4.5, 0.5])), 0.1)  # fmt: skip
+    assert {count for count, _ in seen} == {3, 5} and len(found) == 2
+    assert [spread for _, spread in seen] == [spread for spread in (0.3, 0.15)[:tried] for _ in range(2)]
