@@ -175,3 +175,23 @@ def test_far_from_the_origin_bessel_functions_are_hankels_series_up_to_its_ninth
         c, s = (part(x - order * math.pi / 2 - math.pi / 4) for part in (math.cos, math.sin))
         assert j == pytest.approx(scale * (P * c - Q * s), abs=error * scale)
         assert y == pytest.approx(scale * (P * s + Q * c), abs=error * scale)
+
+
+def test_integrals_are_cut_for_the_accuracy_of_the_table_and_of_a_whole_one_four_digits_below(monkeypatch):
+    """5 − ln of the accuracy; a whole table's remainder is wanted to 1e-4 of 1/r"""
+    kinds = ("PositiveFrequency", "ZeroFrequency", "InfiniteFrequency")
+    for kind in kinds:
+        monkeypatch.setattr(tables, kind, lambda *them, kind=kind: (kind, *them))
+    monkeypatch.setattr(tables, "_table", lambda form, *them, **more: (form, more))
+    K, k, _ = tables._wave_numbers(0.8, 20.0, 9.81)
+    assert K == pytest.approx(0.64 / 9.81) and k * math.tanh(20 * k) == pytest.approx(K)
+    whole = tables.whole_table.__wrapped__(0.8, 20.0, 9.81)
+    assert whole == (
+        ("PositiveFrequency", K, k, 20.0, pytest.approx(5 - math.log(1e-4 * tables.WHOLE))),
+        {"whole": True},
+    )
+    some = getattr(tables.wave_table, "__wrapped__", tables.wave_table)(0.8, 20.0, 9.81, 30.0, 5.0, 1e-6)
+    assert some == (("PositiveFrequency", K, k, 20.0, pytest.approx(5 - math.log(1e-6))), {})
+    for which, kind in (("zero", kinds[1]), ("infinity", kinds[2])):
+        assert tables.limit_table(which, 20.0, 30.0, 5.0, 1e-4)[0] == (kind, 20.0, pytest.approx(5 - math.log(1e-4)))
+    assert tables.whole_table.__wrapped__(0.8, np.inf, 9.81)[0] is None
