@@ -302,3 +302,26 @@ def test_unit_columns_of_a_class_are_solved_with_or_without_the_lid(lid):
     assert np.isnan(made.unit_potentials[0]).all()
     with pytest.raises(FloatingPointError, match=r"hull \(symmetry class 0\) have no finite solution"):
         made.solve_class(0, lu_factor(A.T), on_lid, sides * np.nan)
+
+
+def test_both_parts_of_a_band_are_solved_with_the_factors_of_each_class(monkeypatch):
+    """Without and with the lid: S₀V of its own velocities, then S₀ of the lid"""
+    from hakobune.bem.panels.band import equations
+
+    solved, V = [], {"open": RNG.normal(size=(2, HULL, 2)), "lid": RNG.normal(size=(2, HULL, 3))}
+
+    def empty(g, accuracy, low_rank):
+        return SimpleNamespace(low_rank=low_rank, solve_class=lambda *them: solved.append((g, *them)))
+
+    monkeypatch.setattr(equations, "split_by_lid", lambda *them: [("open", "low"), ("lid", "high")])
+    monkeypatch.setattr(equations, "low_rank_waves", lambda g, *_: SimpleNamespace(velocities=V[g]))
+    monkeypatch.setattr(equations.BandEquations, "empty", empty)
+    sides = [np.arange(8) + 10.0 * c + np.zeros((2, 1)) for c in range(2)]  # 2 + 3 velocities and 3 nodes of the lid
+    monkeypatch.setattr(equations, "_rankine_equations", lambda g, v: (["A", "B"], ["on lid A", "on lid B"], sides))
+    monkeypatch.setattr(equations, "_factored", lambda matrix: f"factors of {matrix}")
+    assert len(equations.band_equations("lid", (0.2, 1.1), G, 1e-3)) == 2
+    wanted = [(name, c, f"factors of {A}", f"on lid {A}") for c, A in enumerate("AB") for name in ("open", "lid")]
+    assert [one[:4] for one in solved] == wanted
+    for (name, c, *_), side in zip(wanted, (one[4] for one in solved), strict=True):
+        own = [0, 1, 5, 6, 7] if name == "open" else [2, 3, 4, 5, 6, 7]
+        assert side[0].tolist() == [10.0 * c + n for n in own]
