@@ -84,7 +84,7 @@ def virtual_masses(ship, depth=None):
 
 
 def shallow(ship, depth):
-    """A line on a ship with less water under its keel than virtual masses are known for; depth : m, or None"""
+    """A line of text for a ship with less water under its keel than virtual masses are known for; depth : m, or None"""
     gap = None if depth is None else depth - ship.draft
     if gap is not None and gap < LEAST_GAP * ship.draft:
         yield (

@@ -31,7 +31,8 @@ class Quake:
     coefficient: float | None
 
     def normalised(self, periods, stiffness):
-        """Reaction of springs, N/m, over that by the seismic coefficient, (q,) of ground periods (q,) s"""
+        """Reaction over the reaction by the seismic coefficient; shape (q,); stiffness : N/m of springs; periods : (q,)
+        s of the ground"""
         omega = 2 * np.pi / np.asarray(periods, float)
         return normalised_reaction(omega, self.floater.mass, *self.floater.water(omega), stiffness)
 

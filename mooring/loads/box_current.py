@@ -77,7 +77,7 @@ def current_force(speed, direction, length, beam, draft, density=1025.0, table=N
     """Forces F_x, F_y, N, and moment M_z, N m, about the middle of the box; shape (…, 3).
 
     speed : (…) m/s; direction : (…) rad, the current flows to
-    table : DragTable; by default that of `box_table` at the water depth `depth`, its notes as warnings
+    table : DragTable; by default `box_table` at the water depth `depth`, m, whose notes become warnings
     """
     check_positive(length=length, beam=beam, draft=draft)
     if table is None:

@@ -37,12 +37,12 @@ class Carrier(NamedTuple):
         return self.velocity[0] * np.cos(heading) + self.velocity[1] * np.sin(heading)
 
     def met(self, omega, heading, depth, gravity):
-        """rad/s, arrays that broadcast: absolute frequency of waves of the given frequency towards `heading`"""
+        """Absolute frequency, rad/s, of waves of the given frequency towards `heading`; arrays broadcast"""
         omega, heading = np.broadcast_arrays(np.asarray(omega, float), heading)
         return omega if self.absolute else absolute_frequency(omega, self.along(heading), depth, gravity)
 
     def own(self, omega, heading, depth, gravity):
-        """rad/s, arrays that broadcast: intrinsic frequency of waves of the given frequency towards `heading`"""
+        """Intrinsic frequency, rad/s, of waves of the given frequency towards `heading`; arrays broadcast"""
         omega, heading = np.broadcast_arrays(np.asarray(omega, float), heading)
         return intrinsic_frequency(omega, self.along(heading), depth, gravity) if self.absolute else omega
 

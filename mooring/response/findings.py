@@ -73,9 +73,10 @@ def named_shares(names, share):
 class Errors(NamedTuple):
     """Relative estimated errors of results between stored waves
 
-    motions : (n,) of standard deviations, four deviations of their own; drift : (2,) of the mean drift force and
-    moment; damping : that by wave drift.  Those of drift are None without drift, the moment's of at least LEVER
-    times the radius times the force.  words : (n,) names of the motions
+    motions : (n,) relative errors of standard deviations; drift : (2,) relative errors of the mean drift force and
+    moment; damping : relative error of wave drift damping.
+    Errors of drift are None without drift. The moment counts as at least LEVER times the radius times the force. words
+    : (n,) names of the motions
     at : rad/s of the largest error of motions, drift and damping; gap : rad, between the headings around the waves
     """
 
@@ -97,7 +98,8 @@ class Errors(NamedTuple):
 
 
 def errors_between(body, sea, omega, m0, drift, damping):
-    """`Errors` of the motions, of m0 (n,), mean drift (3,) and wave drift damping (3, 2), each of both or None.
+    """`Errors` from m0 of the motions (n,), mean drift (3,) and wave drift damping (3, 2); each is a pair of value and
+    error, or None.
 
     The estimated errors of `Reader.at`, as if all of one sign: of σ four times ∫|X|δX S dω of ∫|X|² S dω, of the mean
     force 2∫ δD S dω, of its moment one and a half times that: with factors of three and one, six and seven of a hundred

@@ -19,7 +19,8 @@ SLOW_DRIFT = 1.2  # factor of the report on line tensions, in place of slow drif
 
 
 class Run(NamedTuple):
-    """record : motion with that in waves, or slow motion alone; steady : Equilibrium nearest to its first place
+    """record : slow motion and wave motion, or slow motion alone; steady : Equilibrium nearest to the start of the
+    record
 
     cycle : cycle of its last part; settled : s, nan if the heading does not come to rest; radius : m of the watch
     circle

@@ -28,9 +28,9 @@ MISSED = 0.05  # share of the energy of the waves
 class Times:
     """Duration and steps of a run.
 
-    duration, step (of the record, None for that of the scheme), slow_step (of two scales), waves_after : s
-    offset : rad, initial heading relative to that of rest; tolerance : tolerance of place and heading; seed : seed
-    of the gusts
+    duration, step (of the record, None for the step of the scheme), slow_step (of two scales), waves_after : s
+    offset : rad, initial heading relative to the heading at rest; tolerance : tolerance of place and heading; seed :
+    seed of the gusts
     """
 
     duration: float = 1200.0

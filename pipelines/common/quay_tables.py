@@ -208,7 +208,8 @@ def _check_bollard(name, place, box):
 
 
 def doubtful_holds(fenders, ropes, hull, held):
-    """Lines on ropes that cross the hull from side to side, and on fenders alone; held : whether lines hold it too"""
+    """Lines of text on ropes that cross the hull from side to side, and on fenders alone; held : whether lines hold the
+    body too"""
     across = [one.name for one in ropes if _crosses(np.array(one.fairlead, float), np.array(one.bollard, float), hull)]
     if across:
         yield (

@@ -49,7 +49,8 @@ def design(
 
 
 def unread_simulation(study, project):
-    """A line on keys of [simulation] of a study that the project's own lacks: a project reads its own alone
+    """A line of text on keys of a study's [simulation] that the project's [simulation] lacks; a project reads its own
+    table alone
 
     study, project : tables as read
     """
