@@ -27,7 +27,7 @@ class ExtrapolatedRun(FrequencyRun):
     """A `bem.panels.one_frequency.PanelRun` extrapolated from two meshes, without most of the error of its mesh.
 
     Every quantity that is linear in the potentials is extrapolated, and motions and drift forces follow from these
-    quantities. `pressure` is that on the mesh.
+    quantities. `pressure` is not extrapolated.
     """
 
     def __init__(self, run):

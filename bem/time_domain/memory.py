@@ -174,7 +174,7 @@ def no_memory(body):
     """`Memory` without states of a `Reader`, for runs that use coefficients at one frequency instead
 
     A few states cannot represent resonances of water before a wall; added mass at the highest frequency then replaces
-    that at infinite frequency.
+    added mass at infinite frequency.
     """
     band = body.between.span
     count = len(body.words)

@@ -1,7 +1,7 @@
 """`hakobune response --moored`: the body of a response study on the lines of a mooring study, with its slow motion.
 
-Of several bodies lines, ropes, fenders and hinges are the linear stiffness that they have where they balance the steady
-forces.
+For several bodies, lines, ropes, fenders and hinges act by their linear stiffness at the place where they balance the
+steady forces.
 """
 
 from __future__ import annotations

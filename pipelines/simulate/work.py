@@ -35,7 +35,7 @@ _prepared = {}  # of this process: the last task, and its `Ready`
 
 @dataclass(frozen=True, eq=False)
 class Task:
-    """study : `moor.study.Study`; database : path; duration : s, or None for that of the study
+    """study : `moor.study.Study`; database : path; duration : s, or None for the duration of the study
 
     memory : memory of the water, fitted, None before that
     folder : folder of the study, for the files that it names
@@ -59,7 +59,7 @@ class Ready(NamedTuple):
 
 
 def prepared(task, db=None, waves=None):
-    """`Ready` of a Task; a process keeps it for the next seed of the same
+    """`Ready` of a Task; a process keeps it for the next seed of the same Task
 
     db : its open database, which other processes open themselves
     waves : `mooring.motion.wave_loads.WaveForces` of the same body in another sea, reused where equal

@@ -49,8 +49,8 @@ class Cause(NamedTuple):
 
 
 class Finding(NamedTuple):
-    """gap : the largest difference, found in `quantity`; cause : or None; left : difference that remains with the
-    cause, or with the best cause that was tried"""
+    """gap : the largest difference, found in `quantity`; cause : the cause, or None; left : difference that remains
+    with the cause, or with the best cause that was tried"""
 
     gap: float
     quantity: str

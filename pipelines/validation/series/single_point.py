@@ -98,7 +98,8 @@ def surge_at(point, tension):
 
 
 def drift_of(case, db):
-    """tonf over the square of the height: that of the head-on rows, by what is computed for the depth and the period"""
+    """Drift over the square of the height, tonf/m²: the value of the head-on rows, scaled by the computed drift at the
+    depth and the period"""
     f, sea = FLOATERS[case.floater], make_study(study_of(case)).waves
     omega = np.sort(db.reader.omega)
     stored = db.reader.drift(omega, [np.pi])[:, 0, 0]
