@@ -225,6 +225,6 @@ def _guesses(slender, given):
         yield f"current force: L/B = {slender:.4g} lies between the tested 1.2 and 2; it is interpolated linearly"
     if slender != 2.0 or given > 2.0 * (1 + SAME):
         yield (
-            f"current moment for L/B = {given:.4g} is a guess (lever {0.09 * (min(given, 2.0) - 1):.2g} L at 45°): "
-            "the report prints only that for L/B = 2; give current coefficients"
+            f"current moment for L/B = {given:.4g} is a guess (lever {0.09 * (min(given, 2.0) - 1):.2g} L at "
+            "45°): the report prints only the moment for L/B = 2; give current coefficients"
         )

@@ -125,10 +125,10 @@ def check_blocked(carrier, sea, depth, gravity):
         )
     if steep > MOST:
         yield (
-            "the change of the drift by the current is to first order in V/C_g, current over group velocity, and "
-            f"valid up to {FIRST_ORDER:g}; V/C_g is {slowest:.2g} at the mean frequency, and above the limit for "
-            f"{100 * steep:.3g} % of the wave energy; treat drift on the current as approximate, or compare with "
-            'current.waves = "still"'
+            "the change of the drift by the current is computed to first order in V/C_g, current over group "
+            f"velocity, which is valid up to {FIRST_ORDER:g}; V/C_g is {slowest:.2g} at the mean frequency, and "
+            f"above the limit for {100 * steep:.3g} % of the wave energy; treat drift on the current as "
+            'approximate, or compare with current.waves = "still"'
         )
 
 

@@ -49,7 +49,7 @@ def moored(path, read, db, sea, duration, points):
     from .study import viscous_laws, viscous_words
 
     if read.current is not None:
-        raise StudyError(f"current is given with --moored; leave it out: the current is that of {path}")
+        raise StudyError(f"current is given with --moored; leave it out: {path} gives the current")
     study, _ = read_study(path)
     hull = study.without_berth("response --moored").hull_of(db.sizes)
     system = study.system(hull, db.rotation_center, db.density, db.gravity)

@@ -353,7 +353,7 @@ def _of_gaps(sides, apart):
         elif max(gap.max() - at_rest, at_rest - least) > max(FARTHER * at_rest, size):
             yield (
                 f"the gap between {names} varies from {least:.3g} to {gap.max():.3g} m and is {at_rest:.3g} m "
-                "at rest, but the forces of the water between the hulls are those of the gap at rest; give lines "
+                "at rest, but the forces of the water between the hulls are computed for the gap at rest; give lines "
                 "that hold the bodies there, or solve the bodies at the gap of the run"
             )
 

@@ -260,6 +260,6 @@ def _of_lost(settings):
             )
         else:
             yield (
-                f"line {name} does not break, since its time is {at:g} s after the ramp and a run lasts "
+                f"line {name} does not break, since its break time is {at:g} s after the ramp and a run lasts "
                 f"{settings.duration:g} s"
             )

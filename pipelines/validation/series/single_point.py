@@ -174,8 +174,8 @@ def trends(found):
     for (floater, height, period, depth), rows in groups.items():
         ours, printed, away = map(_ends, np.array(rows).T)
         yield (
-            f"{floater}, H {height:g} m, {period:g} s, {depth:g} m: the significant over the static tension "
-            f"is {ours}, printed {printed}; the difference is that of {away} m of surge"
+            f"{floater}, H {height:g} m, {period:g} s, {depth:g} m: significant tension over static tension is "
+            f"{ours}, printed {printed}; {away} m of surge explain the difference"
         )
     away = np.abs([one["apart_m"] for one in found if np.isfinite(one["apart_m"])])
     if len(away) > 1:
