@@ -45,7 +45,7 @@ class WaveForces:
     """Forces and drift of a body over frequencies and a ring of headings relative to its axes, for any sea.
 
     omega : (q,) rad/s; force : (q, HEADINGS, 12) real and imaginary parts per metre; drift : (q, HEADINGS, 3) or None
-    others : those of further bodies that move, then of groups of six shapes, at the same frequencies
+    others : WaveForces of further moving bodies, then of groups of six shapes, at the same frequencies
     """
 
     omega: np.ndarray

@@ -60,7 +60,7 @@ class Track:
 
 
 def along_track(track, moored, passing, lengths, fine=1):
-    """Places ξ to `lengths` mean lengths before and behind; shape (n,).
+    """Places ξ up to `lengths` mean lengths of the ships before and behind; shape (n,).
 
     moored, passing : m, lengths of the ships; fine : factor on the number of places
     The places are at most an eighth of the shorter ship and a quarter of the distance apart.

@@ -56,7 +56,8 @@ class OneSystem(Spectrum):
         if a <= 0:
             if np.any(np.isinf(high)):
                 raise ValueError(
-                    f"{self.name}: moment {order} is infinite at shape {self.shape:g}; give high, the highest frequency"
+                    f"{self.name}: the moment of order {order} is infinite at the shape parameter "
+                    f"{self.shape:g}; give high, the highest frequency"
                 )
             return self._by_rule(order, low, high)
         with np.errstate(divide="ignore"):

@@ -105,7 +105,9 @@ def body_at(steady: Equilibrium, state, db=None, *, buoy: BuoyBody | None = None
     if not contact and (buoy is None or rope is None):
         raise SinglePointError("a hawser needs the buoy's mass and the rope's strength; give buoy and rope")
     if contact and buoy is not None:
-        raise SinglePointError("a contact buoy moves with the body; a buoy of its own needs a hawser")
+        raise SinglePointError(
+            "a contact buoy moves with the body; only a buoy on a hawser moves by itself; it needs a hawser"
+        )
     body = planar(point) if db is None else moored(db, memory=memory, linearised_in=sea)
     center = np.asarray(body.reader.rotation_center, float)
     out, state = np.zeros(3), np.asarray(state, float)

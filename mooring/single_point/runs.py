@@ -2,8 +2,7 @@
 
 `slow_run` computes the slow motion alone. `two_scale_run` adds the waves of a step at a fixed slow position, as the
 report does. `full_run` has slow and wave motion in one equation.
-Gusts are those of the wind of the loads; tensions of lines are
-static, with their ends moved by all motions together.
+Gusts come from the wind of the loads; tensions of lines are static, with their ends moved by all motions together.
 """
 
 import warnings

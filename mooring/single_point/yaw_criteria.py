@@ -28,7 +28,7 @@ class YawStability(NamedTuple):
     """lever : m, N_ψ/Y_ψ, ahead of the centre of mass, nan without a side force; static : whether a is larger
 
     straight_line : Y_v N_r − N_v (Y_r − MU), (N s/m)(N m s), above 0 for a ship that keeps a straight line
-    lengths : (k,) m, rising, those of the given lengths at which Routh and Hurwitz's condition changes its sign
+    lengths : (k,) m, rising, the given lengths at which Routh and Hurwitz's condition changes its sign
     """
 
     lever: float

@@ -311,8 +311,8 @@ def largest_use(body, motion, tension):
 
 def anchor_pulls(body, motion, tension):
     """Pull along the bed and up at the anchor of each line, where its pull on the body is largest, N; shape (lines, 2);
-    nan for ropes.  As `largest_use`: static pulls, times the ratio of the largest tension to the static one, at least
-    1."""
+    nan for ropes.  Static pulls times the ratio of the largest tension to the static tension, at least 1, as in
+    `largest_use`."""
     found = np.full((tension.shape[1], 2), np.nan)
     for i in range(0 if body.system is None else len(body.system.lines)):
         lines = _at_rest_in(body, motion[tension[:, i].argmax()])

@@ -1,4 +1,4 @@
-"""First-order flow on the side and, of a cylinder, on the bottom of a vertical-sided body, at points for integrals.
+"""First-order flow on a vertical-sided body, at points for integrals: on the side, and on the bottom of a cylinder.
 
 Points on the side are those of `bem.contour.side_flow` times the nodes of the contour; points on the bottom are those
 of `under_keel`. Both are graded towards the keel, where the flow is the flow around its edge.

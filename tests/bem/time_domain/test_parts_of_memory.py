@@ -224,7 +224,7 @@ def test_a_memory_that_no_system_meets_is_told_with_its_best(monkeypatch):
     omega = np.linspace(0.1, 2.0, 40)
     wanted = RNG.normal(size=(40, 1, 1)) + 1j * RNG.normal(size=(40, 1, 1))
     with pytest.raises(
-        ValueError, match=r"the memory of b has an error of .*, and the tolerance is 1e-05; give a larger"
+        ValueError, match=r"the memory of the water in b has an error of .*, and the tolerance is 1e-05; give a larger"
     ):
         fit_now(omega, wanted, np.ones(1), (1,), 1e-5, np.zeros((40, 1)), ("a", "b"))
 
