@@ -86,7 +86,7 @@ def failures(quake, rows):
 
 
 def untouched(quake, rows):
-    """A line on the methods, `Method`s, by which no fender is touched"""
+    """A line of text that names the methods, of `Method`s, by which no fender is touched"""
     free = [row.name for row in rows if row.reaction == 0]
     if free:
         yield f"{', '.join(free)}: no fender is touched; the clearance is {quake.fenders.clearance:g} m on each side"

@@ -68,7 +68,8 @@ def stillness(sigma, units, length, weight):
 
 
 def frequencies_in(record):
-    """Number of frequencies in a record (n,), (ΣE)²/ΣE² of the energies E of its Fourier terms. It is about 2 for one
+    """Number of frequencies in a record (n,): (ΣE)²/ΣE², with E the energies of its Fourier terms.
+    It is about 2 for one
     wave, 4 for two, and for a sea nearly as many as its band contains; 0 for a constant record"""
     energy = np.abs(np.fft.rfft(np.asarray(record, float) - np.mean(record))[1:]) ** 2
     total = energy.sum()

@@ -290,7 +290,7 @@ def _bent(system, berth, body, load):
 
 
 def line_ends(state):
-    """Anchors and fairleads of the lines of a SystemEquilibrium, (n, 3) m in space each"""
+    """Anchors, and fairleads, of the lines of a SystemEquilibrium, m in space; shape (n, 3) each"""
     ends = state.system.arrays.ends
     return state.points[ends[:, 0]], state.points[ends[:, 1]]
 

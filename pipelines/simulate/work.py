@@ -378,7 +378,8 @@ def at_rest_of(sides):
 def quantities_of(lines, fenders=(), words=ONE_BODY, sides=(), links=(), shapes=(), loads=()):
     """Names and units of the columns of statistics; words : words of the motions; sides : sides of several bodies
 
-    shapes : units of the last of the motions; loads : (name, unit) of what beams carry (`told_of_stations`)
+    shapes : units of the shapes, which are the last motions; loads : (name, unit) of the loads in beams
+    (`told_of_stations`)
     """
     between = [f"gap {one.name} {other.name}" for one, other in pairs_of(sides)]
     names = [*words, "wave", "wind speed", *between, *(f"tension {line}" for line in lines)]

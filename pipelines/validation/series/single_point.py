@@ -180,9 +180,9 @@ def trends(found):
     away = np.abs([one["apart_m"] for one in found if np.isfinite(one["apart_m"])])
     if len(away) > 1:
         yield (
-            f"{len(away)} head-on cases: computed and printed significant tensions differ as much as by "
-            f"{np.median(away):.2f} m of surge (median; nine of ten cases: at most {np.quantile(away, 0.9):.2f} "
-            "m), since nearly taut lines turn a small surge into a large tension"
+            f"{len(away)} head-on cases: the difference of computed and printed significant tensions is the effect "
+            f"of {np.median(away):.2f} m of surge (median; nine of ten cases: at most "
+            f"{np.quantile(away, 0.9):.2f} m), since nearly taut lines turn a small surge into a large tension"
         )
 
 

@@ -70,7 +70,7 @@ def test_trends_and_statements_are_ratios():
     assert first == ("A, H 1.5 m, 10 s, 20 m: significant tension over static tension is 1.18 to 1.20, printed "
                      "1.17 to 1.20; "
                      "-0.30 to 0.10 m of surge explain the difference")  # fmt: skip
-    assert "tensions differ as much as by 0.20 m of surge (median; nine of ten cases: at most 0.28 m)" in last
+    assert "tensions is the effect of 0.20 m of surge (median; nine of ten cases: at most 0.28 m)" in last
     three = [row(name, 30.0, value) for name, value in (("A12", 54.0), ("A14", 48.0), ("A16", np.nan))]
     (said,) = single_point.statements(three)
     assert said.endswith("sharply below 15 m, at 20, 14, 12 m; computed: beyond reach, 48 t, 54 t")
