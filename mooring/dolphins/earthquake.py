@@ -88,7 +88,7 @@ class Course(NamedTuple):
 
 
 class Spectral(NamedTuple):
-    """period s and damping ratio of the equivalent spring; deflection m; reaction N; acceleration m/s², damped"""
+    """period, s, and damping ratio of the equivalent spring; deflection, m; reaction, N; acceleration, m/s², damped"""
 
     period: float
     ratio: float

@@ -165,7 +165,8 @@ def hull_of(place, kind, module, mesh, known):
 
 
 def without_lid(panels):
-    """The PanelMesh below the water, of a hull that ends in a lid a little above it, as AQWA's may; tells so"""
+    """The PanelMesh below the water, of a hull that ends in a lid a little above it, as AQWA's hulls may; a message
+    reports this"""
     low, top = (float(end(panels.points[:, 2])) for end in (np.min, np.max))
     if not -LID[0] * low < top <= -LID[1] * low:
         return panels

@@ -458,7 +458,7 @@ def test_what_lines_feel_and_what_breaks_is_told():
     assert _current_at_lines(current) == pytest.approx([math.sqrt(3), 1.0]) and _current_at_lines(Weather()) is None
     broken, whole = _of_lost(still)
     assert broken.startswith("line a breaks 99 s after the ramp") and whole.startswith(
-        "line b does not break, since its time is 100 s"
+        "line b does not break, since its break time is 100 s"
     )
 
 

@@ -191,7 +191,7 @@ def test_cases_of_validation_are_named_by_how_they_begin():
     assert (
         chosen(cases, None) == [1, 2, 3] and chosen(cases, "box") == [1, 2] and chosen(cases, "box-30m, ship") == [2, 3]
     )
-    refused("--only names 'bo'; allowed: box-20m, box-30m, ship, or how names begin", chosen, cases, "bo")
+    refused("--only names 'bo'; allowed: box-20m, box-30m, ship, or beginnings of names", chosen, cases, "bo")
 
 
 ROPE = {"elongation_percent": [0.0, 10.0, 30.0], "tension_kN": [0.0, 100.0, 800.0]}
