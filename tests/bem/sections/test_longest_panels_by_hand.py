@@ -143,6 +143,21 @@ def test_panels_in_deep_water_are_as_long_as_twice_what_is_beside_them_at_most(b
     assert np.all(np.diff(found.y[~found.side]) > 0) and np.all(np.diff(found.z[found.side]) > 0)
 
 
+@pytest.mark.parametrize("tolerance, levels", [(1e-6, 5), (9e-7, 6), (1e-2, 3), (1e-4, 4)])
+def test_panels_at_the_edge_in_deep_water_shrink_as_its_flow_needs_and_half_as_often_at_the_surface(tolerance, levels):
+    """A quarter each; of so many (length of the last)^(5/3) is a hundredth of the tolerance: ⌈−0.4 log₄ tolerance⌉ + 1"""
+    found = deep_water.contour(8.0, 6.0, 99.0, tolerance)
+    lengths, on_side = found.weights.reshape(-1, 10).sum(axis=1), found.side.reshape(-1, 10).any(axis=1)
+    quarters = 4.0 ** -np.arange(levels, -1, -1)
+    assert lengths[~on_side] == pytest.approx(4.0 * np.diff(np.append(0.0, quarters))[::-1])
+    few = 4.0 ** -np.arange(levels // 2, -1, -1)
+    wanted = np.concatenate([3.0 * np.diff(np.append(0.0, quarters)), 3.0 * np.diff(np.append(0.0, few))[::-1]])
+    assert lengths[on_side] == pytest.approx(wanted)
+    nodes = np.polynomial.legendre.leggauss(10)[0]
+    first = 4.0 * (1 - 0.25) * (1 + nodes) / 2
+    assert found.y[:10] == pytest.approx(first)
+
+
 @pytest.mark.parametrize("beam, omega", [(4.0, 1.0), (30.0, 1.0), (30.0, 2.0)])
 def test_points_inside_are_four_and_one_for_each_radian_of_the_wave_along_the_beam(monkeypatch, beam, omega):
     """On the waterline, by the golden ratio; they follow the points of the contour"""
