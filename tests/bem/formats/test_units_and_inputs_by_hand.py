@@ -7,7 +7,7 @@ import pytest
 from exact.water_waves import wavenumber
 from test_limits_of_laws import a_set
 
-from hakobune.bem.formats import orcaflex, wamit_inputs
+from hakobune.bem.formats import capytaine, nemoh, orcaflex, wamit, wamit_inputs
 from hakobune.bem.formats.orcaflex import FORCES, LENGTHS, MASSES, Units
 from hakobune.bem.formats.values import FormatError, Values
 from hakobune.bem.formats.yaml_text import YamlFault, parse
@@ -110,6 +110,19 @@ def test_a_body_has_its_mass_and_stiffness_about_the_reference_origin():
         assert not {"mass", "inertia_matrix", "center_of_mass"} & set(bare)
         if key == "Mass":
             assert bare["hydrostatic_stiffness"][3, 3] == pytest.approx(2.5 * 8 * 4)
+
+
+@pytest.mark.parametrize("module", [orcaflex, wamit, capytaine, nemoh])
+@pytest.mark.parametrize("name", ["added_mass", "radiation_damping", "excitation_force"])
+def test_files_are_written_of_added_mass_and_damping_and_orcaflex_has_forces_too(module, name, tmp_path):
+    shapes = {"added_mass": (2, 6, 6), "radiation_damping": (2, 6, 6), "excitation_force": (2, 1, 6)}
+    quantities = {one: np.zeros(shape) for one, shape in shapes.items() if one != name}
+    made = Values(np.array([0.5, 0.9]), np.zeros(1), 20.0, 1025.0, 9.81, quantities)
+    if name == "excitation_force" and module is not orcaflex:
+        return
+    with pytest.raises(FormatError, match=rf"^{name} is not in the database; give it by --only"):
+        module.write(made, tmp_path / "one")
+    assert not list(tmp_path.iterdir())
 
 
 def test_a_vessel_is_written_in_tonnes_and_kilonewtons_about_the_rotation_centre(tmp_path):

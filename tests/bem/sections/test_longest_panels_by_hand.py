@@ -77,7 +77,7 @@ def test_panels_shrink_four_times_each_towards_corners_and_span_a_sixth_of_a_cir
 
 @pytest.mark.parametrize("turn, tolerance, levels, exponent", [
     (np.pi / 2, 1e-5, 5, 2 / 3), (-np.pi / 2, 1e-5, 3, 2.0), (np.pi / 2, 1e-3, 3, 2 / 3), (0.9e-3, 1e-5, 0, 1.0),
-    (-0.9e-3, 1e-5, 0, 1.0), (np.pi / 2, 0.19, 1, 2 / 3),
+    (-0.9e-3, 1e-5, 0, 1.0), (np.pi / 2, 0.19, 1, 2 / 3), (1.05e-3, 1e-5, 4, 1 / (1 + 1.05e-3 / np.pi)),
 ])  # fmt: skip
 def test_a_corner_has_as_many_panels_as_its_flow_needs(turn, tolerance, levels, exponent):
     """φ ~ d^(π/β): ln(0.2/tolerance) over (1 + π/β) ln 4, β of the water on the right, of a half plane none"""
