@@ -114,6 +114,14 @@ def test_sections_side_by_side_are_one_chain_with_the_water_between_them():
         side_by_side._chain([(square, -4.0), (square, 0.0), (square, 1.9)])
 
 
+@pytest.mark.parametrize("depth", [6.0, 12.0])
+def test_what_pushes_the_water_under_the_keel_is_pushed_by_it(depth):
+    """Green's identity of g, ±1 on both halves of a gap of height s, and the flow of a motion: ∮ φ_g n dl = −2s U"""
+    flow = keel_loss.keel_flow(10.0, 4.0, depth, 0.7, tolerance=1e-4)
+    assert flow.force == pytest.approx(-2 * (depth - 4.0) * flow.moved, rel=1e-9)
+    assert flow.moved[1] == 0 and abs(flow.moved[2]) > 0.5 * abs(flow.moved[0])
+
+
 def test_a_resistance_under_the_keel_leaves_no_reciprocity():
     """Haskind's relation does not hold with losses: nothing is told of it; the rest is there"""
     flow = keel_loss.keel_flow(10.0, 4.0, 6.0, 0.7, tolerance=1e-4)
@@ -145,7 +153,7 @@ def test_panels_in_deep_water_are_as_long_as_twice_what_is_beside_them_at_most(b
 
 @pytest.mark.parametrize("tolerance, levels", [(1e-6, 5), (9e-7, 6), (1e-2, 3), (1e-4, 4)])
 def test_panels_at_the_edge_in_deep_water_shrink_as_its_flow_needs_and_half_as_often_at_the_surface(tolerance, levels):
-    """A quarter each; of so many (length of the last)^(5/3) is a hundredth of the tolerance: ⌈−0.4 log₄ tolerance⌉ + 1"""
+    """A quarter each, ⌈−0.4 log₄ tolerance⌉ + 1 of them"""
     found = deep_water.contour(8.0, 6.0, 99.0, tolerance)
     lengths, on_side = found.weights.reshape(-1, 10).sum(axis=1), found.side.reshape(-1, 10).any(axis=1)
     quarters = 4.0 ** -np.arange(levels, -1, -1)
