@@ -134,6 +134,27 @@ def test_a_resistance_under_the_keel_leaves_no_reciprocity():
     assert free.drift == pytest.approx(flow.section.drift, rel=1e-4)
 
 
+@pytest.mark.parametrize("omega", [0.9, 1.7, 2.4])
+def test_in_deep_water_too_it_is_the_power_of_two_below_four_radians_of_the_wave(monkeypatch, omega):
+    heard = []
+
+    def contour(beam, draft, longest, tolerance):
+        heard.append((beam, draft, longest, tolerance))
+        raise Asked
+
+    monkeypatch.setattr(deep_water, "contour", contour)
+    with pytest.raises(Asked):
+        deep_water.DeepFlow(8.0, 3.0, omega, 9.81, 1e-3)
+    beam, draft, longest, tolerance = heard[0]
+    assert (beam, draft, tolerance) == (8.0, 3.0, 1e-3)
+    assert longest == 2.0 ** np.floor(np.log2(4 * 9.81 / omega**2))
+
+
+def test_a_gap_under_any_section_that_is_too_thin_is_refused():
+    with pytest.raises(ValueError, match=r"the gap under the keel .* is 8e-05 m; allowed: 9e-05 m or more"):
+        any_section.section_flow(rectangle(10.0, 6.0).wetted(3.0), 3.00008, 0.7, 9.81, 1e-3)
+
+
 @pytest.mark.parametrize("beam, draft, longest, bottom, side", [
     (8.0, 4.0, 16.0, 3.0, 1.5), (40.0, 2.0, 16.0, 3.75, 0.75), (2.0, 40.0, 16.0, 0.75, 1.875),
     (40.0, 40.0, 2.0, 1.875, 1.875),
