@@ -145,23 +145,6 @@ def test_more_frequencies_go_where_radiation_changes_by_more_than_a_seventh_of_i
     assert module._between(omega, mass) == pytest.approx([0.55])
 
 
-def test_no_more_frequencies_than_400_and_those_where_radiation_changes_most(monkeypatch):
-    omega = np.array([0.5, 0.6, 0.7, 0.8])
-    rows = [{"added_mass": np.zeros((6, 6)), "radiation_damping": np.diag([b] * 6)} for b in (1.0, 0.8, 0.5, 0.25)]
-    for most, asked in ((400, [0.55, 0.65, 0.75]), (6, [0.65, 0.75]), (5, [0.65]), (4, []), (3, [])):
-        monkeypatch.setattr(module, "MOST", most)
-        assert module._between(omega, rows) == pytest.approx(asked)
-
-
-def test_a_frequency_of_even_phase_beside_a_stored_one_is_left_out_within_a_thousandth_of_the_range(opened):
-    body, every = opened.reader, None
-    for away, kept in ((0.96e-3, False), (1.05e-3, True)):
-        every = module._frequencies(body, WALL)
-        new = every[~np.isin(every, body.omega)][40]
-        near = replace(body, between=replace(body.between, omega=np.sort([*body.omega, new + away * 0.4])))
-        assert bool(np.isin(new, module._frequencies(near, WALL))) is kept
-
-
 @pytest.mark.parametrize("lost", [{"inertia": None}, {"stiffness": None}])
 def test_drift_before_a_wall_is_of_bodies_with_inertia_and_stiffness(opened, lost):
     beta = np.radians([0.0, 90.0])
