@@ -27,7 +27,7 @@ from ..printing.console import new_console
 from ..printing.verdict import tell
 from .command import format_of
 
-LID = 1e-6, 0.01  # height over the draft of panels above the water that are a lid
+LID = 1e-6  # height over the draft from which panels are above the water
 NODES_WORTH_ASKING = 600  # of an own solution; with fewer it takes less than a second
 
 
@@ -48,7 +48,7 @@ def import_(place, kind_name, mesh, known, weight, output, fresh=False, correct=
     values = with_headings_once(read_set(module, place, of_module))
     if known["rotation_center"] is not None:
         values = replace(values, rotation_center=np.array(known["rotation_center"], float))
-    panels = without_lid(hull_of(place, kind, module, mesh, of_module))
+    panels = below_water(hull_of(place, kind, module, mesh, of_module))
     values, left_out = _finite(between(values, *known["frequencies"]))
     lost = [
         fails(f"{name} is not finite at {omega} rad/s; these frequencies are not stored: compute them again")
@@ -164,14 +164,17 @@ def hull_of(place, kind, module, mesh, known):
     return panels
 
 
-def without_lid(panels):
-    """The PanelMesh below the water, of a hull that ends in a lid a little above it, as AQWA's may; tells so"""
+def below_water(panels):
+    """The PanelMesh below the water, of a hull with a freeboard or a lid, as AQWA's may have; tells so.  Raises
+    ValueError where nothing lies below."""
     low, top = (float(end(panels.points[:, 2])) for end in (np.min, np.max))
-    if not -LID[0] * low < top <= -LID[1] * low:
+    if not top > LID * abs(low):
         return panels
+    dry = int(np.count_nonzero(panels.vertices[..., 2].max(axis=1) > LID * abs(low)))
     wet = panels.clipped()
     print(
-        f"{panels.name}: {len(panels) - len(wet)} panels up to {top:.3g} m above the water are left out",
+        f"{panels.name}: {dry} panels up to {top:.3g} m above the water are left out, or cut at z = 0; volume and "
+        f"hydrostatic stiffness are of the hull below",
         file=sys.stderr,
     )
     return wet

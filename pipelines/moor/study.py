@@ -50,6 +50,7 @@ from .tables import (
 )
 
 MOST_LINES = 500  # largest number of lines of a study; they take three seconds
+AT_SURFACE = 1e-6  # depth of a point in the surface, over the draft
 
 
 class Study(Table):
@@ -156,9 +157,10 @@ class Study(Table):
     def remarks(self, hull, db):
         """Initial findings on an `ExposedBox` and the database of its hull, one line each
 
-        raises : StudyError as `check_streams`
+        raises : StudyError as `check_streams` and `check_floats`
         """
         self.check_depth(db.water_depth, db.path)
+        check_floats(db)
         said = [line for line in dict.fromkeys(unread(one.catalogue) for one in self.types.values()) if line]
         for one in each_body(db):
             box = hull.get(one.name) if db.bodies else hull
@@ -311,6 +313,20 @@ class Study(Table):
 
     def _straight(self, table):
         return table.type in self.types and self.types[table.type].straight
+
+
+def check_floats(db):
+    """Raises StudyError for a body whose hull is at the surface, but has no stiffness in heave"""
+    if db.bodies or db.hydrostatic_stiffness is None or db.hydrostatic_stiffness[2, 2] > 0 or db.mesh is None:
+        return
+    top = float(db.mesh.points[:, 2].max())
+    if top < -AT_SURFACE * db.mesh.draft:  # all of it lies below
+        return
+    raise StudyError(
+        f"hydrostatics: the hull of {db.path} has a stiffness in heave of {db.hydrostatic_stiffness[2, 2]:.4g} N/m, "
+        f"which cannot hold it up; its mesh ends at z = {top:.4g} m, not open at the water: cut it by `hakobune "
+        f"mesh --clip`, and solve or import it again"
+    )
 
 
 def box_of(db, body):
