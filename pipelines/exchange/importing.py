@@ -9,7 +9,7 @@ import numpy as np
 
 from hakobune.bem.database import append, append_limit, create, open_database, writing
 from hakobune.bem.database.file import Header, check_place
-from hakobune.bem.database.schema import DOFS, LIMITS
+from hakobune.bem.database.schema import BESIDE, DOFS, LIMITS
 from hakobune.bem.formats.afloat import on_hull
 from hakobune.bem.formats.judging.believed import believed
 from hakobune.bem.formats.judging.laws import depth_of
@@ -17,6 +17,7 @@ from hakobune.bem.formats.values import FormatError, body_of, with_headings_once
 from hakobune.bem.kernels.progress import OWN, progress_callback
 from hakobune.bem.modes import names_of
 from hakobune.meshing.files import read_mesh, wetted
+from hakobune.meshing.mirror import folded
 from hakobune.meshing.quality import findings
 from hakobune.meshing.whole_files import made_beside
 from hakobune.mooring.criteria.failing import fails
@@ -270,11 +271,16 @@ def _finite(values):
 
 
 def store(values, mesh, output, source):
-    """Make a database of Values on their hull; source : origin of the import"""
+    """Make a database of Values on their hull, of which half or a quarter is kept if it has mirror planes
+
+    source : origin of the import
+    """
     angles = np.linspace(0, 2 * np.pi, 4, endpoint=False)
+    beside = {BESIDE: values.others} if values.others and not values.bodies else {}
+    mesh = mesh if values.bodies or beside else folded(mesh)
     header = Header(
         mesh, None, values.water_depth, values.density, values.gravity, values.rotation_center, angles, values.body,
-        attributes={"imported": source}, bodies=values.bodies,
+        attributes={"imported": source} | beside, bodies=values.bodies,
     )  # fmt: skip
     headings = values.wave_direction if len(values.wave_direction) else np.zeros(1)
     create(output, header, values.omega, headings, tuple(values.quantities))
