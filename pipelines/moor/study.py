@@ -34,7 +34,16 @@ from ..common.quay_tables import (
 )
 from ..common.typed import typed
 from ..common.weather.seas import WavesTable, mean_wave, sea_with_swell
-from ..common.weather.streams import CurrentTable, WindTable, current_of, no_box, superstructures, wind_of, with_files
+from ..common.weather.streams import (
+    CurrentTable,
+    WindTable,
+    current_of,
+    doubtful_weather,
+    no_box,
+    superstructures,
+    wind_of,
+    with_files,
+)
 from ..common.weather.water import DepthTable, check_solved_depth
 from ..results.heard import heard
 from ..site.link import SiteLink, read_study_at_site
@@ -162,6 +171,7 @@ class Study(Table):
         self.check_depth(db.water_depth, db.path)
         check_floats(db)
         said = [line for line in dict.fromkeys(unread(one.catalogue) for one in self.types.values()) if line]
+        said += doubtful_weather(self)
         for one in each_body(db):
             box = hull.get(one.name) if db.bodies else hull
             if box is not None:

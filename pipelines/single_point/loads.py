@@ -31,7 +31,7 @@ from ..common.quantities import StudyError, direction, positive, speed
 from ..common.units import TONF
 from ..common.weather.gusts import gusts_of
 from ..common.weather.seas import PERIODS, sea_with_swell, spectrum_of
-from ..common.weather.streams import current_of, no_box, superstructures, wind_of
+from ..common.weather.streams import current_of, doubtful_weather, no_box, superstructures, wind_of
 
 MIDDLE = (0.0, 0.0)
 ONE_OF = "give one of turning, coefficients, file"
@@ -45,7 +45,7 @@ def loads_of(study, db, density, center, mass, is_round=False):
     """
     h = study.hull
     hull = ExposedBox(h.length, h.beam, h.draft, h.freeboard, **superstructures(h), is_round=is_round)
-    findings = [] if is_round else no_box(_block(h, density), hull, study)
+    findings = doubtful_weather(study) + ([] if is_round else no_box(_block(h, density), hull, study))
     water = _water(study, hull, density, center, mass, findings)
     return Loads(water, _wind(study, hull, center), _drift(study, db, center, findings)), findings
 
