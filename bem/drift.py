@@ -15,7 +15,7 @@ OF_EACH = {"body_drift_force_fixed": False, "body_drift_force": True}  # names f
 
 
 def mean_drift(H, slope, forward, forward_slope, theta, beta, k, n, density, gravity):
-    """Mean surge and sway force (N/m²) and yaw moment (N m/m²) about the origin.; shape (headings, 3)
+    """Mean surge and sway force (N/m²) and yaw moment (N m/m²) about the origin; shape (headings, 3)
 
     k, n : numbers, or arrays that broadcast over the headings; other arguments may then have more leading axes
     H, slope : (headings, t) total Kochin function and derivative at equally spaced `theta`

@@ -32,7 +32,7 @@ class Folded(NamedTuple):
     images: np.ndarray
 
     def unfolded(self, value, slope, signs):
-        """H and H′ (…, t) of a symmetry class at all angles, from H and H′ at `angles` (…, u); signs : (i,) ±1 of the
+        """H and H′ (…, t) of a symmetry class at all angles, from those at `angles` (…, u); signs : (i,) ±1 of the
         class in the images
 
         An image has the sign of its class. Its derivative also has the sign of the change of angle.

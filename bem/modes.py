@@ -171,7 +171,8 @@ def displacing(mesh, modes=()):
 
     Yaw of a round buoy moves no water, apart from the corners of its polygon, nor does heave of a pile on the bed.
     Relative errors of such modes have no meaning.
-    A rotation counts if the mean square of its normal velocity is at least two per cent of that of its arms. Both are
+    A rotation counts if the mean square of its normal velocity is at least two per cent of the mean square of its arms.
+    Both are
     about the vertical axis through the middle of the hull's surface, so the place of the mesh does not matter.
     For several bodies (6N,), followed by True for each of `modes`.
     """

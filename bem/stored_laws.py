@@ -107,7 +107,7 @@ def _laws(db, rounding):
 
 
 def unequal_drift(db):
-    """[Broken] of drift forces whose sum over the bodies, by pressure, is not that of the far field"""
+    """[Broken] of drift forces whose sum over the bodies, by pressure, differs from the drift by the far field"""
     return _violated(db, _drift_laws(db, set(db.names)), None)
 
 

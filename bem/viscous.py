@@ -9,8 +9,9 @@ The SR179 report (1982), section 2.1.4, adds to the wave damping, in heave and i
 
     N̂ = b ξ_B,   N̂ = N √(B/2g) / (ρBdL),  roll: N √(B/2g) / (ρBdL (B/2)²),   ξ_B = ω²B/2g    (2.1.4.6, 2.1.4.7)
 
-with b(a) from forced oscillation.  The normalisation of b_R is illegible in print; that of the roll coefficients
-(section 2.1.3) is used.  With Yamashita's b_R the model M3B then has 2.6 % of critical damping at 2°; its roll in
+with b(a) from forced oscillation.  The normalisation of b_R is illegible in print; the normalisation of the roll
+coefficients (section 2.1.3) is used.
+With Yamashita's b_R the model M3B then has 2.6 % of critical damping at 2°; its roll in
 irregular waves (appendix 1) needs 2 %. With B² in place of (B/2)², as in Himeno (1981), it would have 10 %.
 """
 

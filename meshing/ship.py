@@ -85,8 +85,9 @@ def _with_waterplane(sizes, asked):
     found = waterplane_area(made) / made.volume * draft * asked[0]
     if abs(found - asked[1]) > OFF * asked[1]:
         warnings.warn(
-            f"the panels of the ship have a waterplane coefficient of {found:.4g}, where {asked[1]:g} is asked for, "
-            f"limit {100 * OFF:g} %: its ends cannot be drawn finer or fuller; give more panels or another one",
+            f"the panels of the ship have a waterplane coefficient of {found:.4g}, where {asked[1]:g} is asked "
+            f"for, limit {100 * OFF:g} %: its ends cannot be drawn finer or fuller; give more panels or another "
+            "coefficient",
             stacklevel=4,
         )
     return made

@@ -1,4 +1,4 @@
-"""Added mass of a vertical-sided body at the limits of the frequency, per unit density, by domain decomposition.
+"""Added mass of a vertical-sided body at zero and at infinite frequency, per unit density, by domain decomposition.
 
 ω → ∞    φ = 0 on the surface:    Zₙ = cos kₙζ,  kₙ = (n − ½)π/h
 ω → 0    a rigid lid:             Zₙ = cos kₙζ,  kₙ = nπ/h,  and Z₀ = 1 with Laplace's equation in plan

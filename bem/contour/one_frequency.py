@@ -1,4 +1,4 @@
-"""One frequency of a vertical-sided body by domain decomposition: forces, Haskind, Kochin functions."""
+"""One frequency of a vertical-sided body by domain decomposition: forces, Haskind's relation, Kochin functions."""
 
 from functools import cached_property
 
@@ -113,7 +113,8 @@ class ContourFrequency:
         return loads(fixed_terms, outside, flow, incident), velocity[:, :moving].T @ wall, far, flow.residual
 
     def far_field(self, cls, wave, velocity, moving):
-        """Kochin functions per unit velocity of a motion, then per unit amplitude of the waves, (2, columns, t)
+        """Kochin functions, shape (2, columns, t): first per unit velocity of a motion, then per unit amplitude of the
+        waves
 
         velocity : (n, columns) of the propagating mode on the contour
         """

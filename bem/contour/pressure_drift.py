@@ -13,8 +13,8 @@ The error is of first order in the difference of these potentials, whereas the e
 second order. The flow is therefore solved again with a finer body.
 In resonant roll the drift is the small difference of pressures tens of times as large.
 
-Box in 20 and 100 m of water, tolerance 1e-3: near and far field differ by 5e-5 of the largest force on the fixed body,
-and by 5e-4 to 8e-4 without the finer body. In 2000 m of water they differ by 4e-4 and 3e-2.
+Box in 20 and 100 m of water, tolerance 1e-3: near and far field differ by 5e-5 of the largest force on the fixed body.
+Without the finer body they differ by 5e-4 to 8e-4. In 2000 m of water they differ by 4e-4 and 3e-2.
 """
 
 from dataclasses import replace

@@ -42,7 +42,8 @@ class DepthSums(NamedTuple):
 
 
 class DepthFlow(NamedTuple):
-    """Flow at distances r (q,) m from the keel with weights (q,) m: φ_g and ∂φ_g/∂z, (q, a) each, of `DepthSums`
+    """Flow at distances r (q,) m from the keel with weights (q,) m. value, slope : (q, a) φ_g and ∂φ_g/∂z of
+    `DepthSums`
 
     top, keel : (a,) φ at z = 0 and −d
     """
@@ -96,7 +97,8 @@ class _DepthModes(NamedTuple):
         return cls(gap, outer, table, (body.profiles.combinations @ outer.rows).T)
 
     def flow(self, r):
-        """φ_g and ∂φ_g/∂z at distances r (q,) from the keel, (2, q, a), from as many modes as needed"""
+        """φ_g and ∂φ_g/∂z at distances r (q,), m, from the keel; shape (2, q, a). Each is a sum of as many modes as
+        needed."""
         k, h, z = self.outer.k, self.gap.depth, r - self.gap.draft
         out = np.zeros((2, len(r), 3 + self.table.shape[1] * self.rows.shape[1]))
         out[:, :, 0] = depth_factor(z, k, h), depth_factor_slope(z, k, h)

@@ -346,8 +346,8 @@ class Reader:
     def at(self, omega, name, headings=None):
         """A quantity and its estimated error, about one standard deviation, at omega (q,) rad/s and headings (p,) rad.
 
-        headings : None for those stored
-        returns : value (q, …) as stored, error (q, …) in its unit, for complex quantities that of the modulus
+        headings : None for the stored headings
+        returns : value (q, …) as stored, error (q, …) in its unit; for complex quantities the error of the modulus
         raises : BetweenError outside the stored range, which it names
         """
         omega = np.atleast_1d(np.asarray(omega, float))

@@ -33,7 +33,7 @@ class Resonance:
     """A peak of one motion, index `mode`, called `name`, at omega rad/s in waves towards `heading` rad.
 
     peak : m/m or rad/m; error : its estimated error between stored frequencies; damping : ratio ζ
-    viscous : whether this motion has damping besides that of waves
+    viscous : whether this motion has damping besides the damping of waves
     """
 
     mode: int

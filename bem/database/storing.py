@@ -18,8 +18,9 @@ from .schema import CELL_AXES, CHECKS, LIMITS, NEEDS_MOTION, QUANTITIES
 class Solved(NamedTuple):
     """One frequency ready to be stored.
 
-    place : number of the row; columns : numbers of the headings; values : {name: array}; errors : {name: array} of
-        quantities whose errors are stored; checks : {name: worst}; seconds : {step: wall time, s}
+    place : number of the row; columns : indices of the headings; values : {name: array}
+        errors : {name: array} for quantities with stored errors; checks : {name: largest violation}; seconds : {step:
+        wall time, s}
     """
 
     place: int

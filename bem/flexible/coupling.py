@@ -5,7 +5,7 @@
 
 n out of the body, w vertical: the second derivatives of the potential energy of water and weight, so that C = Cᵀ.  The
 first part is that of J. N. Newman (Wave effects on deformable bodies, Applied Ocean Research 16, 1994); its term z ∇·u
-is that of a wetted surface that deforms.  With a rotation about e, u_ij = e × u_j and the second part is zero; for
+is due to a wetted surface that deforms.  With a rotation about e, u_ij = e × u_j and the second part is zero; for
 rigid motions C is the classical matrix.  Beams provide their u_ij (`beams.second`): pressure on their ends compresses
 them.  For shapes from files u_ij is unknown, and ½ {(u_j·∇) u_i + (u_i·∇) u_j} is used.
 """

@@ -26,7 +26,8 @@ NEEDED = ("added_mass", "radiation_damping", "excitation_force")
 
 
 class Weight(NamedTuple):
-    """mass : kg, by default the displaced; center : (3,) m, by default the file's, else 0; gyration : (3,) m
+    """mass : kg, by default the displaced mass; center : (3,) m, by default the centre in the file, else 0; gyration :
+    (3,) m
 
     Each is None if not given.
     """

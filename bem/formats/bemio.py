@@ -36,8 +36,8 @@ TIMES, POINTS = 100.0, 1001  # s and samples of impulse responses
 def write(values, place):
     """Write NAME.h5.  Returns its path.
 
-    raises : FormatError without the centre of mass, which all is about, and for a fixed body, whose motions the file
-        would have to have
+    raises : FormatError without the centre of mass, to which all quantities refer, and for a fixed body, since the file
+        has to contain motions
     """
     fixed = [body.name for body in values.bodies if body.fixed]
     if fixed:

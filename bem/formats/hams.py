@@ -3,8 +3,8 @@
 The results are in the files of WAMIT (`wamit`) with its time factor, made dimensionless by Reference_body_length.
 Output_frequency_type (`PERIOD_KINDS`) gives the first column; hakobune writes 4, the period.  HAMS of Y. Liu
 (2019), Journal of Marine Science and Engineering 7(3).  HAMS-MREL, for several bodies, has AmssDamp.1, ExcForce.3 …,
-Reference_body_center_1,
-HullMesh_1.pnl and Hydrostatic_1.in on, hulls in axes whose position in the water LCS_1 … give.
+Reference_body_center_1, HullMesh_1.pnl, Hydrostatic_1.in and so on. Its hulls are in axes of their own, whose position
+in the water is given by LCS_1 ….
 """
 
 from dataclasses import replace

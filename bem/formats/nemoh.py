@@ -135,7 +135,7 @@ def _still_water(values):
 
 
 def read(place, known=None):
-    """The Values of a folder; known : {"body": from 1} of several.  Raises FormatError."""
+    """The Values of a folder; known : {"body": number from 1} if the folder has several bodies.  Raises FormatError."""
     place = Path(place)
     cal = _cal_of(_inside(place, "Nemoh.cal"))
     which = body_of(place, len(cal.bodies), known)

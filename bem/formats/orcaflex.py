@@ -188,7 +188,7 @@ def read(place, known):
 
 
 class Units(NamedTuple):
-    """m, kg and N in a unit of length, mass and force of a model"""
+    """Size in m, kg and N of the units of length, mass and force of a model"""
 
     length: float
     mass: float

@@ -109,7 +109,7 @@ class PositiveFrequency:
 
 
 class ZeroFrequency:
-    """ω = 0, ∂φ/∂z = 0 on the surface; G is defined up to a constant; this constant is that of the regularised
+    """ω = 0, ∂φ/∂z = 0 on the surface; G is defined up to a constant, which here comes from the regularised
     integrals."""
 
     mirror = 1.0

@@ -8,8 +8,8 @@ Z(z) = cosh k(z+h)/cosh kh and C = 2πk²/((k²−K²)h + K).  With (SR179 repor
     f(R, V) = PV∫ (μ+K) e^(−μh) cosh μV / (μ sinh μh − K cosh μh) J₀(μR) dμ
     g₁(R, Y) = f(R, 2h−Y) − 1/√(R²+Y²),    g₂(R, V) = f(R, V)
 
-Where R < h/2, 2K F(KR, KY) of `bem.green.deep_water` is subtracted from g₁; beyond, the wave −C Z(z) Z(ζ) Y₀(kR) from
-g₁ + g₂.  The remainder is smooth and interpolated in the tables of `bem.green.tables`.
+Where R < h/2, 2K F(KR, KY) of `bem.green.deep_water` is subtracted from g₁. Beyond, the wave −C Z(z) Z(ζ) Y₀(kR) is
+subtracted from g₁ + g₂.  The remainder is smooth and interpolated in the tables of `bem.green.tables`.
 """
 
 import math
@@ -64,19 +64,10 @@ def depth_variables(z, zeta):
 
 
 @kernel(inline=True)
-def wave_part(R, depths, wave, slope, view):
-    """g₁ + g₂ and its ∂/∂R and ∂/∂ζ, with J₀(kR) and its ∂/∂R; all real.
-
-    R : m; depths : from `depth_variables`; wave, slope : C Z(z) Z(ζ) and its ∂/∂ζ; view : `TableView`
-    """
-    return wave_part_at(table_position(R, depths, view), R, depths, wave, slope, view)
-
-
-@kernel(inline=True)
 def table_position(R, depths, view):
     """Position of a pair in the tables: zone, pieces of g₁ and of g₂, local variables (−1 to 1) of R, Y and V.
 
-    `table_position` of many pairs followed by `wave_part_at` of all takes a quarter less time than `wave_part` of each.
+    The positions of many pairs followed by `wave_part_at` of all take a quarter less time than both of each pair.
     """
     n = int(R * view.per_metre)
     if n >= view.entries:
@@ -93,7 +84,11 @@ def table_position(R, depths, view):
 
 @kernel(inline=True)
 def wave_part_at(position, R, depths, wave, slope, view):
-    """`wave_part` of a pair at its `table_position`"""
+    """g₁ + g₂ and its ∂/∂R and ∂/∂ζ, with J₀(kR) and its ∂/∂R; all real.
+
+    position : from `table_position`; R : m; depths : from `depth_variables`
+    wave, slope : C Z(z) Z(ζ) and its ∂/∂ζ; view : `TableView`
+    """
     Y, V, upwards = depths
     g, gr, gz = 0.0, 0.0, 0.0
     K, n = view.K, position[0]
@@ -125,7 +120,7 @@ def wave_part_at(position, R, depths, wave, slope, view):
 def standing_part_at(position, R, depths, wave, slope, slope_back, view):
     """g₁ + g₂, the real part of G without images, and its ∂/∂R, ∂/∂ζ and ∂/∂z, at a `table_position`.
 
-    slope_back : ∂/∂z of C Z(z) Z(ζ); the other arguments as in `wave_part`.  ∂/∂z is the derivative at the other point.
+    slope_back : ∂/∂z of C Z(z) Z(ζ), the derivative at the other point; the other arguments as in `wave_part_at`
     """
     Y, V, upwards = depths
     g, gr, by_zeta, by_z = 0.0, 0.0, 0.0, 0.0
@@ -220,15 +215,6 @@ def decay(x):
         p = p * r + c
     # the lowest bits of n + INTEGER are those of the integer n
     return p * bits_to_float((float_to_bits(n + INTEGER) << 52) + ONE)
-
-
-@kernel()
-def pair(R, z, zeta, t):
-    """`wave_part` of one pair and a Table."""
-    depths = depth_variables(z, zeta)
-    q = math.exp(-t.k * t.double_depth) if t.double_depth > 0.0 else 0.0
-    wave, slope = wave_factors(depths[0], depths[1], depths[2], t.C, t.k, q)
-    return wave_part(R, depths, wave, slope, table_view(t))
 
 
 @kernel()

@@ -16,7 +16,6 @@ import sys
 import time
 from contextlib import suppress
 from importlib import import_module
-from itertools import islice
 
 import numba
 from llvmlite import binding
@@ -109,7 +108,7 @@ class Kept:
             isinstance(one, Array) for one in getattr(kind, "types", [kind])
         ):
             raise TypeError(f"kernel {self.function.__qualname__} returns an array; allowed: with counted=True")
-        apart = not (self.linked or _is_inner_loop(signature) or _is_small(result))
+        apart = not (self.linked or _is_inner_loop(signature)) and _instructions(result) > SMALL
         self._called_by(signature, result, apart)
         if not file.exists() or file in self.worthless:
             put_file(file, dumps((apart, result._reduce())))
@@ -162,8 +161,6 @@ def _is_inner_loop(signature):
     return any("*" in kind.name or "SimdVector" in kind.name for kind in signature)
 
 
-def _is_small(result):
-    """Whether a kernel has at most SMALL instructions, which LLVM is asked for one by one"""
+def _instructions(result):
     function = result.library.get_function(result.fndesc.llvm_func_name)
-    instructions = (one for block in function.blocks for one in block.instructions)
-    return next(islice(instructions, SMALL, None), None) is None
+    return sum(1 for block in function.blocks for _ in block.instructions)

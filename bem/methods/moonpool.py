@@ -1,7 +1,7 @@
 """Piston mode of the water in a moonpool: where it resonates, and how far it rises in waves while the hull is held.
 
-The mean rise of the water is that on a damping lid without damping (`bem.panels.damping_lid`).  Around its resonance
-the rise is that of a mass on a spring, and 1 / rise is a smooth function of ω². Three frequencies give a parabola for
+The mean rise of the water is taken on a damping lid without damping (`bem.panels.damping_lid`).  Around its resonance
+the water rises like a mass on a spring, and 1 / rise is a smooth function of ω². Three frequencies give a parabola for
 it; its smallest modulus gives the next frequency.  For a ring of 1 600 panels with one node each, the frequency is 0.7
 % and the rise 2 % too low. If the gap under the keel is a fifth of the draft, the frequency is 2 % too low and the rise
 is exact.
@@ -25,7 +25,8 @@ FEW_NODES = 600  # up to which a panel has four
 
 
 class Piston(NamedTuple):
-    """omega : rad/s of the largest rise; rise : amplitude of the water over that of the wave, in the worst heading"""
+    """omega : rad/s of the largest rise; rise : amplitude of the water over the amplitude of the wave, in the worst
+    heading"""
 
     omega: float
     rise: float

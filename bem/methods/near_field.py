@@ -3,14 +3,15 @@
     F = −½ρg ∮ ζ_r² n dl + ½ρ ∬ |∇φ|² n dS + ρ ∬ (X·∇φ_t) n dS + α × F₁,        M alike, and α × M₁ + X_c × F₁
 
 mean over a period (Pinkster 1980), n out of the body, ζ_r the wave elevation relative to the hull, X the displacement
-of a hull point, X_c that of the rotation centre, α the rotations; F₁ and M₁ the first-order load of water and weight
+of a hull point, X_c the displacement of the rotation centre, α the rotations;
+F₁ and M₁ the first-order load of water and weight
 about the rotation centre, equal to inertia times acceleration for a body without other restraint.
 
 The error of the drift is the error of the pressures, as a fraction of ρgζ² times the breadth, however small the drift
 is. In long waves this error exceeds the drift.
 
 A surface in the water around the hull would be no check. For every flow by Green's theorem or by eigenfunctions, right
-or wrong, the momentum flux through it equals that far away.
+or wrong, the momentum flux through it equals the flux far away.
 """
 
 import numpy as np

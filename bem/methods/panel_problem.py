@@ -57,7 +57,7 @@ class PanelProblem(Problem):
         return self.prepared_beside(coarse)
 
     def prepared_beside(self, coarse):
-        """`PreparedPanelProblem` combined with that of a coarser mesh, or None"""
+        """`PreparedPanelProblem` combined with the prepared problem of a coarser mesh, or None"""
         from ..panels.zero_draft import flattened
 
         mesh, lid = (flattened(self.mesh), None) if self.zero_draft else (self.mesh, self.lid)

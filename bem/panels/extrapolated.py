@@ -3,8 +3,9 @@
 The error of a mesh decreases with a known power of its number of panels (`bem.checks.ERROR_ORDER`). A coarser mesh
 therefore shows most of the error, with its sign.
 After this error is subtracted, a sixth of it remains at the median of random bodies, and at most a third in nine of
-ten. In short waves more remains: with panels a fifth of a wave long, a third and
-two thirds (`left_over`).  This takes no time, whereas twice as many panels, which leave 0.45 of the error, take three
+ten. In short waves more remains: with panels a fifth of a wave long, a third of the error at the median, and two thirds
+in nine of ten (`left_over`).
+This takes no time, whereas twice as many panels, which leave 0.45 of the error, take three
 times as long.
 """
 
@@ -27,7 +28,7 @@ class ExtrapolatedRun(FrequencyRun):
     """A `bem.panels.one_frequency.PanelRun` extrapolated from two meshes, without most of the error of its mesh.
 
     Every quantity that is linear in the potentials is extrapolated, and motions and drift forces follow from these
-    quantities. `pressure` is that on the mesh.
+    quantities. `pressure` is not extrapolated.
     """
 
     def __init__(self, run):

@@ -25,8 +25,9 @@ def body_forces(surfaces, flow, one, two, radiated, problem, kind=DIFFERENCE):
     """Transfer functions T about the origin, N/m², N m/m², of the pairs (one, two) of the waves of a `HullFlow`; shape
     (q, 6).
 
-    one, two : (q,) numbers of waves, all of one difference of their frequencies or, as `kinds.Kind` says, one sum, that
-    of `radiated`, the six motions of unit velocity (`hull_flow.radiated_flow`)
+    one, two : (q,) numbers of waves; all pairs have one difference of their frequencies or, as `kinds.Kind` says, one
+    sum
+    radiated : the six motions of unit velocity at this difference or sum (`hull_flow.radiated_flow`)
     """
     omega, second = radiated.omega[0], kind.second
     of_second = 0 if kind.sign > 0 else 1  # row of `linear`: the flow itself, or its conjugate

@@ -91,8 +91,8 @@ class FirstOrderWaves:
 class PanelWaves(FirstOrderWaves):
     """Waves of a `bem.methods.panel_problem.PanelProblem`, on the hull and with `surface` on the water around it
 
-    omega : (n,) rad/s of the waves; of_force : (d,) rad/s, rising, of the force, at which the body radiates; of those
-    among the frequencies of the waves one run has both
+    omega : (n,) rad/s of the waves; of_force : (d,) rad/s, rising, of the force, at which the body radiates;
+    a frequency that is in both needs a single run
     """
 
     def __init__(

@@ -1,4 +1,5 @@
-"""Force of a long wave whose wavenumber is not that of a free wave of its frequency; incident and diffracted part.
+"""Force of a long wave whose wavenumber differs from the wavenumber of a free wave of its frequency; incident and
+diffracted part.
 
 For a wave of unit amplitude, φ = −(ig/Ω) Z_κ(z) exp(iκ·x), Z_κ = cosh κ(z+h)/cosh κh (`bound_waves`),
 

@@ -207,7 +207,10 @@ def frequencies_of(omega, highest, kind):
     """
     steps = np.diff(omega)
     if len(omega) < 2 or np.ptp(steps) > EVEN * steps.mean() or steps.mean() <= 0:
-        raise ValueError("forces of wave pairs need two or more increasing frequencies at equal steps; these are not")
+        raise ValueError(
+            "forces of wave pairs need two or more increasing frequencies at equal steps; the given frequencies are "
+            "not such"
+        )
     found = kind.rows(omega, highest)
     if not len(found):
         lowest = kind.of(omega[0], omega[0])
@@ -268,8 +271,8 @@ def surface_share(problem, omega, headings, highest, moving):
 
 
 def share_of(forces):
-    """Root mean square of the surface part in surge and sway over that of the whole force, for pairs of equal
-    headings"""
+    """Root mean square of the surface part in surge and sway over the root mean square of the whole force, for pairs of
+    equal headings"""
     return _ratio(_sizes(forces))
 
 
@@ -280,8 +283,9 @@ def panel_errors(forces, coarser, refinement, by_motions=None):
     estimate is a geometric mean: of that difference, divided according to its order, twice, of the squares and of the
     whole; in surge, sway and yaw of it, of the squares, of what is `added` to them and of the difference on the
     diagonal, the far field's; of root mean squares of a pair and its neighbours in mean and difference.  In heave, roll
-    and pitch the square of this error is added to that of the effect of motion errors, which is large near resonance.
-    `tests/bench/pair_errors.py` prints the share of errors within a factor of three.  Meshes of different proportions,
+    and pitch the square of this error is added to the square of the effect of motion errors, which is large near
+    resonance. `tests/bench/pair_errors.py` prints the share of errors within a factor of three.
+    Meshes of different proportions,
     or equal in one direction, give less information.
     coarser : (d, n, m, m, 6) the whole on the coarser mesh; refinement : panels for each panel of it
     by_motions : (d, n, m, m, 6) change of the squares on the coarser mesh by the motions of the finer mesh, or None

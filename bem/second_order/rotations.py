@@ -20,7 +20,7 @@ from ..panels.pressure_drift.turned_loads import products
 def first_order_loads(run, problem, X):
     """First-order load of water and weight in the waves of a run, about the rotation centre; shape (m, 6)
 
-    problem : its stiffness is that of water and weight alone, while lines may restrain the body of the run too
+    problem : its stiffness comes from water and weight alone, while lines may restrain the body of the run too
     X : (m, 6) motions
     """
     T, stiffness = problem.transform, problem.hydrostatic_stiffness

@@ -40,7 +40,7 @@ class Held:
 
     @property
     def moving(self):
-        """The argument `moving` of `quadratic_forces`"""
+        """Argument `moving` for `quadratic_forces`: the stiffness of the lines, or else whether the body floats"""
         return self.floats if self.lines is None else self.lines
 
     def same_as(self, other):

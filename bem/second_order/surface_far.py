@@ -77,7 +77,8 @@ class Rings:
 
 
 def rings_about(circle, depth, k, most_orders, kind):
-    """`Rings` from a `surface_near.Circle` to the radius beyond which no wave of wavenumbers k (…) has a local part"""
+    """`Rings` from a `surface_near.Circle` outwards, to the radius beyond which no wave with a wavenumber in k (…) has
+    a local part"""
     end = max(reach_of_local(circle, depth, one, kind) for one in np.atleast_1d(k))
     width = 0.5 * min(depth, circle.radius)
     edges = [circle.radius]

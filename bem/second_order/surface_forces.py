@@ -206,7 +206,7 @@ class _Grid:
         self.interpolation = rings.interpolation(w, x)
 
     def fields(self, waves):
-        """Return (sent and local, incident), each a `Field` (f, n count) of [`Wave`]"""
+        """Return the waves as (outgoing and local, incident), each a `Field` (f, n count), from [`Wave`]"""
         out = []
         most = self.count // 2 - 1
         for wave in waves:

@@ -99,8 +99,8 @@ def strips_about(mesh, line, circle, k):
     if not (np.all(turn > 0) and abs(np.sum(turn) * len(mesh.reflections()) - 2 * np.pi) < 1e-6):
         raise ValueError(
             "the free-surface forcing needs a waterline that is one closed curve, with each point visible from its "
-            "middle; give --level body, which leaves out this part of the force only (between several columns every "
-            "level leaves it out)"
+            "middle; give --level body, which leaves out only this part of the force (the forcing between several "
+            "columns is not computed at any level)"
         )
     length = np.hypot(*(sides[:, 1] - sides[:, 0]).T)
     counts = np.clip(np.ceil(2 + k * np.maximum(turn * circle.radius, length)), FEWEST, MOST).astype(int)

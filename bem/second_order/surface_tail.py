@@ -11,7 +11,8 @@ of ψ combine around the circle, with a factor that depends on frequencies alone
     2π C ∫ f_m(kr) f̄_n(qr) H_p(κr) r dr + …
 
 Radii are real up to the radius at which all orders oscillate. Beyond the circle the paths are r + ix, where products of
-sent waves with sent or incident waves decay. For products with the incoming part of the first incident wave they are r
+outgoing waves with outgoing or incident waves decay.
+For products with the incoming part of the first incident wave they are r
 − ix.  All pairs
 use the same radii on a path, and the same values of the functions at these radii.
 
@@ -38,7 +39,7 @@ NEGLIGIBLE = 1e-11  # size relative to the largest order at the start of a path,
 class Path:
     """Radii in columns: along r − ix, the first radius three times, real radii, along r + ix.
 
-    edges : (w,) m, of real intervals; highest : rad/m, a third of that of the fastest product
+    edges : (w,) m, of real intervals; highest : rad/m, a third of the wavenumber of the fastest product
     least_down, least_up : rad/m, the least with which products decay along r − ix (infinite where none does), r + ix
     """
 

@@ -30,7 +30,7 @@ class Field(NamedTuple):
 class Wave(NamedTuple):
     """One wave far from the body: omega rad/s, k rad/m, direction rad; amplitude of the incident potential, m²/s
 
-    sent : (2M + 1,) coefficients of H_m(kr) e^{imθ}; local : (w, r, n) parts e^{imθ} on rings
+    sent : (2M + 1,) coefficients of the outgoing waves H_m(kr) e^{imθ}; local : (w, r, n) parts e^{imθ} on rings
     """
 
     omega: float

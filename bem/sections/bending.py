@@ -3,7 +3,7 @@
     {−ω²[M + A] − iωB + [C + K]} ξ = F
 
 over heave, roll and the free-free shapes of `bem.flexible.beams` along y, per metre of length; K is their stiffness, C
-that of `bem.flexible.coupling`.
+the stiffness of `bem.flexible.coupling`.
 """
 
 from typing import NamedTuple

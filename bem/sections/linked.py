@@ -21,7 +21,8 @@ KINDS = ("hinge", "rigid")
 class Floating(NamedTuple):
     """A section at y, m.
 
-    mass : kg/m, None for that of the displaced water; center : z of its centre of gravity, m; gyration : about that, m
+    mass : kg/m, None for the mass of the displaced water; center : z of the centre of gravity, m; gyration : radius
+    about the centre of gravity, m
     fixed : True for a fixed section
     """
 

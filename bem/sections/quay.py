@@ -36,7 +36,8 @@ class Floating(NamedTuple):
 def floating(section, inertia, stiffness, damping=0.0):
     """`Floating` of a `bem.sections.coefficients.Section` that is free to move.
 
-    inertia, stiffness, damping : (3, 3) per metre of length, of the body and its restraint, without those of waves
+    inertia, stiffness, damping : (3, 3) per metre of length, of the body and its restraint, without contributions of
+    waves
     """
     w = section.omega
     held = -(w**2) * (inertia + section.added_mass) - 1j * w * (section.damping + damping) + stiffness

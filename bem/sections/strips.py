@@ -7,7 +7,7 @@ across it, a the half length of the row, per metre a sectional impedance Zᵢⱼ
     sway, roll, their coupling   2a Z₂₂, 2a Z₄₄, 2a Z₂₄        heave  2a Z₃₃
     pitch  ∫x′² Z₃₃ dx′ = ⅔a³ Z₃₃                              yaw    ∫x′² Z₂₂ dx′ = ⅔a³ Z₂₂
 
-Froude–Krylov forces are exact, for the whole box.  The diffraction force is that of Salvesen, Tuck and Faltinsen,
+Froude–Krylov forces are exact, for the whole box.  The diffraction force follows Salvesen, Tuck and Faltinsen,
 Transactions of SNAME 78 (1970), at zero speed. It is Haskind's relation with the radiated flow of the section and the
 oblique wave,
 
@@ -109,7 +109,7 @@ class Row(NamedTuple):
         return turn
 
     def impedance(self, section):
-        """Impedance of the box, shape (6, 6), from that per metre of the row, (3, 3)"""
+        """Impedance of the box, shape (6, 6), from the impedance per metre of the row, (3, 3)"""
         out = np.zeros((6, 6), section.dtype)
         out[1:4, 1:4] = self.length * section
         out[4, 4], out[5, 5] = self.length**3 / 12 * section[1, 1], self.length**3 / 12 * section[0, 0]

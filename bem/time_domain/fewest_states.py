@@ -41,9 +41,9 @@ def fewest_states(omega, wanted, size, group, tolerance, answered, words):
     except NoFit as fault:
         best = fault.best
     raise FitError(
-        f"the memory of {', '.join(words[i] for i in group)} has an error of {best:.2g} with the best system that was "
-        f"tried, and the tolerance is {tolerance:g}; give a larger tolerance, or solve the database to a smaller "
-        f"tolerance",
+        f"the memory of the water in {', '.join(words[i] for i in group)} has an error of {best:.2g} with the best "
+        f"system that was tried, and the tolerance is {tolerance:g}; give a larger tolerance, or solve the database "
+        "to a smaller tolerance",
         best / (MOVABLE if len(group) <= MOVED else COARSER),
     )
 

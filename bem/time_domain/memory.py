@@ -139,13 +139,15 @@ def memory_of_database(db, tolerance=1e-3, motions=None):
     each other because the band is too short; `fewest_states.FitError` if the tolerance is not reached
     """
     if not 1e-5 <= tolerance <= 0.1:
-        raise ValueError(f"tolerance of the memory is {tolerance:g}; allowed: 1e-5 to 0.1")
+        raise ValueError(
+            f"tolerance of the memory of the water (retardation functions) is {tolerance:g}; allowed: 1e-5 to 0.1"
+        )
     body = db if isinstance(db, Reader) else reader(db)
     motions = range(len(body.words)) if motions is None else motions
     if len(body.omega) < FEWEST:
         raise ValueError(
-            f"the memory needs radiation at {FEWEST} or more frequencies, and {len(body.omega)} are stored; "
-            "solve a band, such as --omega auto:0.1:2"
+            f"the memory of the water needs radiation at {FEWEST} or more frequencies, and {len(body.omega)} are "
+            "stored; solve a band, such as --omega auto:0.1:2"
         )
     with blas_threads(1):  # many small matrices; and the same bits for any number of threads
         return _memory(body, tolerance, motions)
@@ -174,7 +176,7 @@ def no_memory(body):
     """`Memory` without states of a `Reader`, for runs that use coefficients at one frequency instead
 
     A few states cannot represent resonances of water before a wall; added mass at the highest frequency then replaces
-    that at infinite frequency.
+    added mass at infinite frequency.
     """
     band = body.between.span
     count = len(body.words)
@@ -220,8 +222,8 @@ def _shorter(body, goal, motions, stored=True):
     if best.deviation.max() <= CLOSE[1] and best is not goal:
         warn(
             f"added mass and damping above {best.band[1]:.3g} rad/s contradict those at lower frequencies by "
-            f"{goal.deviation.max():.2g} of the largest, recommended: {CLOSE[0]:g}; the memory uses the lower "
-            f"frequencies only; leave out the higher frequencies, or solve them to a smaller "
+            f"{goal.deviation.max():.2g} of the largest, recommended: {CLOSE[0]:g}; the memory of the "
+            f"water uses the lower frequencies only; leave out the higher frequencies, or solve them to a smaller "
             f"tolerance" + _ringing(body),
             stacklevel=4,
         )
@@ -241,8 +243,8 @@ def _by_causality(body, goal, motions):
         return goal
     warn(
         f"the stored added mass at infinite frequency differs by {goal.deviation.max():.2g} of the largest from the "
-        f"value that the stored frequencies imply; allowed: {CLOSE[1]:g}; the memory uses the value that follows "
-        f"from damping, from which the stored frequencies deviate by {found.deviation.max():.2g}",
+        f"value that the stored frequencies imply; allowed: {CLOSE[1]:g}; the memory of the water uses the value that "
+        f"follows from damping, from which the stored frequencies deviate by {found.deviation.max():.2g}",
         stacklevel=4,
     )
     return found

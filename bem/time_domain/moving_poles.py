@@ -7,7 +7,7 @@ With rows b_k of B and l_k of L in the modes of `passive_fit`,
 is passive for all λ, B and L with Re λ < 0.  The sum of the p-th powers of the errors of H is minimised by Newton's
 method without the second derivatives of H (Levenberg's and Marquardt's damping), for p = 4 and 8, which approximate the
 largest.  Decay changes by its logarithm, so it remains a decay. b_k changes only in directions normal to itself, since
-its size is that of l_k.  With fixed poles, boxes and a buoy need 3 to 25 % more states for the same largest error.
+it has the size of l_k.  With fixed poles, boxes and a buoy need 3 to 25 % more states for the same largest error.
 """
 
 from typing import NamedTuple

@@ -2,8 +2,8 @@
 
 An error E (6, 6) of the impedance changes a free decay by up to E / (e B) of its start, with B all damping at the
 natural frequency. It acts by the admittance of the body on its springs.
-With the restoring forces C of the water, and a little
-damping in addition to that of the waves, as every moored body has,
+With the restoring forces C of the water, and a little damping in addition to the damping of waves, as every moored body
+has,
 
     Y = [H − iω (M + A∞) + iC/ω + 2ζω (M + A)]⁻¹,        its diagonal times that of the largest H.
 

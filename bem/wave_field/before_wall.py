@@ -7,9 +7,10 @@ the wave towards β, its reflection, and the waves of the equal sources of the i
     s = F [H(β) + e^{2ikw sinβ} H(−β) + M s],    M_ti = η(p′_i; θ_t + π)
     f = F(β) + e^{2ikw sinβ} F(−β) + C Σ s_i ηⱼ(p′_i),    C = −4iρg n/k²,  n = C_g/C
 
-F fits sources to a far field.  By reciprocity a source at p sends by way of the body towards θ what the body scatters
-to p of a plane wave towards θ + π, and presses it by C ηⱼ(p), ηⱼ the wave at p of its own motion j: Haskind's relation
-for a source as near as that.  Sources of motion j give ω²ΔA + iωΔB in place of f.  Drift is what waves bring to them,
+F fits sources to a far field.  By reciprocity, a source at p sends towards θ, by way of the body, the wave that the
+body scatters to p from a plane wave towards θ + π. It exerts the force C ηⱼ(p) on the body, with ηⱼ the wave at p due
+to motion j: Haskind's relation for a source as near as that.
+Sources of motion j give ω²ΔA + iωΔB in place of f.  Drift is what waves bring to them,
 
     D = (2ρg n/k²) Σ Im s_i ∇η*(p_i),
 

@@ -35,7 +35,7 @@ def outer(mesh) -> PanelMesh:
     """The panels that water reaches, turned to it: without copies, inner walls, folds, and parts inside another part.
 
     The mesh keeps its mirror planes.  Panels that cross the surface of another part are kept or left out whole, which
-    leaves a gap there that `findings` tells.
+    leaves a gap there that `findings` reports.
     """
     mesh = _without_copies(mesh.merged(SAME_POINT))
     numbers = beside(mesh.whole(), np.arange(len(mesh)))  # the meshed part comes first in the whole hull

@@ -84,13 +84,13 @@ def virtual_masses(ship, depth=None):
 
 
 def shallow(ship, depth):
-    """A line on a ship with less water under its keel than virtual masses are known for; depth : m, or None"""
+    """A line of text for a ship with less water under its keel than virtual masses are known for; depth : m, or None"""
     gap = None if depth is None else depth - ship.draft
     if gap is not None and gap < LEAST_GAP * ship.draft:
         yield (
             f"{gap:.3g} m of water under the keel is {100 * gap / ship.draft:.2g} % of the draft; limit "
-            f"{100 * LEAST_GAP:g} %, below which no method has a virtual mass of its own and PIANC's stays 1.8; give a "
-            "tested approach.virtual_mass, or berth at a higher tide"
+            f"{100 * LEAST_GAP:g} %, below which no method has its own virtual mass and PIANC's value stays at 1.8; "
+            "give a tested approach.virtual_mass, or berth at a higher tide"
         )
 
 

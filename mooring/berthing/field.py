@@ -16,7 +16,8 @@ GRAVITY, WATER = 9.8, 1030.0  # m/s², kg/m³, of the tables
 
 
 class Contact(NamedTuple):
-    """A contact as printed: displacement, virtual in ktonf, sizes m, speed cm/s, energies tonf m; NaN where missing
+    """A contact as printed: displacement and virtual mass in ktonf, sizes in m, speed in cm/s, energies in tonf m;
+    NaN where missing
 
     doubt : values that are inconsistent in print: speed, weight, offset, absorbed, draft
     """
@@ -61,8 +62,8 @@ def effective_energies(contact):
 
 
 class Comparison(NamedTuple):
-    """contacts : their number; median, low, high : of absorbed over effective energy, quartiles; bounded : share whose
-    absorbed energy lies between the effective energies of V and V + 1 cm/s"""
+    """contacts : number of contacts; median, low, high : median and quartiles of absorbed over effective energy;
+    bounded : share of contacts whose absorbed energy lies between the effective energies of V and V + 1 cm/s"""
 
     contacts: int
     median: float

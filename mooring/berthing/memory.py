@@ -5,7 +5,8 @@ side.
 
 η₂, η₆ sway towards the berth and yaw about the rotation centre, R_k of `mooring.fenders` with its hysteresis; a fender
 is in series with its dolphin (`mooring.fenders.dolphin`).  The memory is that of `bem.time_domain.memory`.  The ship
-has approached at constant speed for a long time: the states are −a⁻¹ b ν, their force is 0, and the water has A(0).
+has approached at constant speed for a long time: the states of the memory are −a⁻¹ b ν, their force is 0, and the added
+mass of the water is A(0).
 Energy:
 
     ½ νᵀ(M + A∞) ν + ½ xᵀP x + Σ ∫R dδ + ∫ ½ |lossᵀx|² dt = energy before contact,
@@ -30,7 +31,8 @@ PLANE = (1, 5)  # sway, yaw of six
 
 @dataclass(frozen=True, eq=False)
 class BerthingShip:
-    """inertia (2, 2) of the ship alone, added_mass_infinity (2, 2), a (n, n), b (n, 2), c (2, n), storage, loss
+    """inertia : (2, 2) of the ship alone; added_mass_infinity : (2, 2); a : (n, n); b : (n, 2); c : (2, n); storage,
+    loss
 
     in kg, kg m, kg m² of sway and yaw about the rotation centre; a … loss of `bem.time_domain.memory`; center : m, x of
     the centre of gravity
@@ -53,11 +55,11 @@ class BerthingShip:
 
 @dataclass(frozen=True, eq=False)
 class Berthing:
-    """time (n,) s from first contact; position (n, 2) m, rad; velocity (n, 2); deflection, reaction (n, k) m, N
+    """time : (n,) s from first contact; position : (n, 2) m, rad; velocity : (n, 2); deflection, reaction : (n, k) m, N
 
-    taken, lost : (n,) J absorbed by fenders, and radiated by waves; ledger : ledger of the module, over energy
-    before contact
-    virtual_mass : C_M of the module; energy : J, largest taken up
+    taken, lost : (n,) J, energy absorbed by fenders and energy radiated by waves
+    ledger : balance of the module over the energy before contact; virtual_mass : C_M of the module; energy : J, largest
+    absorbed energy
     """
 
     time: np.ndarray

@@ -38,7 +38,8 @@ class Speeds(NamedTuple):
         """m/s, exceeded once in `contacts` contacts.  Raises BerthingError."""
         if not 1 < contacts < math.inf:
             raise BerthingError(
-                f"the speed is requested that is exceeded once in {contacts:g} contacts; allowed: above 1, finite"
+                f"the speed that is exceeded once in {contacts:g} contacts is requested; allowed: above 1 contact, "
+                "finite"
             )
         return self.scale * math.log(contacts) ** (1 / self.shape)
 

@@ -31,7 +31,7 @@ def sinker(tension, angle, friction, lifted=False):
 
 
 def common_sinker(horizontal, vertical, friction):
-    """Submerged weight W (…), N/m, of one sinker under both lines with the wave forces P_H, P_U, complex (…)
+    """Submerged weight W, N/m, shape (…), of one sinker under both lines; P_H, P_U : (…) complex wave forces
 
     W is the greatest value of ±P_H(t)/μ + P_U(t) over a period; the sum of the two terms is one harmonic.
     """
@@ -40,7 +40,7 @@ def common_sinker(horizontal, vertical, friction):
 
 
 def sinker_height(weight, width, unit_weight):
-    """m; weight : N/m submerged, width : m, unit_weight : N/m³ submerged"""
+    """Height of a block, m; weight : N/m submerged, width : m, unit_weight : N/m³ submerged"""
     return weight / (_at_least("width", width, 1e-3, "m") * _at_least("unit weight", unit_weight, 1e-3, "N/m³"))
 
 

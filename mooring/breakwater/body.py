@@ -91,7 +91,8 @@ class OnTautLines(Buoyant):
         return float(self.mode @ self.restoring)
 
     def line_difference(self, force):
-        """P_B − P_F (…) that gives `force` (…, 2), horizontal and moment; exact where force · mode is 0.
+        """P_B − P_F, shape (…), that gives `force` (…, 2), its horizontal part and its moment; exact where force · mode
+        is 0.
 
         The moment is divided by the radius: vertical lines have only a moment, lines through the centre only a force.
         """

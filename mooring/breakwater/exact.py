@@ -2,7 +2,7 @@
 
     (−ω²(M + A) − iωB + C) x = F,       K_T = T + Σ xⱼ ηⱼ,       K_R = R + Σ xⱼ ηⱼ⁻
 
-A, B, F, R, T and η, η⁻, the waves radiated to leeward and seaward, are those of a `Section`.  On taut lines x = m q and
+A, B, F, R, T and η, η⁻, the waves radiated to leeward and seaward, come from a `Section`.  On taut lines x = m q and
 the equation is projected on m, the mode of `body.OnTautLines`; the residual is the lines' pull.  Without losses |K_T|²
 + |K_R|² = 1 for any mooring.
 """

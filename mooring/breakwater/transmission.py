@@ -30,8 +30,8 @@ class Cells(NamedTuple):
 
 
 def equal_cells(spectrum, count):
-    """`Cells` of nearly equal energy of a `Spectrum`, of its significant height: without a share of 0.0004 at each end,
-    which leaves few cells in its long tail, and which all cells together make up for"""
+    """`Cells` of nearly equal energy of a `Spectrum`. A share of 0.0004 at each end is left out, since it would leave
+    few cells for the rest of the long tail. The cells together have the significant height of the spectrum."""
     outside = (1 - LEAST_SHARE) * 0.4
     cells = _between(spectrum, spectrum.quantile(np.linspace(outside, 1 - outside, count + 1)))
     return cells._replace(energy=cells.energy * (spectrum.significant_height / cells.height) ** 2)

@@ -37,7 +37,8 @@ class Chart(NamedTuple):
 class Anchor(NamedTuple):
     """An anchor, nan for unknown values: an unknown anchor is sized, and its utilisation is nan.
 
-    holding, uplift : N, along and up, of a drag anchor and a pile; weight : N in water, friction : of a sinker
+    holding, uplift : capacity of a drag anchor or a pile along the bed and upwards, N
+    weight : of a sinker in water, N; friction : coefficient of friction of a sinker
     chart : chart of a drag anchor whose mass is wanted, else None; safety : s
     """
 
@@ -50,7 +51,7 @@ class Anchor(NamedTuple):
     safety: float = 1.0
 
     def capacity(self, up):
-        """N, capacity along the bed, without the factor, with an upward pull of `up` N"""
+        """Capacity along the bed, N, without the safety factor, under an upward pull of `up` N"""
         return self.friction * (self.weight - np.maximum(up, 0.0)) if self.kind == "sinker" else self.holding
 
     def mass(self, along, up):

@@ -48,7 +48,8 @@ class RuleError(ValueError):
 
 
 class Criterion(NamedTuple):
-    """One row of a table, as the module describes it; limit and second in `unit`, numbers; motion_factor 1 if none"""
+    """One row of a table, as the module describes it; limit and second are numbers in `unit`; motion_factor is 1 if
+    none is given"""
 
     rule: str
     edition: str

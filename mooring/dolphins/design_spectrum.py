@@ -56,8 +56,9 @@ class Strains(NamedTuple):
 
 
 class Beam(NamedTuple):
-    """A body in waves of one direction, read once: omega (q,) rad/s, inertia (q, 6, 6) with added mass, damping
-    (q, 6, 6), stiffness (6, 6), force (q, 6) N/m …, drift (q,) N/m² across the body, freely floating; center (3,) m"""
+    """A body in waves of one direction, read once. omega : (q,) rad/s; inertia : (q, 6, 6) with added mass; damping :
+    (q, 6, 6); stiffness : (6, 6); force : (q, 6) N/m …; drift : (q,) N/m² across the freely floating body; center :
+    (3,) m"""
 
     omega: np.ndarray
     inertia: np.ndarray
@@ -89,8 +90,8 @@ def springs(dolphins, center, stiffness):
 
 
 def at_fenders(beam, dolphins, stiffness, loss):
-    """Sway |y| per metre, m/m, at the middle of the fenders of the body on springs of a complex stiffness k − ih each;
-    shape (q,)"""
+    """Sway |y| per metre of wave amplitude, m/m, at the middle of the fenders; shape (q,). Each spring has the complex
+    stiffness k − ih."""
     w = beam.omega[:, None, None]
     held = beam.stiffness + springs(dolphins, beam.center, stiffness) - 1j * springs(dolphins, beam.center, loss)
     motion = np.linalg.solve(-(w**2) * beam.inertia - 1j * w * beam.damping + held, beam.force[..., None])[..., 0]

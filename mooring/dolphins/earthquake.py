@@ -88,7 +88,7 @@ class Course(NamedTuple):
 
 
 class Spectral(NamedTuple):
-    """period s and damping ratio of the equivalent spring; deflection m; reaction N; acceleration m/s², damped"""
+    """period, s, and damping ratio of the equivalent spring; deflection, m; reaction, N; acceleration, m/s², damped"""
 
     period: float
     ratio: float
@@ -210,13 +210,14 @@ def by_spectrum(floater, fenders, spectrum, spectrum_ratio=0.05):
             f"the spectrum compresses {fender.name} beyond its table, which ends at {fender.limit:.3g} m; use more or "
             "larger fenders"
         )
-    if fenders.clearance > 0 and answer(low)[2] < low:
-        return Spectral(np.nan, np.nan, 0.0, 0.0, np.nan)
+    least = low
     for _ in range(ROUNDS):
         middle = 0.5 * (low + high)
         low, high = (middle, high) if answer(middle)[2] > middle else (low, middle)
         if high - low <= SETTLED * high:
             break
+    if fenders.clearance > 0 and low == least:
+        return Spectral(np.nan, np.nan, 0.0, 0.0, np.nan)
     period, ratio, _, acceleration = answer(high)
     deflection = max(high - fenders.clearance, 0.0)
     return Spectral(period, ratio, deflection, fenders.count * float(fender.reaction(deflection)), acceleration)

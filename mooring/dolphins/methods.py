@@ -31,7 +31,8 @@ class Quake:
     coefficient: float | None
 
     def normalised(self, periods, stiffness):
-        """Reaction of springs, N/m, over that by the seismic coefficient, (q,) of ground periods (q,) s"""
+        """Reaction over the reaction by the seismic coefficient; shape (q,); stiffness : N/m of springs; periods : (q,)
+        s of the ground"""
         omega = 2 * np.pi / np.asarray(periods, float)
         return normalised_reaction(omega, self.floater.mass, *self.floater.water(omega), stiffness)
 
@@ -85,7 +86,7 @@ def failures(quake, rows):
 
 
 def untouched(quake, rows):
-    """A line on the methods, `Method`s, by which no fender is touched"""
+    """A line of text that names the methods, of `Method`s, by which no fender is touched"""
     free = [row.name for row in rows if row.reaction == 0]
     if free:
         yield f"{', '.join(free)}: no fender is touched; the clearance is {quake.fenders.clearance:g} m on each side"

@@ -1,7 +1,7 @@
 """Times of a record in UTC: ISO 8601 with or without an offset, in a zone with or without summer time; or since 1970.
 
 In autumn an hour of local time occurs twice: first in summer time, then in winter time.  In spring an hour does not
-occur.  A record marked UTC with both is in local time.
+occur.  A record that is marked UTC and has both of these is in local time.
 """
 
 import datetime
@@ -18,7 +18,7 @@ ALLOWED = "UTC, an offset such as +09:00, or a name such as Europe/Berlin"
 
 
 def times(texts, zone, where):
-    """Times in UTC, datetime64[s], of ISO texts; shape (n,); zone : for texts without an offset of their own from UTC.
+    """Times in UTC, datetime64[s], from ISO texts; shape (n,); zone : time zone of texts that state no offset from UTC.
 
     where : name of the file, for messages.  Raises TableError.
     """

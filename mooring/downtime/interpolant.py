@@ -33,7 +33,7 @@ class Interpolant:
     scatter: float
 
     def predict(self, x, height):
-        """μ, s, each (n,), at features x (n, d) of seas of height (n,) m"""
+        """Mean μ and error s, each (n,), at features x (n, d) of seas of height (n,) m"""
         parts = [self.process.predict(x[i : i + AT_ONCE], return_std=True) for i in range(0, len(x), AT_ONCE)]
         mean, error = (np.concatenate(part) for part in zip(*parts, strict=True))
         return mean + _trend(height) @ self.trend, error
@@ -43,7 +43,7 @@ class Interpolant:
         return ndtr(mean / np.sqrt(self.scatter**2 + error**2 + LEAST**2))
 
     def spread_of_sum(self, x, height, mean, error, free):
-        """Standard deviation of Σ P over hours, by the interpolant alone, and by the chance of the sea alone.
+        """Standard deviation of Σ P over hours: due to the interpolant alone, and due to the chance of the sea alone.
 
         free : (n,) whether no other limit stops the hour
         """

@@ -40,7 +40,7 @@ class Crossings:
         return f"<{len(self)} waves, H1/3 {self.significant_height:.4g} m, T1/3 {self.significant_period:.4g} s>"
 
     def highest(self, part):
-        """Mean height (m) and period (s) of the highest part of the waves, 0 < part ≤ 1; at least one wave"""
+        """Mean height (m) and period (s) of the highest `part` of the waves, 0 < part ≤ 1, of at least one wave"""
         if not 0 < part <= 1:
             raise ValueError(f"the fraction of the waves is {part:g}; allowed: above 0, at most 1")
         chosen = np.argsort(self.heights)[-max(1, round(part * len(self))) :]
@@ -103,7 +103,7 @@ def zero_crossings(record, step, direction="up"):
 
 
 def rayleigh_height(m0, part):
-    """Mean height (m) of the highest part of the waves of a narrow spectrum of variance m0 (m²), 0 < part ≤ 1."""
+    """Mean height (m) of the highest `part` of the waves of a narrow spectrum with variance m0 (m²); 0 < part ≤ 1."""
     if not 0 < part <= 1:
         raise ValueError(f"the fraction of the waves is {part:g}; allowed: above 0, at most 1")
     root = math.sqrt(-math.log(part))
@@ -111,7 +111,7 @@ def rayleigh_height(m0, part):
 
 
 def expected_maximum_height(m0, waves):
-    """Mean of the highest (m) of `waves` waves, at least 10, of a narrow spectrum of variance m0 (m²)."""
+    """Mean height (m) of the highest of `waves` waves (at least 10) of a narrow spectrum with variance m0 (m²)."""
     if not waves >= 10:
         raise ValueError(f"number of waves is {waves:g}; allowed: at least 10")
     root = math.sqrt(2 * math.log(waves))

@@ -36,7 +36,8 @@ class CurrentProfile:
         return CurrentProfile(self.parts + other.parts)
 
     def over_draft(self, draft):
-        """Speed m/s and direction rad of the uniform current with the mean ½ρU² over a draft (m), each way.
+        """Speed, m/s, and direction, rad, of the uniform current with the same mean ½ρU² along x and y over a draft
+        (m).
 
         Box and hull coefficients come from uniform currents. If the profile turns over the draft, they are a guess.
         """
@@ -72,7 +73,7 @@ class _Table:
 
 
 def uniform(speed, direction, depth=np.inf):
-    """The same current from the surface to the bed; m/s, rad travelled to, m"""
+    """The same current from the surface to the bed: speed, m/s, direction travelled to, rad, and depth, m"""
     return power_law(speed, direction, depth, 0.0)
 
 

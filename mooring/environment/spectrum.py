@@ -196,7 +196,7 @@ class Tabulated(Spectrum):
 
 
 def nearness(x):
-    """r (…,) of the peak enhancement γ^r at ω/ω_p"""
+    """Exponent r of the peak enhancement γ^r at ω/ω_p; shape (…,)"""
     return np.exp(-0.5 * ((x - 1) / np.where(x <= 1, *SIGMA)) ** 2)
 
 

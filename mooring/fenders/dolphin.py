@@ -3,7 +3,8 @@
     R_dolphin(y₁) = R_fender(y₂),    y(y₂) = y₂ + y₁(R_fender(y₂))
 
 The pair is again a fender, in y.  If the fender buckles faster than the dolphin is stiff, dy/dy₂ ≤ 0, the pair snaps
-through and no static characteristic exists. This is refused with the required stiffness.  The pair keeps the fender's
+through and no static characteristic exists. Such a pair is refused, and the message names the required stiffness.
+The pair keeps the fender's
 unloading: at equal force the dolphin returns all of its energy.
 """
 

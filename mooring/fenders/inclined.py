@@ -47,6 +47,7 @@ def inclined(fender, width, angle):
 
 
 def mean_of_strips(curve, deflection, depth):
-    """N of a `curves.Curve` R at deflections of any shape, of strips that are pressed less, evenly up to `depth`, m"""
+    """Force of a `curves.Curve` R, N, as a mean over strips whose deflection falls evenly by up to `depth`, m;
+    deflections of any shape"""
     x = np.asarray(deflection, float)
     return (curve.integral(x) - curve.integral(np.maximum(x - depth, 0.0))) / depth

@@ -68,7 +68,7 @@ class BodyRow(NamedTuple):
 
 
 def early_body(words):
-    """Entries in the order of BodyRow from the table of draft versions of v2, which MoorPy still writes
+    """Entries in the order of BodyRow, from the order in draft versions of v2, which MoorPy still writes
 
     BodyID X0 Y0 Z0 r0 p0 y0 Xcg Ycg Zcg M V IX IY IZ, then CdA and Ca of one or three numbers. The attachment follows
     the number, as in 1Coupled; a number alone is a floating body.  Other rows are returned unchanged.

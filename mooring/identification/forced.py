@@ -11,7 +11,7 @@ coefficient with the same energy in a cycle is B₁ + (8/3π) ωX B₂; one coef
 B₂.
 
 Noise without memory on the force perturbs B₁ and B₂ by the covariance of least squares, s² (MᵀM)⁻¹, with M the columns
-of the fit and s its residual. No unbiased estimate has less (Cramér and Rao).
+of the fit and s its residual. No unbiased estimate has a smaller covariance (Cramér and Rao).
 Noise on the motion shifts its phase by δφ.
 This moves a part A ω δφ of the inertia into B₁.
 """

@@ -77,7 +77,7 @@ def current_force(speed, direction, length, beam, draft, density=1025.0, table=N
     """Forces F_x, F_y, N, and moment M_z, N m, about the middle of the box; shape (…, 3).
 
     speed : (…) m/s; direction : (…) rad, the current flows to
-    table : DragTable; by default that of `box_table` at the water depth `depth`, its notes as warnings
+    table : DragTable; by default `box_table` at the water depth `depth`, m, whose notes become warnings
     """
     check_positive(length=length, beam=beam, draft=draft)
     if table is None:
@@ -225,6 +225,6 @@ def _guesses(slender, given):
         yield f"current force: L/B = {slender:.4g} lies between the tested 1.2 and 2; it is interpolated linearly"
     if slender != 2.0 or given > 2.0 * (1 + SAME):
         yield (
-            f"current moment for L/B = {given:.4g} is a guess (lever {0.09 * (min(given, 2.0) - 1):.2g} L at 45°): "
-            "the report prints only that for L/B = 2; give current coefficients"
+            f"current moment for L/B = {given:.4g} is a guess (lever {0.09 * (min(given, 2.0) - 1):.2g} L at "
+            "45°): the report prints only the moment for L/B = 2; give current coefficients"
         )

@@ -83,7 +83,7 @@ def hull_force(coefficients, speed, direction, density):
 
 
 def shallow_coefficient(deep, draft, depth, exponent=2.0, grounded=3.2):
-    """Broadside current coefficient on L T of a ship in water of `depth` m from that in deep water.
+    """Broadside current coefficient on L T of a ship in water of `depth` m, from the coefficient in deep water.
 
         C = C₀ + (C₁ − C₀) (T/d)^K    UFC 4-159-03, Design: Moorings (2005), eq. 11
 

@@ -3,7 +3,8 @@
     f = ½ρ C_D D |w| w + ρ (V + A) a − ρ A a_b,   w = u − u_b,   V + A = C_M × reference volume
 
 per metre, all vectors normal to the axis: u velocity of the water, waves and current together, a its acceleration, u_b,
-a_b those of the member, V the displaced volume and A that of the added mass, per metre. SR179 report (1982), chapter 4,
+a_b velocity and acceleration of the member, V the displaced volume and A the volume of the added mass, per metre.
+SR179 report (1982), chapter 4,
 section 5.3 (there for a member at rest). The drag uses one velocity for waves and current together, since |w| w is not
 additive.
 """

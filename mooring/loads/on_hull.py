@@ -10,12 +10,12 @@ A round hull, for which the report has no tests, is a vertical cylinder: F = ½�
 moment.  In a current C_D is ROUGH, an upper bound. A smooth cylinder has 0.65, short cylinders less than long ones
 (Gonçalves et al., OMAE 2013), and columns of OC4 0.56 to 0.68 (NREL/TP-5000-60601).
 Water at rest only damps the motion, where such a large value is unsafe.
-STILL is therefore low.  Between them C_D follows the ratio of the speed V of the current to that of the hull, v. A
+STILL is therefore low.  Between them C_D follows the ratio of the speed V of the current to the speed v of the hull. A
 current that carries the wake away counts as steady:
 
     C_D = STILL + (ROUGH − STILL) x² (3 − 2x),    x = min(1, V/(STEADY v))
 
-In air C_D is that of the report's table of members.
+In air C_D comes from the report's table of members.
 """
 
 from collections.abc import Callable
@@ -53,8 +53,8 @@ class StreamOnHull:
     still: float = 1.0
 
     def about(self, angle, center):
-        """Force and moment, N s²/m² and N s², of 1 m/s about `center` (3,), m; shape (…, 6); middle of the hull and
-        still water are 0"""
+        """Force and moment, N s²/m² and N s², of 1 m/s about `center` (3,), m; shape (…, 6); the origin of `center` is
+        the middle of the hull in still water"""
         return heeling(about(self.unit(angle), (0.0, 0.0), center), self.height, center[2])
 
     def share(self, speed, own):
@@ -70,8 +70,8 @@ def drag_share(still, speed, own):
 
 
 def heeling(load, height, up=0.0):
-    """Load (…, 6) of a load (…, 3), N, N, N m, whose forces along and across act at heights (2,), m, about a point `up`
-    m high"""
+    """Load (…, 6) about a point `up` m high, from a load (…, 3), N, N, N m, whose forces along and across act at
+    heights (2,), m"""
     x, y, turn = np.moveaxis(load, -1, 0)
     return np.stack([x, y, 0 * x, (up - height[1]) * y, (height[0] - up) * x, turn], axis=-1)
 

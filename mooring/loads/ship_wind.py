@@ -24,7 +24,7 @@ def ships():
 def blendermann(ship, length, front_area, side_area, side_height):
     """HullCoefficients of a type of ship; length m, areas m², height of the middle of the side area m above water
 
-    raises : ValueError naming the types there are
+    raises : ValueError that names the known types
     """
     known = {row["ship"]: row for row in packaged_rows(__package__, "ship_wind")}
     if ship not in known:

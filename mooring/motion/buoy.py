@@ -55,7 +55,7 @@ class BuoyBody:
         return self.mass / (density * 0.25 * np.pi * self.diameter**2)
 
     def yields(self, pull, system):
-        """m by which hawsers yield to the tilt under their pull, N together, in the water of a System"""
+        """Length by which hawsers yield to the tilt, m, under the sum of their pulls, N, in the water of a System"""
         return yielding(self.lever, self.upright(system), pull)[0] if self.lever > 0 else 0.0
 
     def upright(self, system):
@@ -214,7 +214,8 @@ def pull_of_rope(rope, stretch, rate):
 
 @kernel()
 def yielding(lever, upright, pull):
-    """m, effect of the buoy's tilt on its hawsers under their pull, N together; and its slope, m/N"""
+    """Effect of the buoy's tilt on its hawsers, m, under the sum of their pulls, N; and the slope of this effect,
+    m/N"""
     steep = pull / upright  # tan θ
     away = 1.0 + steep * steep
     return lever * steep / np.sqrt(away), lever / (upright * away * np.sqrt(away))
@@ -309,7 +310,8 @@ def turned(R, p):
 
 @kernel()
 def floats(buoy, work, place, share, waves):
-    """Add buoyancy, weight, drag and inertia of water to work.force; waves, share : those of the waves and of all"""
+    """Add buoyancy, weight, drag and inertia of water to work.force; waves, share : ramp of the waves, and of all
+    loads"""
     w = work.water
     for j in range(3):
         stream = share * buoy.current[j] if j < 2 else 0.0

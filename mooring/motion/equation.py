@@ -200,8 +200,8 @@ def add_horizontal(force, y, rate, x, y_force, moment, number):
 
 @kernel(counted=False)
 def restore(body, b, y, rate, force, work):
-    """Hydrostatic and spring forces on body b, and the forces of the turning axes; the work of the latter is the work
-    of the current, if any
+    """Hydrostatic and spring forces on body b, and the forces of the turning axes; the work of the latter counts as
+    work of the current, if there is one
 
     y, rate : (BLOCK,), force : (6,) of it
     """
@@ -314,7 +314,7 @@ def of_one(scene, b, t, y, rate):
 
 @kernel(inline=True, counted=False)
 def give_to(work, b, y, rate, parts, number):
-    """`give` body b its parts (N, 6) of forces; y, rate : (n,) of all"""
+    """`give` body b its row of the parts (N, 6); number : kind of the load; y, rate : (n,) of all"""
     first = BLOCK * b
     give(work.force[6 * b : 6 * b + 6], y[first : first + BLOCK], rate[first : first + BLOCK], parts[b], 6, number)
 
@@ -358,7 +358,7 @@ def of_shapes_on_body(body, b, y, rate, force, work):
 
 @kernel(counted=False)
 def of_group(scene, g, t, y, rate):
-    """All that acts on group g of the shapes of a `Scene` but moorings; y, rate : (n,) of all
+    """All loads on group g of the shapes of a `Scene` except its moorings; y, rate : (n,) of all
 
     The work of each load on the shapes is added to the work of this load on the body.
     """
@@ -401,7 +401,8 @@ def of_group(scene, g, t, y, rate):
 
 @kernel(counted=False)
 def of_shapes(scene, t, y, rate):
-    """All that acts on the shapes of a `Scene`, and what they exert on bodies, but moorings; y, rate : (n,) of all"""
+    """All loads on the shapes of a `Scene` except moorings, and the forces of shapes on bodies; y, rate : (n,) of
+    all"""
     body, force = scene.body, scene.work.force
     for b in range(body.heading.size):
         of_shapes_on_body(body, b, y, rate, force[6 * b : 6 * b + 6], scene.work)

@@ -36,7 +36,7 @@ class Extreme(NamedTuple):
 def median_extreme(largest):
     """`Extreme` of the largest values (n,) of independent runs.
 
-    For the smallest values reverse their sign, and that of the result.
+    For the smallest values reverse the sign of the values, and the sign of the result.
     """
     x = np.sort(np.asarray(largest, float))
     n = len(x)

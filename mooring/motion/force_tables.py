@@ -262,7 +262,8 @@ def packed_pull(tables, number, x, z):
     """Forces (H, V), N, from a table of a `Packed` at a span x and height z; nan above and below the heights of the
     table.
 
-    Below the least chord the value is that of the least chord; beyond the greatest it is extrapolated along the chord.
+    Below the least chord the value at the least chord holds; beyond the greatest chord the value is extrapolated along
+    the chord.
     """
     ends, first = tables.ends[number], tables.first[number]
     c = max(np.sqrt(x * x + z * z), ends[0, 0])

@@ -112,7 +112,7 @@ def clock_at_rest(y, end, sample_step, fixed_step, scale, groups=0):
 def stage(trial, y, k, h, s):
     """Trial state (n,) at stage s of a step of h s from y, in one pass along the states in memory order
 
-    A rate with weight zero is replaced by that of the first stage, which is finite.
+    A rate with weight zero is replaced by the rate of the first stage, which is finite.
     """
     a, b, c, d, e = k[0], k[min(1, s - 1)], k[2 if s > 2 else 0], k[3 if s > 3 else 0], k[4 if s > 4 else 0]
     f = k[5 if s > 5 else 0]
@@ -443,7 +443,7 @@ def put_samples(clock, t, h, later, samples):
 def keep_links(scene, buoy, links, clock, t, h, later):
     """Forces of links at the samples of the step from t to `later`, s, from the state there; the last as `put_samples`
 
-    The history of fenders is then that of the end of the step, as before.
+    The history of fenders is then the history at the end of the step, as before.
     """
     held, kept = links
     row, k, n = clock.counts[SAMPLES], clock.stages, 0

@@ -32,8 +32,9 @@ FEW = 8.0  # frequencies in a record, below which it has lines and no spectrum, 
 class RecordStatistics(NamedTuple):
     """Statistics of one record, in the unit of the record; periods in s.
 
-    slow, wave : standard deviations of its two parts; mean_third, mean_tenth : of the highest maxima, from the mean
-    largest, smallest : values; extreme : amplitude expected to be the largest, of the formula, or nan
+    slow, wave : standard deviations of the slow part and of the wave part
+    mean_third, mean_tenth : means of the highest maxima, from the mean
+    largest, smallest : values; extreme : expected largest amplitude by the formula, or nan
     """
 
     mean: float
@@ -55,7 +56,7 @@ def stillness(sigma, units, length, weight):
     hull; shape (q,).
 
     sigma, units : (q,) of "m", "rad", "N" or another; length : m; weight : N.  An angle moves an end of the hull by
-    half the length times it.
+    half the length times the angle.
     """
     sigma, units = np.asarray(sigma, float), np.asarray(units)
     lever = np.where(units == "rad", 0.5 * length, 1.0)
@@ -67,7 +68,8 @@ def stillness(sigma, units, length, weight):
 
 
 def frequencies_in(record):
-    """Number of frequencies in a record (n,), (ΣE)²/ΣE² of the energies E of its Fourier terms. It is about 2 for one
+    """Number of frequencies in a record (n,): (ΣE)²/ΣE², with E the energies of its Fourier terms.
+    It is about 2 for one
     wave, 4 for two, and for a sea nearly as many as its band contains; 0 for a constant record"""
     energy = np.abs(np.fft.rfft(np.asarray(record, float) - np.mean(record))[1:]) ** 2
     total = energy.sum()
@@ -87,7 +89,7 @@ def record_statistics(record, step, split, duration=None):
     """RecordStatistics of equally spaced values.
 
     record : (n,); step : s; split : rad/s between slow and wave part; duration : s of the extreme, by default all
-    A constant record has nan for all values that need maxima.  Raises ValueError for one that is not finite.
+    A constant record has nan for all values that need maxima.  Raises ValueError for a record that is not finite.
     """
     return statistics_of_records([record], step, split, duration)[0]
 
@@ -155,7 +157,7 @@ def highest_mean(falling, share):
 
 
 def over_runs(values):
-    """Root mean square, over the runs, of standard deviations (runs, …), equal to that of one joined record"""
+    """Root mean square, over the runs, of standard deviations (runs, …): the standard deviation of one joined record"""
     return np.sqrt(np.mean(np.square(values), axis=0))
 
 

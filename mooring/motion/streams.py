@@ -89,7 +89,7 @@ def _around():
 def stream_force(stream, body, t, share, moving, weights, out, value):
     """out (6,) N, N m on one of the bodies, in axes of the body, of a stream that has grown to `share` of its speed.
 
-    moving : (3,) heading, velocities along and across it, rad and m/s
+    moving : (3,) heading of the body and its velocities along and across this heading, rad and m/s
     weights (6,), value (1,) : room for work
     """
     heading, u, v = moving[0], moving[1], moving[2]

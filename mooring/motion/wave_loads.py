@@ -2,19 +2,20 @@
 
     F(t) = Re Σ aᵢ X(ωᵢ, βᵢ − ψ) exp{i(kᵢ·r + εᵢ − ωᵢt)},    D(t) = |Σ aᵢ √D⁺ᵢ e^{…}|² − |Σ aᵢ √D⁻ᵢ e^{…}|²
 
-in axes that turn with the slow heading ψ; r is the origin of the database's axes at its slow position, in the drift the
-rotation centre of the body, so that groups of waves reach several bodies one after another. The drift is Newman's
+in axes that turn with the slow heading ψ; r is the origin of the database's axes at its slow position. In the drift, r
+is the rotation centre of the body, so that groups of waves reach several bodies one after another.
+The drift is Newman's
 approximation, with the square root of both diagonal terms (`mooring.response.slow_drift`).
-On a current V the exponent of waves at a place contains ωᵢ + kᵢ·V, and Dᵢ is D + B V of each wave
+On a current V the exponent of waves at a place contains ωᵢ + kᵢ·V, and Dᵢ is D + B V for each wave
 (`mooring.response.wave_drift_damping`). Time is divided into
-windows. A slow pose is predicted for the end of each window. Forces change linearly from those of the pose at its
-beginning to those of the pose at its end, so they are continuous for any motion. Around the instant between two windows
+windows. A slow pose is predicted for the end of each window. Forces change linearly from the pose at the beginning of a
+window to the pose at its end, so they are continuous for any motion. Around the instant between two windows
 exp(−iωt) at equal steps is always the same matrix. The waves of a pose are therefore summed once, for the window before
 it and the window after it (`tables.harmonics`). Between two steps a force is the polynomial of fifth degree through its
 values at the six nearest steps.
 
 Each of several bodies has its own slow pose, and the origin of its wave phases moves with the body. The waves that the
-other bodies scatter are those of the positions at rest, which is accurate while the distances change little.
+other bodies scatter are computed for the positions at rest, which is accurate while the distances change little.
 """
 
 from dataclasses import dataclass, replace
@@ -44,7 +45,7 @@ class WaveForces:
     """Forces and drift of a body over frequencies and a ring of headings relative to its axes, for any sea.
 
     omega : (q,) rad/s; force : (q, HEADINGS, 12) real and imaginary parts per metre; drift : (q, HEADINGS, 3) or None
-    others : those of further bodies that move, then of groups of six shapes, at the same frequencies
+    others : WaveForces of further moving bodies, then of groups of six shapes, at the same frequencies
     """
 
     omega: np.ndarray
@@ -140,8 +141,8 @@ def drift_of(forces, components, heading):
 
 
 def forces_towards(forces, direction):
-    """Complex first-order forces per metre on a body at rest, of waves towards `direction`, rad, from its axes; shape
-    (q, 6)"""
+    """Complex first-order forces per metre on a body at rest; shape (q, 6); direction : rad, in which waves travel,
+    from the body's axes"""
     place, weights = direction * (HEADINGS / (2 * np.pi)), np.empty(6)
     whole = np.floor(place)
     lagrange_weights(place - whole + 2.0, 6, weights)
@@ -162,7 +163,7 @@ def drift_on_current(forces, omega, direction, velocity, depth, gravity):
     """Drift D + B V of waves of omega (q,), rad/s, towards `direction` (q,), rad, on a current V (2,), m/s, all in
     space; shape (q, HEADINGS, 3)
 
-    The HEADINGS are those of the waves in the body's axes; the current keeps its angle to the waves.
+    The HEADINGS are directions of the waves in the body's axes; the current keeps its angle to the waves.
     """
     drift, B = drift_damping(forces, omega, depth, gravity)
     towards = np.arctan2(velocity[1], velocity[0]) - np.asarray(direction)[:, None]

@@ -23,10 +23,10 @@ STEPS = 8  # spline steps of added mass and damping between stored frequencies
 @dataclass(frozen=True, eq=False)
 class OnCurrent(Reader):
     """A `Reader` whose `motions` are the motions on the current of a `Carrier`; all other quantities, including drift,
-    are as in still water.
+    are the quantities in still water.
 
     omega of its functions is the frequency in which waves are given, absolute or intrinsic (`waves.Carrier`). Forces,
-    drift and far field use the intrinsic one
+    drift and far field use the intrinsic frequency.
     """
 
     carrier: Carrier | None = None
@@ -60,7 +60,7 @@ class OnCurrent(Reader):
         return not {*RADIATION, "excitation_force"} <= set(self.between.quantities)
 
     def drift(self, omega, headings=None, fixed=False):
-        """As `Reader.drift`, in still water; shape (q, p, 3): for waves of the same length"""
+        """Drift in still water for waves of the same length, as `Reader.drift`; shape (q, p, 3)"""
         return self.waves_of("drift", omega, headings, fixed=fixed)
 
     def waves_of(self, name, omega, headings, **words):
@@ -73,7 +73,7 @@ class OnCurrent(Reader):
         return np.concatenate([of(own[:, [p]].ravel(), [beta], **words) for p, beta in enumerate(headings)], axis=1)
 
     def at(self, omega, name, headings=None):
-        """Like `Reader.at`; the error is that in still water"""
+        """Like `Reader.at`; the error is the error in still water"""
         value, error = self.still.at(omega, name, headings)
         return (self.motions(omega, headings) if name == "rao" else value), error
 

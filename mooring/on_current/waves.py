@@ -37,12 +37,12 @@ class Carrier(NamedTuple):
         return self.velocity[0] * np.cos(heading) + self.velocity[1] * np.sin(heading)
 
     def met(self, omega, heading, depth, gravity):
-        """rad/s, arrays that broadcast: absolute frequency of waves of the given frequency towards `heading`"""
+        """Absolute frequency, rad/s, of waves of the given frequency towards `heading`; arrays broadcast"""
         omega, heading = np.broadcast_arrays(np.asarray(omega, float), heading)
         return omega if self.absolute else absolute_frequency(omega, self.along(heading), depth, gravity)
 
     def own(self, omega, heading, depth, gravity):
-        """rad/s, arrays that broadcast: intrinsic frequency of waves of the given frequency towards `heading`"""
+        """Intrinsic frequency, rad/s, of waves of the given frequency towards `heading`; arrays broadcast"""
         omega, heading = np.broadcast_arrays(np.asarray(omega, float), heading)
         return intrinsic_frequency(omega, self.along(heading), depth, gravity) if self.absolute else omega
 
@@ -125,10 +125,10 @@ def check_blocked(carrier, sea, depth, gravity):
         )
     if steep > MOST:
         yield (
-            "the change of the drift by the current is to first order in V/C_g, current over group velocity, and "
-            f"valid up to {FIRST_ORDER:g}; V/C_g is {slowest:.2g} at the mean frequency, and above the limit for "
-            f"{100 * steep:.3g} % of the wave energy; treat drift on the current as approximate, or compare with "
-            'current.waves = "still"'
+            "the change of the drift by the current is computed to first order in V/C_g, current over group "
+            f"velocity, which is valid up to {FIRST_ORDER:g}; V/C_g is {slowest:.2g} at the mean frequency, and "
+            f"above the limit for {100 * steep:.3g} % of the wave energy; treat drift on the current as "
+            'approximate, or compare with current.waves = "still"'
         )
 
 

@@ -9,7 +9,7 @@ The largest force of each kind is the force by Wang (1975) in deep water, times 
 
 T/d of the moored ship, G the gap between the sides, B the mean beam (Kriebel 2005, Mooring Loads Due to Parallel
 Passing Ships, eq. 10).  At a vertical quay the forces are 1.4, 0.4 and 0.5 times as large (Swiegers 2011).  C are the
-peaks of `slender.wang`; those of the printed curves may be given.  The course over ξ is Wang's, scaled.
+peaks of `slender.wang`; peaks of the printed curves may be given instead.  The course over ξ is Wang's, scaled.
 """
 
 import math
@@ -46,9 +46,10 @@ def scale(moored, passing, track, density=1025.0):
 def kriebel(moored, passing, track, stagger, factors, *, quay=False, peaks=None, density=1025.0):
     """`Passage` by tests in tanks.
 
-    moored, passing : `slender.Slender`; stagger : (n,) m; factors : from `depth_factors`; quay : along a vertical one
+    moored, passing : `slender.Slender`; stagger : (n,) m; factors : from `depth_factors`; quay : whether there is a
+    vertical quay
     peaks : (3,) coefficients C in deep water, read off printed curves, for the largest forces on `stagger`; by default
-        those of `slender.wang`
+    from `slender.wang`
     """
     found = wang(moored, passing, track, stagger, density=density)
     factors = np.asarray(factors) * (QUAY if quay else 1.0)

@@ -32,8 +32,8 @@ def added_mass(hulls, place, heading, depth, wall=None, density=1025.0):
     """Added mass of both hulls at zero frequency, kg, kg m, kg m², forces and motions about the middle of each; shape
     (12, 12).
 
-    hulls : PanelMesh of the moored and of the passing ship, each with its middle at the origin
-    place : (2,) m of the passing one
+    hulls : PanelMesh of the moored ship and of the passing ship, each with its middle at the origin
+    place : (2,) m of the passing ship
     heading : rad, rotation of the moored ship; depth : m; wall : y, m, of a wall along x
     """
     placed = hulls[0].rotated(heading), hulls[1].moved(dx=float(place[0]), dy=float(place[1]))
@@ -48,7 +48,7 @@ def double_body(hulls, track, stagger, depth, *, wall=None, density=1025.0, each
     """`Passage` by panels.
 
     hulls : as in `added_mass`, whole; track : Track; stagger : (n,) m, n ≥ 7, solved places; splines between them
-    each : as `map`, over the places, which are independent; for a display of progress
+    each : as `map`, over the independent places, for a display of progress
     raises : ValueError for too few places; FloatingPointError
     """
     stagger = np.asarray(stagger, float)

@@ -60,10 +60,10 @@ class Track:
 
 
 def along_track(track, moored, passing, lengths, fine=1):
-    """Places ξ to `lengths` mean lengths before and behind; shape (n,).
+    """Places ξ up to `lengths` mean lengths of the ships before and behind; shape (n,).
 
-    moored, passing : m, lengths of the ships; places are at most an eighth of the shorter one apart, and a quarter of
-    the distance; fine : factor on their number
+    moored, passing : m, lengths of the ships; fine : factor on the number of places
+    The places are at most an eighth of the shorter ship and a quarter of the distance apart.
     """
     reach = lengths * 0.5 * (moored + passing)
     step = min(0.125 * min(moored, passing), 0.25 * abs(track.distance)) / fine
@@ -74,9 +74,10 @@ def along_track(track, moored, passing, lengths, fine=1):
 class Passage:
     """Forces of a passage.
 
-    track : Track; stagger : (n,) m, ξ, rising; changing : (n, 6) N, N m of the unsteady pressure,
-    steady : (n, 6) of the squares of the flow, none by the slender methods
-    Moments are about the middle of the moored ship, or `about` another place.
+    track : Track; stagger : (n,) m, ξ, rising
+    changing : (n, 6) N, N m, force of the unsteady pressure; steady : (n, 6) force of the squares of the flow, 0 by the
+    slender methods
+    Moments are about the middle of the moored ship, or about the place `about`.
     """
 
     track: Track
@@ -90,7 +91,7 @@ class Passage:
         return self.changing + self.steady
 
     def about(self, place):
-        """The same with moments about a place (3,) m instead of the middle of the moored ship"""
+        """The same with moments about a place (3,), m, instead of the middle of the moored ship"""
         place, middle = np.asarray(place, float), np.zeros(3)
         parts = {name: moved(getattr(self, name), middle, place) for name in ("changing", "steady")}
         return replace(self, **parts)

@@ -201,7 +201,7 @@ def left_out(body, sea, way='qtf = "auto" in a response study or a simulation in
     """Effect of neglected bound waves, as messages: none from kh = SHALLOW on or for small effects.
 
     body : `bem.database.reader.Reader` with drift and inertia; sea : its mean direction represents all waves
-    way : out of it
+    way : remedy, in words
     """
     found, kh = _slow_forces(body, sea), depth_in_waves(body, sea)
     if found is None or kh >= SHALLOW:
@@ -225,8 +225,8 @@ def left_out(body, sea, way='qtf = "auto" in a response study or a simulation in
 
 
 def bound_to_newman(body, sea):
-    """Estimated slow force of bound waves over that by Newman's approximation, root mean squares of surge and sway over
-    the `differences` of the body; None if drift or inertia are unknown.
+    """Slow force of bound waves over the slow force by Newman's approximation, estimated as root mean squares of surge
+    and sway over the `differences` of the body; None if drift or inertia are unknown.
 
     On boxes of 60 and 100 m in 12 to 20 m of water, head and beam seas, kh of the peak from 0.3 to 2, it is 0.95 to 1.3
     times the solved value (`tests/bench/bound_to_newman.py`).  Arguments as in `left_out`
@@ -259,7 +259,7 @@ def ursell(body, sea):
 
 
 def depth_in_waves(body, sea):
-    """kh at the mean frequency of a sea; body : `bem.database.reader.Reader`"""
+    """kh at the mean frequency of a sea, k the wavenumber; body : `bem.database.reader.Reader`"""
     mean = float(sea.spectrum.moment(1) / sea.spectrum.moment(0))
     return float(wavenumber(mean, body.depth, body.gravity)) * body.depth
 
@@ -270,8 +270,8 @@ def estimated_forces(body, one, two, direction, highest):
 
     D = iκ ρg (∇ + A/ρ) (cos β, sin β) f,   f = sinc(κa cos β) sinc(κb sin β), its mean over a plan of 2a by 2b
 
-    A added mass at the lowest known frequency; body : `bem.database.reader.Reader` with its inertia
-    highest : rad/s, of the differences, as in `BoundWaveForces`
+    A is the added mass at the lowest known frequency. body : `bem.database.reader.Reader` with its inertia
+    highest : rad/s, highest difference frequency, as in `BoundWaveForces`
     """
     bound = bound_waves((one, 0.0), (two, 0.0), body.depth, body.gravity)
     kappa, amplitude = bound.number[..., 0], bound.amplitude * slow_share(bound.omega / highest)

@@ -1,7 +1,7 @@
 """A body in a climate: every response in every cell of a table of heights and periods, and long-term extremes.
 
-In one family of spectra σ is proportional to the height. A column of the table therefore needs one integral, the same
-as that of `sea_state` over the same frequencies.
+In one family of spectra σ is proportional to the height. A column of the table therefore needs one integral, over the
+same frequencies as in `sea_state`.
 """
 
 from dataclasses import dataclass

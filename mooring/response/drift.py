@@ -6,7 +6,7 @@ D in N per m² of wave amplitude squared (moment N m/m²), in surge, sway and ya
 coefficients for it: R_w = F / (½ρgLζ²) in 3.6.10 and 3.7.1.1, and C_R of the guideline (3.3) with the depth factor
 outside, R_w = C_R (1 + 2kh/sinh 2kh).  The sum of 3.6.9 contains R_w once; the printed square would count it twice.
 
-D is that of `bem.database.reader.Reader`, which resolves the resonances of the motions between stored waves.
+D comes from `bem.database.reader.Reader`, which resolves the resonances of the motions between stored waves.
 """
 
 import numpy as np
@@ -24,7 +24,7 @@ def drift_slopes(body, omega, heading, fixed=False):
     differentiate.
 
     fixed : True for the fixed body, False for the floating one
-    Where headings (p,) are steps of the circle, no more than 5°, D is known on all of it and ∂D/∂β is that of its
+    Where headings (p,) are steps of the circle of at most 5°, D is known all round. ∂D/∂β is then the derivative of its
     Fourier series, up to the 2kR harmonics of D; else ∂D/∂β is a difference quotient.
     """
     heading = np.atleast_1d(heading)
@@ -67,7 +67,8 @@ def mean_in_sea_beyond(body, spectrum, ends, weights=(1.0,)):
     """The part of the mean force in waves below and above the stored band, with D beyond the band equal to its value at
     the end; shape (2, 3), or (2, p, 3).
 
-    In short waves D tends to that of total reflection, a constant. In long waves it falls, and the value at the end is
+    In short waves D tends to the drift under total reflection, a constant.
+    In long waves it falls, and the value at the end is
     an upper bound. weights : (p,) or (2, p)
     """
     low, high = body.omega[0], body.omega[-1]

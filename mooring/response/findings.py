@@ -73,9 +73,10 @@ def named_shares(names, share):
 class Errors(NamedTuple):
     """Relative estimated errors of results between stored waves
 
-    motions : (n,) of standard deviations, four deviations of their own; drift : (2,) of the mean drift force and
-    moment; damping : that by wave drift.  Those of drift are None without drift, the moment's of at least LEVER
-    times the radius times the force.  words : (n,) names of the motions
+    motions : (n,) relative errors of standard deviations; drift : (2,) relative errors of the mean drift force and
+    moment; damping : relative error of wave drift damping.
+    Errors of drift are None without drift. The moment counts as at least LEVER times the radius times the force. words
+    : (n,) names of the motions
     at : rad/s of the largest error of motions, drift and damping; gap : rad, between the headings around the waves
     """
 
@@ -97,12 +98,16 @@ class Errors(NamedTuple):
 
 
 def errors_between(body, sea, omega, m0, drift, damping):
-    """`Errors` of the motions, of m0 (n,), mean drift (3,) and wave drift damping (3, 2), each of both or None.
+    """`Errors` from m0 of the motions (n,), mean drift (3,) and wave drift damping (3, 2); drift and damping may be
+    None.
 
-    The estimated errors of `Reader.at`, as if all of one sign: of σ four times ∫|X|δX S dω of ∫|X|² S dω, of the mean
-    force 2∫ δD S dω, of its moment one and a half times that: with factors of three and one, six and seven of a hundred
-    seas on headings 30° apart have larger errors than stated, mostly long crests close to an axis of the hull.  Over a
-    gap γ between headings δD oscillates once. Its slope is δD 2π/γ, and wave drift damping has the error (2 + 2π/γ) δD
+    The estimated errors of `Reader.at` are added as if all had one sign. The error of σ is four times ∫|X|δX S dω over
+    ∫|X|² S dω. The error of the mean force is 2∫ δD S dω, and the error of its moment is one and a half times as much.
+    With factors of three and one, six and seven of a hundred seas on headings 30° apart have larger errors than stated,
+    mostly long crests close to an axis of the hull.
+
+    Over a gap γ between headings δD oscillates once. Its slope is δD 2π/γ, and wave drift damping has the error (2 +
+    2π/γ) δD
     / C_g.  A round body needs no interpolation between headings: there is no gap, and no slope.
     """
     places = omega[np.unique(np.linspace(0, len(omega) - 1, PLACES).astype(int))]

@@ -2,7 +2,7 @@
 
     {−ω²[M + A] − iω[B + B′] + [C + C′]} X = F,    S_X(ω) = Σ_β w_β |X(ω, β)|² S(ω),    m_n = ∫ ωⁿ S_X dω
 
-X is that of `bem.database.reader.Reader`, solved at every requested frequency; w_β are the shares of the wave energy
+X comes from `bem.database.reader.Reader`, solved at every requested frequency; w_β are the shares of the wave energy
 per heading.  SR179 report (1982), section 2.1.2 and design guideline 7.4.
 """
 
@@ -121,7 +121,8 @@ def response_spectrum(transfer, density, weights=(1.0,)):
 
 
 def moments_met(omega, met, transfer, density, weights=(1.0,)) -> Moments:
-    """Moments of responses (q, p, …) per m to waves met at `met` (q, p) rad/s; the rest as in `response_spectrum`"""
+    """Moments of responses (q, p, …) per m to waves that the body meets at `met` (q, p) rad/s; the rest as in
+    `response_spectrum`"""
     power = np.abs(transfer) ** 2
     column = np.reshape(met, met.shape + (1,) * (power.ndim - 2))
     rows = (over_headings(power * column**n, weights) for n in (0, 1, 2, 4))

@@ -46,8 +46,8 @@ LEAST_SHARE = 1e-3  # headings with less than this fraction of the largest energ
 class PairForces:
     """T of stored pairs minus Newman's, for waves in one direction; or for pairs of waves in two directions.
 
-    between : `BetweenPairs` of these headings; omega : (q,) rad/s; drift : (q, 3) N/m², N m/m² there
-    second : (q, 3) towards the heading of the second wave, None for one direction
+    between : `BetweenPairs` of these headings; omega : (q,) rad/s; drift : (q, 3) N/m², N m/m² at omega
+    second : (q, 3) drift towards the heading of the second wave, None for one direction
     """
 
     between: BetweenPairs
@@ -91,7 +91,7 @@ class PairForces:
 
 
 def newman(one, two):
-    """Force of pairs by Newman's approximation from their mean drift, arrays that broadcast"""
+    """Force of pairs by Newman's approximation, from the mean drift of their waves; arrays broadcast"""
     return np.where(one * two > 0, np.sign(one) * np.sqrt(np.abs(one * two)), 0.0)
 
 
@@ -113,7 +113,7 @@ class SpreadPairForces:
         return max(pair.highest for pair in self.pairs.values())
 
     def of_components(self, components, drift):
-        """T minus Newman's value from their mean drift (n, 3), of all pairs of wave `components`; shape (n, n, 6)
+        """T of all pairs of wave `components` minus Newman's value from their mean drift (n, 3); shape (n, n, 6)
 
         T is linear between headings; outside the headings of the pairs the nearest heading is used
         """
@@ -133,7 +133,7 @@ class SpreadPairForces:
         """Spectrum 8 ∫ S(ω) S(ω + Ω) Σ_a Σ_b w_a w_b |T_ab|² dω of the slow force over differences Ω (d,), rad/s; shape
         (d, 6)
 
-        omega : (q,) rad/s; w : shares of the energy of the headings, of w_a at ω + Ω, of w_b at ω
+        omega : (q,) rad/s; w : shares of the energy per heading, w_a at ω + Ω and w_b at ω
         """
         two, one = np.broadcast_arrays(omega, omega + np.asarray(difference)[:, None])
         density = self.sea.spectrum.density
@@ -205,9 +205,9 @@ def beside_newman(db, sea, level, spread=False):
 
 
 def beside_newman_of_bodies(db, sea, level):
-    """What `beside_newman` has for each of several bodies, or None, shape (moving bodies,); and remarks
+    """The result of `beside_newman` for each of several bodies, or None, shape (moving bodies,); and remarks
 
-    level : newman, body, or auto, which is body where that is stored.  raises : as in `beside_newman`
+    level : newman, body, or auto, which is body if that is stored. raises : as in `beside_newman`
     """
     if level == "newman":
         return None, ()

@@ -34,7 +34,7 @@ class SlowForces:
     difference : (d,) rad/s; spectrum : (d, 3) of the slow drift force, N² s/rad, D constant above the stored band
     of_pairs : (d, 6) the same for all modes at a level above Newman's approximation, `level` its name; None if not
     requested
-    damping : (3, 2) N s/m, N s: wave drift damping of velocities along x and y, waves within the stored band;
+    damping : (3, 2) N s/m, N s: wave drift damping for velocities along x and y, from waves within the stored band;
     None where drift has no slope over the headings, because the direction has no stored neighbours
     by_current : (3,) of the mean drift, what the current adds, None in still water
     of_each : (bodies, 3) mean drift of each of several bodies about its own point in its own axes, None if unknown
@@ -58,7 +58,7 @@ class SlowForces:
 
     @property
     def sigma(self):
-        """Standard deviation of the slow drift force, of differences up to the last; shape (3,)"""
+        """Standard deviation of the slow drift force, over differences up to the last; shape (3,)"""
         return np.sqrt(np.trapezoid(self.spectrum, self.difference, axis=0))
 
 
@@ -95,7 +95,7 @@ class SeaState:
 
     @property
     def zero_period(self):
-        """Mean between upward zero crossings, s; shape (c,); nan for a zero response"""
+        """Mean period between upward zero crossings, s; shape (c,); nan for a zero response"""
         return _ratio(self.moments.m0, self.moments.m2)
 
     @property
@@ -119,7 +119,7 @@ class SeaState:
         return self._each(lambda m, T: expected_maximum(np.sqrt(m.m0), self.duration, T))
 
     def not_exceeded(self, probability):
-        """Value not exceeded by the largest in `duration` with `probability`; shape (c,)"""
+        """Value that the largest in `duration` does not exceed with `probability`; shape (c,)"""
         return self._each(lambda m, T: maximum_not_exceeded(np.sqrt(m.m0), self.duration, T, probability))
 
     def air_gaps(self):
@@ -163,7 +163,7 @@ def sea_state(body, sea, duration, points=(), bound=None) -> SeaState:
     """A `bem.database.reader.Reader`, `floating`, in a Sea for `duration` s.
 
     points : `Point`s and `KeelPoint`s; bound : from `pair_levels.beside_newman`
-    raises : ValueError for a duration that is no time, BetweenError outside the stored headings
+    raises : ValueError for a duration that is not above 0, BetweenError outside the stored headings
     """
     if not 0 < duration < np.inf:
         raise ValueError(f"duration is {duration:g} s; allowed: above 0, finite")
@@ -262,7 +262,8 @@ def drift_of_each(body, sea, omega, heading, weights):
 
 
 def drift_on_current(body, omega, heading):
-    """D (q, p, 3) on the current of the body, if any, B (q, p, 3, 2), and whether B knows how D changes over headings
+    """D (q, p, 3) on the current of the body, if there is one, B (q, p, 3, 2), and whether B includes the change of D
+    over headings
 
     B is None in still water if unknown
     """

@@ -67,8 +67,9 @@ def _of_one(sea, omega, step):
 def heading_step(body, sea, omega):
     """Degrees between directions at which motions, mean drift and its positive and negative parts converge to 1e-3.
 
-    body : `bem.database.reader.Reader`, or an object with its motions and drift computed
-    Steps are halved until all of them, integrated over the spectrum, change by less.  Warns if 0.3° are not enough.
+    body : `bem.database.reader.Reader`, or an object with its motions and computed drift
+    Steps are halved until all these values, integrated over the spectrum, change by less than that.
+    Warns if 0.3° are not enough.
     """
     if is_long_crested(sea):
         return STEP

@@ -59,7 +59,8 @@ def component_drift(body, components, hold=False):
     """Mean drift D of every wave component at its own frequency and direction, N/m² and N m/m²; shape (n, 3).
 
     components : omega, amplitude, phase, direction, each (n,)
-    hold : use the end values for all components beyond the stored band; else only up to 1 % of the energy
+    hold : whether all components beyond the stored band use the end values; else only components with up to 1 % of the
+    energy do
     raises : BetweenError
     """
     omega, direction = np.asarray(components.omega, float), np.asarray(components.direction, float)
@@ -127,11 +128,11 @@ def signed(drift):
 
 
 def force_spectrum(spectrum, omega, drift, difference):
-    """Spectral density of the slow force over differences (d,), rad/s, N² s/rad, Pinkster's with Newman's T; shape (d,
-    3).
+    """Spectral density of the slow force over differences (d,), rad/s, N² s/rad, by Pinkster's formula with Newman's T;
+    shape (d, 3).
 
-    spectrum : has `density`; omega : (q,) rising, close enough for D
-    drift : (q, 3) of long-crested waves, or (q, 2, 3) `signed_means` of short-crested ones.  Waves beyond omega are
+    spectrum : object with `density`; omega : (q,) rising, close enough for D
+    drift : (q, 3) of long-crested waves, or (q, 2, 3) `signed_means` of short-crested waves.  Waves beyond omega are
     left out.
     """
     omega, drift = np.asarray(omega, float), np.asarray(drift, float)

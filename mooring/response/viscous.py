@@ -47,7 +47,7 @@ def laws_of(reader):
 def in_sea(reader, sea, laws=None, held=None):
     """A `Reader`, floating, with viscous damping linearised in a Sea, and that damping (n, n).
 
-    laws : instead of those of its scene; held : the floating Reader with its restraint, None for a free body
+    laws : laws in place of the laws of its scene; held : the floating Reader with its restraint, None for a free body
     raises : as `linearised` and `Reader.floating`
     """
     laws, body = laws_of(reader) if laws is None else laws, reader.floating() if held is None else held
@@ -73,8 +73,8 @@ def in_time(reader, waves=None, damping=None, quadratic=None):
     """`InTime` of a `Reader` in waves: a Sea, regular `mooring.studies.conditions.Waves`, or None, without which only
     laws in the form of a drag act.
 
-    damping : (n, n), quadratic : (n,) of a study, in addition to the laws of its scene; heave, roll and pitch of these
-    affect the drift, since waves excite their resonances; damping of slow motions does not
+    damping : (n, n), quadratic : (n,) of a study, in addition to the laws of its scene
+    Their heave, roll and pitch affect the drift, since waves excite these resonances; damping of slow motions does not
     """
     names, count = reader.names, len(reader.names)
     linear = np.zeros((count, count)) if damping is None else np.asarray(damping, float)

@@ -20,8 +20,9 @@ On a current V the velocity through the water is U = ẋ − V: the force on a b
 The wave in the water is held fixed: its intrinsic frequency ω, and therefore its length, its amplitude and the
 direction β of its crests.
 A vertical cylinder on the bed (radius 10 m, depth 20 m) has (dD/dV)/D = 0.4464, 0.3598, 0.4769 s/m at ka =
-0.5, 1, 1.5.  If the frequency at a fixed place is held instead (`on_current.waves`, "absolute"), the intrinsic one
-falls by kV, which removes k ∂D/∂ω. Along the waves (2 − ω dn/dω)/C_g remains: 0.2512, 0.4277, 0.5164 s/m for that
+0.5, 1, 1.5.  If the frequency at a fixed place is held instead (`on_current.waves`, "absolute"), the intrinsic
+frequency falls by kV, which removes k ∂D/∂ω.
+Along the waves (2 − ω dn/dω)/C_g remains: 0.2512, 0.4277, 0.5164 s/m for that
 cylinder.
 """
 
@@ -37,10 +38,11 @@ LEAST = 0.05  # smallest dσ/dω before a current blocks waves given in absolute
 
 
 def drift_and_damping(body, omega, heading, fixed=False):
-    """Mean drift D (q, p, 3) and B (q, p, 3, 2) per squared wave amplitude: of surge, sway, yaw against velocities
-    along x and y, N s/m³ ….
+    """Mean drift D (q, p, 3) of surge, sway and yaw per squared wave amplitude, and B (q, p, 3, 2), its slope over
+    velocities along x and y, N s/m³ ….
 
-    omega : (q,) rad/s rising and close enough to differentiate the drift, from `linear.frequencies`; heading : (p,) rad
+    omega : (q,) rad/s, from `linear.frequencies`, rising and close enough to differentiate the drift; heading : (p,)
+    rad
     fixed : True for the fixed body, False for the floating one
     """
     value, by_omega, by_heading = drift_slopes(body, omega, heading, fixed)
@@ -54,8 +56,8 @@ def along_waves(body, omega, heading):
 
 
 def of_current(body, coefficients):
-    """Damping force B V of B (…, 3, 2) on the current of an `on_current.body.OnCurrent`, 0 in still water; shape (…,
-    3)"""
+    """Damping force B V, from B (…, 3, 2), on the current of an `on_current.body.OnCurrent`, 0 in still water; shape
+    (…, 3)"""
     carrier = carrier_of_body(body)
     return coefficients @ np.array((0.0, 0.0) if carrier is None else carrier.velocity)
 

@@ -36,7 +36,7 @@ def too_high(spectrum, depth, gravity=GRAVITY):
 
 
 def too_high_waves(height, Tp, depth, gravity=GRAVITY):
-    """The same of a significant height, m, and a peak period, s, inf for one that is not known"""
+    """The same for a significant height, m, and a peak period, s, inf for an unknown period"""
     single = 2 * np.pi * MICHE * depth if np.isinf(Tp) else float(breaking_height(Tp, depth, gravity))
     if height > single:
         period = "" if np.isinf(Tp) else f" at a peak period of {Tp:.4g} s"

@@ -165,7 +165,8 @@ def spotter(path, text, x_axis, time):
 
 
 def one_of(path, times, time):
-    """Index of the time that begins with `time` in a list of texts; for None the only one.  Raises TableError."""
+    """Index of the time that begins with `time` in a list of texts; for None the list must have a single time.
+    Raises TableError."""
     found = [i for i, one in enumerate(times) if time is None or one.startswith(str(time).strip())]
     if len(found) == 1:
         return found[0]

@@ -18,8 +18,8 @@ LARGEST = 0.99  # largest r₁ and r₂; beyond, D is narrower than a row
 
 
 def of_moments(r1, r2, alpha1, alpha2):
-    """Density over direction, 1/rad, on ALPHA; shape (n, ROWS); r1, r2 : (n,); alpha1, alpha2 : (n,), rad, NaN where
-    unknown: uniform there"""
+    """Density over direction, 1/rad, on ALPHA; shape (n, ROWS); r1, r2 : (n,); alpha1, alpha2 : (n,), rad. Where a
+    value is NaN, for unknown, the density is uniform"""
     r1, r2 = np.clip(r1, 0, LARGEST), np.clip(r2, 0, LARGEST)
     c1, c2 = r1 * np.exp(1j * alpha1), r2 * np.exp(2j * alpha2)
     with np.errstate(invalid="ignore"):  # division by NaN, where the direction is unknown
@@ -31,8 +31,8 @@ def of_moments(r1, r2, alpha1, alpha2):
 
 
 def of_spread(alpha1, spread):
-    """Density over direction, 1/rad, on ALPHA; shape (n, ROWS); alpha1, spread : (n,), rad, NaN where unknown: uniform
-    there"""
+    """Density over direction, 1/rad, on ALPHA; shape (n, ROWS); alpha1, spread : (n,), rad. Where a value is NaN, for
+    unknown, the density is uniform"""
     s = np.clip(2 / np.maximum(spread, 1e-3) ** 2 - 1, 0, LARGEST_S)
     with np.errstate(divide="ignore"):
         return _whole(np.exp(2 * s[:, None] * np.log(np.abs(np.cos((ALPHA - alpha1[:, None]) / 2)))))

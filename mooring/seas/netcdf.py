@@ -77,8 +77,8 @@ def _sea(path, data, x_axis, time, location):
 def planes_of(path, location):
     """Planes of all hours of a file at one place, AT_ONCE hours at a time.
 
-    yields (m,) times, (f,) Hz rising, (d,) rad clockwise from north towards, (m, f, d) m²/Hz/rad in float32, nan of an
-    hour without a plane.  Raises TableError.
+    yields : (m,) times, (f,) Hz rising, (d,) rad clockwise from north, travelled to, and (m, f, d) m²/Hz/rad in
+    float32, nan for an hour without a plane.  Raises TableError.
     """
     import xarray
 

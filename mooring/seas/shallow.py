@@ -2,8 +2,8 @@
 
     S = S_JONSWAP(ω) Φ(ω),    Φ = k⁻³ ∂k/∂ω / {(ω²/g)⁻³ 2ω/g} = tanh²(kh) / 2n,    n = ½(1 + 2kh/sinh 2kh)
 
-which tends to ω²h/2g in long waves, where the tail is then ω⁻³, and to 1 in short waves.  The peak period is that of
-the JONSWAP form. The spectrum is scaled to a height, or by fetch to the height possible in this depth.
+which tends to ω²h/2g in long waves, where the tail is then ω⁻³, and to 1 in short waves.  The peak period is the peak
+period of the JONSWAP form. The spectrum is scaled to a height, or by fetch to the height possible in this depth.
 """
 
 from dataclasses import dataclass
@@ -86,7 +86,7 @@ def limited(omega, depth, gravity=GRAVITY):
 def tma(height, depth, *, gamma=3.3, gravity=GRAVITY, **period):
     """TMA spectrum scaled to 4√m₀ = height.
 
-    height, depth : m; one period (s) of `periods.KINDS`, peak_period that of the JONSWAP form; gamma : 1 to 10
+    height, depth : m; one period (s) of `periods.KINDS`, where peak_period belongs to the JONSWAP form; gamma : 1 to 10
     """
     from scipy.optimize import brentq
 

@@ -1,7 +1,7 @@
 """Spectra of buoys, hindcasts and wave models, in one and in two dimensions.
 
-    SWAN (`swan`);  NDBC, Datawell, TRDI, Triaxys, Spotter (`buoys`);  WAVEWATCH III's transfer file (`wavewatch`)
-    netCDF of WAVEWATCH III, ERA5, SWAN, WWM, NDBC, Sofar and wavespectra (`netcdf`);  a table of densities (.csv)
+    SWAN (`swan`);  NDBC, Datawell, TRDI, Triaxys, Spotter (`buoys`);  WAVEWATCH III's transfer file (`wavewatch`).
+    netCDF files of WAVEWATCH III, ERA5, SWAN, WWM, NDBC, Sofar and wavespectra (`netcdf`). A table of densities (.csv)
 
 Nautical directions are directions that waves come from, clockwise from north; with the x axis of the body towards ψ of
 the compass waves travel to β = ψ − (N + 180°).  Cartesian directions are those in which waves travel, from the x axis

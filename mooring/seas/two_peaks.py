@@ -56,7 +56,8 @@ class OneSystem(Spectrum):
         if a <= 0:
             if np.any(np.isinf(high)):
                 raise ValueError(
-                    f"{self.name}: moment {order} is infinite at shape {self.shape:g}; give high, the highest frequency"
+                    f"{self.name}: the moment of order {order} is infinite at the shape parameter "
+                    f"{self.shape:g}; give high, the highest frequency"
                 )
             return self._by_rule(order, low, high)
         with np.errstate(divide="ignore"):
@@ -117,7 +118,7 @@ class Enhanced(Spectrum):
 def torsethaugen(height, *, peak_period=None, gravity=GRAVITY, **period):
     """Swell and wind sea of a significant height (m) and the period (s) of the higher peak.
 
-    raises : ValueError for another period, a period above 25 s, or waves steeper than those of wind
+    raises : ValueError for a period of another kind, a period above 25 s, or waves steeper than wind waves can be
     """
     given = [kind for kind, value in period.items() if value is not None]
     if peak_period is None or given:
@@ -154,7 +155,8 @@ def six_parameters(swell, sea):
 def ochi_hubble(height, **period):
     """The most probable sea of a significant height (m): the first of the eleven rows of table 2b.
 
-    Periods follow from the height: ValueError if one is given.  The printed heights, 0.84 and 0.54 of the significant
+    The periods follow from the height: a given period raises ValueError.
+    The printed heights, 0.84 and 0.54 of the significant
     height, have 0.9972 of the energy; both are scaled to the whole energy.
     """
     given = [kind for kind, value in period.items() if value is not None]

@@ -36,7 +36,7 @@ class NotFollowedError(SinglePointError):
 class Pull(NamedTuple):
     """Force on a buoy by its lines.
 
-    force : (2,) N; stiffness : (2, 2) N/m, with the buoy free to rise and sink; height : m of the attachment
+    force : (2,) N; stiffness : (2, 2) N/m, with the buoy free to rise and sink; height : m, height of the attachment
     """
 
     force: np.ndarray
@@ -60,7 +60,7 @@ class Hold(NamedTuple):
 class SinglePoint:
     """loads : Loads; mass : (3, 3) kg, kg m, kg m² of slow surge, sway and yaw, with added mass
 
-    ends : (k, 2) m, attachments of the hawsers to the body; lengths : (k,) m, 0 for the single one of a contact buoy
+    ends : (k, 2) m, attachments of the hawsers to the body; lengths : (k,) m, 0 for the single hawser of a contact buoy
     system : System whose only body is the buoy, with the buoy's own steady loads
     """
 
@@ -267,7 +267,7 @@ def planar_mass(own, length, beam, added, gyration=None):
     """Mass matrix of slow surge, sway and yaw about the centre of mass, kg, kg m²; shape (3, 3).
 
     own : kg; length, beam : m; added : (3,) added mass over the mass, and added inertia over the moment of inertia
-    gyration : m, in yaw, of a uniform box if not given
+    gyration : radius of gyration in yaw, m, by default of a uniform box
     """
     squared = (length**2 + beam**2) / 12 if gyration is None else gyration**2
     return np.diag(own * (1 + np.asarray(added, float)) * np.array([1, 1, squared]))

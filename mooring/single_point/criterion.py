@@ -19,7 +19,8 @@ import numpy as np
 class Lateral(NamedTuple):
     """Lateral motion about an equilibrium in which the line lies straight ahead; numbers or arrays of one shape.
 
-    mass, inertia : kg, kg m², with added mass; pull : N, of the line; arm : m, from the centre of mass to its end
+    mass, inertia : kg, kg m², with added mass; pull : N, of the line; arm : m, from the centre of mass to the line's
+    end on the body
     length : m, of the line; Y_v, Y_r, Y_psi, N_v, N_r, N_psi : derivatives of the external force and moment, SI
     """
 

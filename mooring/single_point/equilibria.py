@@ -29,8 +29,8 @@ STEP = 1e-4  # relative step of derivatives with respect to velocity
 class Equilibrium:
     """A body at rest.
 
-    heading : rad; place : (2,) m of its centre of mass; buoy : (2,) m
-    hawser : (k,) N, of a contact buoy the force on it
+    heading : rad; place : (2,) m of the centre of mass; buoy : (2,) m
+    hawser : (k,) N; for a contact buoy the force on the buoy
     force : (3,) N, N, N m of wind, water and drift in axes of the body; lines : SystemEquilibrium of the buoy
     """
 

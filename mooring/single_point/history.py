@@ -15,7 +15,7 @@ SETTLED = np.radians(0.2)  # heading amplitude at rest, rad
 class Record(NamedTuple):
     """A body at a single point in time: time : (n,) s; place : (n, 2) m and heading : (n,) rad of the slow motion
 
-    wave : (n, 6) m, rad in addition, along x, y, z
+    wave : (n, 6) m, rad, wave motion in addition, along x, y, z
     buoy : (n, 2) m; hawser : (n, k), lines : (n, l) N by both motions; wind_speed : (n,) m/s
     """
 

@@ -19,7 +19,8 @@ SLOW_DRIFT = 1.2  # factor of the report on line tensions, in place of slow drif
 
 
 class Run(NamedTuple):
-    """record : motion with that in waves, or slow motion alone; steady : Equilibrium nearest to its first place
+    """record : slow motion and wave motion, or slow motion alone; steady : Equilibrium nearest to the start of the
+    record
 
     cycle : cycle of its last part; settled : s, nan if the heading does not come to rest; radius : m of the watch
     circle
@@ -51,7 +52,8 @@ def gusty(point, duration, seed):
 
 
 def of_contact(point, found, center):
-    """Place (n, 2) m of a contact buoy, the pull on the buoy (n, 1) and tensions (n, lines) N of a Realisation"""
+    """Results of a Realisation with a contact buoy: place of the buoy (n, 2), m, pull on it (n, 1), N, and tensions of
+    the lines (n, lines), N"""
     heading, end = found.motion[:, 5], point.ends[0]
     cos, sin = np.cos(heading), np.sin(heading)
     at = found.motion[:, :2] + center + np.stack([cos * end[0] - sin * end[1], sin * end[0] + cos * end[1]], axis=1)

@@ -7,7 +7,7 @@ water is either that of turning tests, polynomials in the turn r' = rL/V at each
 
     F_water = Σₖ cₖ(β) V^(2−k) (rL)ᵏ,    k = 0 … 4,   |rL| ≤ V/2                 (SR179 report 1982, eq. 2.3.2, 3.6.8)
 
-or that of current coefficients with the cross flow of a turning body, −N₂ r|r|.  The two exclude each other: both
+or the load of current coefficients with the cross flow of a turning body, −N₂ r|r|.  The two exclude each other: both
 contain the force of the current.  Velocities u, v are relative to the water, r is the yaw rate.
 """
 

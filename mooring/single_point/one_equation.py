@@ -2,8 +2,8 @@
 
 Slow and wave motion are one motion. It has six degrees of freedom and the memory of the water if there is a database,
 and otherwise three in the plane.  On a hawser the buoy has mass, drag and lines of its own; a contact buoy is part of
-the body, whose lines then end at it.  Loads are those of the statics and of the slow motion (`loads`), from turning
-tests or coefficients, for all directions. Drift is that of every pair of waves, or the mean drift given in a study.
+the body, whose lines then end at it.  Loads are the loads of the statics and of the slow motion (`loads`), from turning
+tests or coefficients, for all directions. Drift comes from every pair of waves, or is the mean drift given in a study.
 """
 
 from dataclasses import dataclass, replace
@@ -34,7 +34,7 @@ PLANE = (0, 1, 5)
 class PlanarBody:
     """Properties of a body in the plane for a run, in place of a database.
 
-    inertia, stiffness : (6, 6) kg …, the stiffness none; rotation_center : (3,) m
+    inertia, stiffness : (6, 6) kg …, stiffness zero; rotation_center : (3,) m
     """
 
     inertia: np.ndarray
@@ -79,7 +79,7 @@ def planar(point: SinglePoint) -> Moored:
 def on_hull(point: SinglePoint, slow_added_mass, drift=True, up=0.0) -> OnHull:
     """OnHull of the loads of a SinglePoint; slow_added_mass : (6, 6); drift : whether to include their mean drift
 
-    up : m above still water of the point that motions are about
+    up : height above still water of the point to which motions refer, m
     """
     loads, water = point.loads, point.loads.water
     mass = point.mass if water.turning else slow_added_mass[np.ix_(PLANE, PLANE)]
@@ -105,7 +105,9 @@ def body_at(steady: Equilibrium, state, db=None, *, buoy: BuoyBody | None = None
     if not contact and (buoy is None or rope is None):
         raise SinglePointError("a hawser needs the buoy's mass and the rope's strength; give buoy and rope")
     if contact and buoy is not None:
-        raise SinglePointError("a contact buoy moves with the body; a buoy of its own needs a hawser")
+        raise SinglePointError(
+            "a contact buoy moves with the body; only a buoy on a hawser moves by itself; it needs a hawser"
+        )
     body = planar(point) if db is None else moored(db, memory=memory, linearised_in=sea)
     center = np.asarray(body.reader.rotation_center, float)
     out, state = np.zeros(3), np.asarray(state, float)

@@ -1,6 +1,7 @@
 """Functions of an angle around the circle, as periodic cubic splines: the steady loads on a turning body.
 
-Zeros of a ring are those of its cubics, so a search finds all of them. They are then polished on the exact function,
+The zeros of a ring are the zeros of its cubics, so a search finds all of them.
+They are then polished on the exact function,
 and an extremum that just touches 0 is examined closely.
 """
 
@@ -19,7 +20,7 @@ def angles(count=COUNT):
 
 
 class Ring:
-    """Spline through values (count, …) at equal angles, the first at 0."""
+    """Spline through values (count, …) at evenly spaced angles from 0."""
 
     def __init__(self, values):
         from scipy.fft import irfft, rfft

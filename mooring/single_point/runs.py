@@ -2,8 +2,7 @@
 
 `slow_run` computes the slow motion alone. `two_scale_run` adds the waves of a step at a fixed slow position, as the
 report does. `full_run` has slow and wave motion in one equation.
-Gusts are those of the wind of the loads; tensions of lines are
-static, with their ends moved by all motions together.
+Gusts come from the wind of the loads; tensions of lines are static, with their ends moved by all motions together.
 """
 
 import warnings
@@ -28,9 +27,9 @@ MISSED = 0.05  # share of the energy of the waves
 class Times:
     """Duration and steps of a run.
 
-    duration, step (of the record, None for that of the scheme), slow_step (of two scales), waves_after : s
-    offset : rad, initial heading relative to that of rest; tolerance : tolerance of place and heading; seed : seed
-    of the gusts
+    duration, step (of the record, None for the step of the scheme), slow_step (of two scales), waves_after : s
+    offset : rad, initial heading relative to the heading at rest; tolerance : tolerance of place and heading; seed :
+    seed of the gusts
     """
 
     duration: float = 1200.0

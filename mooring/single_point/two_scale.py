@@ -5,8 +5,8 @@
 
 The position and the heading of the slow motion are constant during the waves of its step; A and B are taken at one
 frequency.  Tensions follow from the sum of both displacements (3.6.4, with the arm of the hawser and the sign of yaw
-corrected, and with pitch, which the report omits).  Waves may start later than the slow motion, to show the decay of
-the slewing alone.  Wave motion is integrated by Newmark's method of mean acceleration, with the mooring at the
+corrected, and with pitch, which the report omits).  Waves may start later than the slow motion, which shows the decay
+of slewing alone.  Wave motion is integrated by Newmark's method of mean acceleration, with the mooring at the
 predicted position.  The slow drift is not included: the report adds a fifth to the tension.
 """
 

@@ -12,7 +12,7 @@ GROWS = 2  # mean periods in which waves grow to their full height
 
 
 def headings():
-    """Directions of the waves from the bow, from 0, rad; shape (RING,)"""
+    """Directions of the waves from the bow, rad, evenly spaced from 0; shape (RING,)"""
     return np.arange(RING) * (2 * np.pi / RING)
 
 

@@ -1,6 +1,7 @@
 """Published criteria for the yaw stability of a ship at a single point, in addition to the quartic (`criterion`).
 
-static a > N_ψ/Y_ψ: the attachment lies ahead of the point where the side force of a small heading acts. Behind it the
+static a > N_ψ/Y_ψ: the attachment lies ahead of the point where the side force due to a small heading acts.
+Behind it the
                heading diverges without oscillation to one of two oblique headings (a pitchfork), for any length of the
                hawser.  D > 0 of the quartic.  Papoulias and Bernitsas, Journal of Ship Research 32 (1988); Leite
                et al.,
@@ -12,7 +13,7 @@ hawser         ABC − C² − A²D > 0 (Routh and Hurwitz), as in Wichers, "A s
                tanker" (Delft 1988) and Sharma, Jiang and Schellin (17th Symp. on Naval Hydrodynamics, 1988): where a
                length of the line changes its sign a limit cycle begins (Hopf)
 
-Y_r of `Lateral` is that of the motion over the ground, in axes that do not turn; −MU with the added mass converts it to
+Y_r of `Lateral` refers to the motion over the ground, in axes that do not turn; −MU with the added mass converts it to
 the ship's axes.
 """
 
@@ -27,7 +28,7 @@ class YawStability(NamedTuple):
     """lever : m, N_ψ/Y_ψ, ahead of the centre of mass, nan without a side force; static : whether a is larger
 
     straight_line : Y_v N_r − N_v (Y_r − MU), (N s/m)(N m s), above 0 for a ship that keeps a straight line
-    lengths : (k,) m, rising, of the line at which Routh and Hurwitz's condition changes its sign, among the given ones
+    lengths : (k,) m, rising, the given lengths at which Routh and Hurwitz's condition changes its sign
     """
 
     lever: float

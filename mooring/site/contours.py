@@ -10,8 +10,8 @@ A plane of the normal space tangent to the contour separates off the seas that o
 plane limit surface there is largest on the contour, for the median of its short-term extremes.  The largest height of
 the contour is the return value of the height alone, with its median period.
 
-Both distributions have the largest likelihood of the counts in classes, the periods with the mean height of their
-class.  Beyond the table they are an extrapolation, which a finding reports.
+Both distributions have the largest likelihood for the counts in the classes. The periods depend on the mean height of
+their class.  Beyond the table they are an extrapolation, which a finding reports.
 """
 
 from typing import NamedTuple
@@ -38,7 +38,7 @@ class JointLaw(NamedTuple):
     highest: float
 
     def height(self, probability):
-        """Height that that share of the seas does not exceed, m; shape (…)"""
+        """Height that this share of the seas does not exceed, m; shape (…)"""
         low, scale, shape = self.weibull
         return low + scale * (-np.log1p(-np.asarray(probability, float))) ** (1 / shape)
 

@@ -73,7 +73,8 @@ class ExtremeFit(NamedTuple):
 def fit_extremes(maxima, family="gumbel"):
     """ExtremeFit of maxima (n,), one a year.
 
-    raises : ValueError for another family, fewer than 5 years, maxima all equal, and for weibull maxima not above 0
+    raises : ValueError for another family, fewer than 5 years, equal maxima, and for weibull maxima that are not above
+    0
     """
     x = np.asarray(maxima, float)
     if family not in FAMILIES:
@@ -175,7 +176,7 @@ class Extreme(NamedTuple):
 def extreme(maxima, family, years, confidence):
     """Extreme of a return period, of yearly maxima (n,), and findings on this extreme, one line each.
 
-    Raises ValueError for maxima that are none, and where the value is not above 0.
+    Raises ValueError for maxima that are not numbers, and where the value is not above 0.
     """
     maxima = np.asarray(maxima, float)
     if np.any(maxima <= 0):  # such as −999 where a year is missing

@@ -5,8 +5,8 @@
     E      K_h = A · B · C · K_b    ground class, damping factor, factor of the natural period, regional coefficient
 
 The user gives the factors; the report prints no tables.  Rules B and D have no formula.  A force is weight times
-coefficient.  By C and F it is taken for the weight without and with surcharge, at the centroid of that weight; the
-worse one counts.
+coefficient.  By C and F the coefficient applies to the weight with or without surcharge, at the centroid of that
+weight; the worse case counts.
 """
 
 import math

@@ -38,8 +38,9 @@ class ExposedBox:
 class Wind:
     """speed m/s, direction rad blown to, density kg/m³
 
-    table : coefficients of a box, of a hull, or a function (ExposedBox) → those of a hull
-    height : m above still water of its point of action, None for the middle of the exposed area (`loads.on_hull`)
+    table : coefficients of a box, of a hull, or a function (ExposedBox) → coefficients of a hull
+    height : height of the point of action above still water, m, None for the middle of the exposed area
+    (`loads.on_hull`)
     """
 
     speed: float
@@ -108,8 +109,9 @@ class Conditions:
 class Afloat(NamedTuple):
     """A moving hull.
 
-    name : name of its body in the System; box : ExposedBox about the origin of its coordinates
-    rotation_center : (3,) m in these; place : (2,) m, their origin in space; heading : rad, of their x axis
+    name : name of the body in the System; box : ExposedBox about the origin of its coordinates
+    rotation_center : (3,) m in these coordinates; place : (2,) m, origin of the coordinates in space; heading : rad, of
+    their x axis
     density : kg/m³ of the water
     """
 

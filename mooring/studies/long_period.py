@@ -6,8 +6,9 @@ Quick (SR179 report (1982), eq. 3.5.4.1):  σ = x_s/(2ν), with F₀ the mean dr
 + (Nω)²} dω,  S_F of slow drift, gusts and the waves themselves below the split (`slow_spectrum`).  Only a simulation
 includes subharmonics of stiffening lines and rectified line forces: it shows where the estimates fail.
 
-Each motion separately: K is its entry of the mooring stiffness at the equilibrium under steady forces, m has the added
-mass of ω₀.  N = ∂F/∂ẋ of the water's drag, averaged over Gaussian velocities of waves and of the slow motion itself
+Each motion is treated separately: K is its entry of the mooring stiffness at the equilibrium under steady forces, and m
+has the added mass at ω₀.
+N = ∂F/∂ẋ of the water's drag, averaged over Gaussian velocities of waves and of the slow motion itself
 (statistical linearisation, Caughey 1963), of wave drift damping, and of radiation at ω₀.
 """
 

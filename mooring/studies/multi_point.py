@@ -6,7 +6,7 @@ forces of wind, current and wave drift, the position and heel in which lines and
 at rest, so that the weight of the lines there causes no heel), and there the largest motions of the freely floating
 body: in irregular waves, or by the report's regular wave of significant height (`wave_effects`).  All modes are assumed
 in phase, with the signs, per line, that pull the fairlead outward and up; statics give the tension. Angles of the body
-are small throughout. Loads and motions are those of its heading at rest. Motions of slow drift are not included.
+are small throughout. Loads and motions are taken at the body's heading at rest. Motions of slow drift are not included.
 
 Several bodies are held by lines to anchors and to each other. Forces and motions are six per moving body, one body
 after another; there is one equilibrium and one set of natural periods.  A line between two bodies is tightened by the
@@ -290,7 +290,7 @@ def _bent(system, berth, body, load):
 
 
 def line_ends(state):
-    """Anchors and fairleads of the lines of a SystemEquilibrium, (n, 3) m in space each"""
+    """Anchors, and fairleads, of the lines of a SystemEquilibrium, m in space; shape (n, 3) each"""
     ends = state.system.arrays.ends
     return state.points[ends[:, 0]], state.points[ends[:, 1]]
 
@@ -306,7 +306,8 @@ def outward_directions(state):
 def fairlead_displacements(state, amplitudes, reader=None):
     """Largest displacement of each fairlead outward along its line and upward, all modes in phase: two (l,) m.
 
-    amplitudes : (n,) of all bodies, of a line between two both ends are summed; reader : `Reader` of bodies that bend
+    amplitudes : (n,) of all bodies; for a line between two bodies both ends are summed
+    reader : `Reader` of bodies that bend
     Σⱼ |Dⱼ| Xⱼ with Dⱼ the displacement per unit of mode j; signs are chosen for each line and direction. The sum is an
     upper bound of the displacement; its excess depends on the origin of the body's axes, to which the motions refer.
     """

@@ -38,7 +38,7 @@ def check_places(system, hulls):
 
 
 def check_links(links, hulls):
-    """Raise ValueError for a hinge farther from one of its hulls than the longest of all is long.
+    """Raise ValueError for a hinge whose distance from one of its hulls is larger than the length of the longest hull.
 
     links : `bem.hinges.Link`s, those between moving bodies and to space are judged; hulls : (`conditions.Afloat`, …)
     """
@@ -61,7 +61,7 @@ def check_links(links, hulls):
 def check_floats(hulls, rises):
     """Raise ValueError if hinges hold a body at rest out of the water or under it.
 
-    hulls : (name, `conditions.ExposedBox`) of each; rises : m, by which each rises at rest
+    hulls : (name, `conditions.ExposedBox`) of each body; rises : m, height by which each body rises at rest
     """
     for (name, box), up in zip(hulls, rises, strict=True):
         if not -box.freeboard < up < box.draft:

@@ -9,19 +9,20 @@ is part of B′. In addition, two estimates for a single mode, of stiffness C, d
 
     σ ≈ √(π S_F(ω_n) / 2NC)  a flat spectrum,        x ≈ x_s / 2ν  a force that beats at ω_n, x_s = σ_F/C
 
-The wave motion of the moored body is that of `response.sea_state`.  Slow drift is a quadratic form of the waves and far
+The wave motion of the moored body comes from `response.sea_state`.  Slow drift is a quadratic form of the waves and far
 from Gaussian: with independent complex normal z_j
 
     x = Σ_j λ_j |z_j|²,    λ the eigenvalues of  Q_il = H(ω_i − ω_l) √(D_i D_l) 2√(S_i S_l) Δω
 
 (Kac and Siegert 1947, Naess 1986), to which gusts and waves add a Gaussian.  The characteristic function of the sum
 gives its density f, and a level x is crossed f(x) σ_ẋ/√2π times a second.  The largest value of slow motion in head
-seas is a third above that of a Gaussian of the same variance.  For comparison, DNV-OS-E301 (chapter 2, section 2) takes
+seas is a third above the largest value of a Gaussian process with the same variance.
+For comparison, DNV-OS-E301 (chapter 2, section 2) takes
 the larger of two sums, both Gaussian: significant slow motion + largest wave motion, and largest slow motion +
 significant wave motion.
 
 Several bodies move together on the stiffness of lines, fenders and hinges. Each body has three slow motions, with its
-own mean drift and the phases of the waves at its place.  Damping and stiffness of a mode are then those of the coupled
+own mean drift and the phases of the waves at its place.  Damping and stiffness of a mode then belong to the coupled
 natural mode named after the motion. The drag of each hull is linearised in its own velocity.
 """
 

@@ -28,8 +28,8 @@ COARSE = 121  # difference frequencies at which the smooth drift spectrum is sum
 
 
 class OfEach:
-    """A `bem.database.reader.Reader` of several bodies, whose drift is that of each moving body along its own axes, one
-    after another; shape (q, p, 3N)"""
+    """A `bem.database.reader.Reader` of several bodies, whose drift is the drift of each moving body along its own
+    axes, one after another; shape (q, p, 3N)"""
 
     def __init__(self, body):
         self.body, self.moving = body, [i for i, one in enumerate(body.bodies) if not one.fixed]
@@ -43,8 +43,8 @@ class OfEach:
 
 
 class DriftOfSea(NamedTuple):
-    """Mean drift (q, p, 3) N/m² at omega (q,) rad/s and the headings of a sea, of several bodies (q, p, 3N); weights :
-    their shares of its energy"""
+    """Mean drift (q, p, 3) N/m² at omega (q,) rad/s and the headings of a sea, for several bodies (q, p, 3N); weights :
+    shares of the sea's energy per heading"""
 
     spectrum: object
     omega: np.ndarray
@@ -59,7 +59,7 @@ class DriftOfSea(NamedTuple):
         return between(self.coarse(difference[-1]), difference)
 
     def coarse(self, high):
-        """The same at COARSE differences up to `high`: these, and the spectrum"""
+        """The spectrum of `coarse` at COARSE differences up to `high`: these differences, and the spectrum"""
         places, turn = np.linspace(0.0, high, COARSE), self.phases(self.heading)
         if turn is None:
             of = self.body, self.spectrum, self.omega, self.heading, signed_pairs(self.drift), self.weights

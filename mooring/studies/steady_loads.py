@@ -25,8 +25,8 @@ def steady_loads(db, hull, conditions, depth, drift=None, heading=0.0):
 
 
 def with_coefficients(conditions, hull, depth):
-    """The same conditions; a current without coefficients gets those of the hull: of a cylinder, or of the box tests
-    as far as they can be extrapolated"""
+    """The same conditions, in which a current without coefficients gets those of the hull: of a cylinder, or of the box
+    tests as far as they can be extrapolated"""
     current = conditions.current
     if current is None or callable(current.table) or current.table is not None:
         return conditions

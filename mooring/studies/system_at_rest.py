@@ -1,7 +1,7 @@
 """Studies of a system at rest: the mooring stiffness of one body, offset curves, the loss of one line.
 
-Free points and other bodies follow a small motion of one body quasi-statically.  With e their degrees of freedom and b
-those of the body, its stiffness is the Schur complement K_bb − K_be K_ee⁻¹ K_eb.
+Free points and other bodies follow a small motion of one body quasi-statically.  With e the degrees of freedom of these
+and b those of the body, the stiffness is the Schur complement K_bb − K_be K_ee⁻¹ K_eb.
 """
 
 from dataclasses import dataclass

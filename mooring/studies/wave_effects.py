@@ -44,7 +44,7 @@ class WaveEffects(NamedTuple):
 
     by_current : (3,) part of the drift due to a current that carries the waves; None in still water
     held : (k, 6) N, N m, for each link of the body, largest increase of its forces by motions; None without links
-    With several bodies drift is (3,) per moving body, one after another, and slow that of all about the origin
+    With several bodies drift is (3,) per moving body, one after another, and slow is the drift of all about the origin
     """
 
     drift: np.ndarray

@@ -37,7 +37,7 @@ def frequency(period, omega):
 def around_body(db, omega, beta, fixed, amplitude=None):
     """`WavesAround` of the body of a database, or of all its bodies.  Raises ValueError for waves outside the database.
 
-    amplitude : m, of the waves for its viscous damping, None for those of its scene
+    amplitude : m, wave amplitude for the viscous damping, None for the amplitude of the scene
     """
     if not math.isfinite(beta):
         raise ValueError("heading is not a number; allowed: an angle")
@@ -50,7 +50,7 @@ def around_body(db, omega, beta, fixed, amplitude=None):
 
 
 def half_width(around, width):
-    """m, of a map of the given width, or one that contains body and waves.  Raises ValueError."""
+    """m of a map: the given width, or a width that contains body and waves.  Raises ValueError."""
     span = float(np.ptp(around.sources.plan, axis=0).max())
     if width is None:
         return max(SPANS * span, LENGTHS * 2 * np.pi / around.k)

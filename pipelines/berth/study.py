@@ -99,7 +99,7 @@ class BerthFender(FenderTable, kw_only=True):
     """A fender of the berth
 
     x : m, distance ahead of midship where the ship meets it
-    gap : m, distance of its face behind that of the foremost fender
+    gap : m, distance of its face behind the face of the foremost fender
     """
 
     x: float | None = None
@@ -123,7 +123,8 @@ class Approach(msgspec.Struct, frozen=True):
     """Values of a study in SI: ship : `energy.Ship`; speed : m/s; offset : m of the first contact from the centre of
     gravity; eccentricity, virtual_mass, energy (J, with all factors) of the chosen method
 
-    energies : {method: (C_M, J)}; meetings : (fender with its dolphin, x m, gap m) of each; first : number of the first
+    energies : {method: (C_M, J)}; meetings : (fender with its dolphin, x m, gap m) for each fender; first : number of
+    the fender met first
     """
 
     ship: energy.Ship

@@ -35,8 +35,7 @@ class Interrupt:
 
     An interrupt during the import of a module would leave the module half loaded. In a callback (of a weak reference,
     of the compiler) it would be printed and lost.
-    The handler therefore waits until code of this program runs, but in other
-    code than imports no longer than PATIENCE.
+    The handler therefore waits until code of this program runs. Outside imports it waits no longer than PATIENCE.
     """
 
     def __init__(self):

@@ -147,7 +147,7 @@ class LineTable(Table):
 
 
 def line_type(where, table, density=1025.0, gravity=9.80665, name=None) -> LineType:
-    """The LineType of a MaterialTable; density : kg/m³ of the water; name : that of the catalogue if not given"""
+    """The LineType of a MaterialTable; density : kg/m³ of the water; name : by default the catalogue name"""
     from hakobune.mooring.lines.catalogue import line_type as of_catalogue
 
     try:

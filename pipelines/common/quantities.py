@@ -67,7 +67,7 @@ def water_density(key, value):
     """kg/m³ of water.  Raises StudyError."""
     low, high = DENSITIES
     if not low <= value <= high:
-        raise StudyError(f"{key} is {value:g}; allowed: {low:g} to {high:g} kg/m³, that of water")
+        raise StudyError(f"{key} is {value:g}; allowed: {low:g} to {high:g} kg/m³, as for water")
     return value
 
 

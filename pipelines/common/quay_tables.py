@@ -208,12 +208,13 @@ def _check_bollard(name, place, box):
 
 
 def doubtful_holds(fenders, ropes, hull, held):
-    """Lines on ropes that cross the hull from side to side, and on fenders alone; held : whether lines hold it too"""
+    """Lines of text on ropes that cross the hull from side to side, and on fenders alone; held : whether lines hold the
+    body too"""
     across = [one.name for one in ropes if _crosses(np.array(one.fairlead, float), np.array(one.bollard, float), hull)]
     if across:
         yield (
-            f"ropes that pass through the hull to a bollard on its other side: {some(across, 6)}; limit none; check "
-            "the sign of y of fairlead and bollard"
+            f"these ropes pass through the hull to a bollard on its other side: {some(across, 6)}; allowed: none; "
+            "check the sign of y of fairlead and bollard"
         )
     if fenders and not ropes and not held:
         sides = {tuple(_side(one.name, np.array(one.position), hull)[0]) for one in fenders}

@@ -22,7 +22,7 @@ MOTIONS = tuple(dof.lower() for dof in DOFS)
 
 
 class LoadCase(NamedTuple):
-    """study : raw tables of a study; lost : name of the lost line, "" for none; factor : on motions
+    """study : raw tables of a study; lost : name of the lost line, "" for none; factor : factor on motions
 
     apart : whether it is another kind of study than the project's: an earthquake
     """

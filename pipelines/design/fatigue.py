@@ -3,7 +3,7 @@
     D = Σ_cases p t_life / t_record  Σ nᵢ / N(sᵢ)       rainflow cycles of the kept records, Miner's sum
 
 Only intact lines count.  The `share` of the time of a state is divided equally among its directions and levels.  The
-criterion is factor · D ≤ 1.  The record is that of the fairlead, with the reference strength of the curve for the
+criterion is factor · D ≤ 1.  The record is taken at the fairlead, with the reference strength of the curve for the
 section of each type.
 
 No 90 % interval is computed if fewer cycles than `mooring.motion.extremes.FEWEST` cause the damage, as in a run with

@@ -115,8 +115,8 @@ def _write_table(path, title, head, rows):
 
 
 def origin(read, ran, criterion):
-    """Return (path of a file, None for a value given in the project; its key there) of the value of a criterion in a
-    load case, a Ran"""
+    """Return the place of a criterion's value in a load case, a Ran: path of a file, None for a value given in the
+    project, and its key there"""
     quantity, path = criterion.quantity, ran.path
     if quantity in OF_PROJECT:
         return None, OF_PROJECT[quantity]

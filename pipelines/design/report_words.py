@@ -136,8 +136,9 @@ def state_row(state):
 
 
 def line_rows(read, verdict):
-    """Cells of a row in the table of lines, ropes and hawsers: its properties in the first case that ran, and the
-    largest tension of all cases, over the breaking load and over the WLL, which is the study's `allowable` times it
+    """Cells of a row in the table of lines, ropes and hawsers: properties in the first case that ran, and the largest
+    tension of all cases over the breaking load and over the WLL. The WLL is the study's `allowable` times the breaking
+    load.
     """
     allowable = read.study.get("allowable")
     pulled, used = {}, {}

@@ -49,7 +49,8 @@ def design(
 
 
 def unread_simulation(study, project):
-    """A line on keys of [simulation] of a study that the project's own lacks: a project reads its own alone
+    """A line of text on keys of a study's [simulation] that the project's [simulation] lacks; a project reads its own
+    table alone
 
     study, project : tables as read
     """
@@ -57,8 +58,8 @@ def unread_simulation(study, project):
     lost = [] if own is None else [f"{key} = {given[key]}" for key in given if key not in own and key not in LENGTHS]
     if lost:
         yield (
-            f"left out: of [simulation] of the study {', '.join(lost)}; a project reads its own [simulation] alone; "
-            "copy there what applies"
+            f"left out: {', '.join(lost)} in the study's [simulation]; a project reads its own [simulation] alone; "
+            "copy the keys that apply"
         )
 
 

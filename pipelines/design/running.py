@@ -116,7 +116,7 @@ def base_of(read, paths):
 
 
 def repeated(read, factors):
-    """Factors on the motions that have load cases of their own"""
+    """Factors on the motions, each with load cases of its own"""
     return factors if read.kind.MOVED and read.project.simulation is None else [1.0]
 
 

@@ -18,11 +18,12 @@ PASSES, FAILS, OPEN = "passes", "fails", "cannot be signed"
 
 
 class RuleSet(NamedTuple):
-    """name : with its edition; subject : to which the rule set applies; chosen : whether any of its criteria judges the
+    """name : name with edition; subject : what the rule set applies to; chosen : whether any of its criteria judges the
     project
 
-    judged, known : number of its criteria that are judged, and of all; criterion, use : the governing one of those
-    judged, with its Use; unread : number of criteria whose source has not been read
+    judged, known : number of judged criteria, and of all criteria; criterion, use : the governing judged criterion, and
+    its Use;
+    unread : number of criteria whose source has not been read
     """
 
     name: str

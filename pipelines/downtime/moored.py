@@ -112,9 +112,9 @@ def _notes(read, hindcast, found):
     table = read.simulation
     with_it = "".join(f", {stream}" for *_, stream in streams_of(hindcast))
     yield (
-        f"simulated: {len(found.rows)} states of {60 * table.duration_hours:g} min with {table.seeds} seeds each, "
-        f"with the waves{with_it} of each hour and all other inputs from {table.study}; weather windows are those of "
-        f"one random realisation"
+        f"simulated: {len(found.rows)} states of {60 * table.duration_hours:g} min with {table.seeds} seeds "
+        f"each; a state has the waves{with_it} of its hour, and all other inputs come from {table.study}; weather "
+        "windows are those of one random realisation"
     )
     if len(hindcast.waves) > 1:
         yield "limiting seas are defined for one wave system; with several systems they are left out"

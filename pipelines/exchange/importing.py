@@ -166,8 +166,8 @@ def hull_of(place, kind, module, mesh, known):
 
 
 def below_water(panels):
-    """The PanelMesh below the water, of a hull with a freeboard or a lid, as AQWA's may have; tells so.  Raises
-    ValueError where nothing lies below."""
+    """The PanelMesh below the water, of a hull with a freeboard or a lid, as AQWA's hulls may have; a message reports
+    this.  Raises ValueError where nothing lies below."""
     low, top = (float(end(panels.points[:, 2])) for end in (np.min, np.max))
     if not top > LID * abs(low):
         return panels

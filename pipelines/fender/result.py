@@ -158,8 +158,8 @@ def _notes(table, made):
     if made.straight is not None:
         width = table.length if table.width is None else table.width
         yield (
-            f"the face is inclined by {table.angle_deg:g}° over {width:g} m and computed in strips; a deflection is "
-            "that of the most compressed edge"
+            f"the face is inclined by {table.angle_deg:g}° over {width:g} m and computed in strips; deflections "
+            "are given for the most compressed edge"
         )
 
 

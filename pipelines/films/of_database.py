@@ -70,7 +70,7 @@ def _pressure(db, path, around):
             f"for other waves in {path}; give one of these waves, or add yours with the command that made the file"
         )
     if (db.inertia_matrix is None) != (around.motion is None):
-        raise ValueError("the stored pressure is that of a freely floating body; leave out --fixed")
+        raise ValueError("the stored pressure belongs to a freely floating body; leave out --fixed")
     value = db["pressure"][i, j]
     return Coloured(value, float(np.abs(value).max()))
 

@@ -1,6 +1,6 @@
 """A minute of a simulation as a film of bodies, lines, fenders and waves.
 
-Bodies follow their stored motion, lines hang in their static shape at every frame, the surface is that of the
+Bodies follow their stored motion, lines hang in their static shape at every frame, and the surface shows the
 undisturbed waves of the seed.
 """
 

@@ -40,7 +40,7 @@ def check_finest(study):
 def check_effort(study, line, course, wave, frames, stations=0):
     """Raise TooMuchError for a run that is too long or too large to store, and announce the time of a long one.
 
-    The number of steps depends on the tolerance, an estimate within a factor of three: most in snapping lines.
+    The number of steps is estimated from the tolerance within a factor of three; snapping lines take most.
     """
     from hakobune.mooring.lines.dynamics.run import finer
     from hakobune.mooring.lines.dynamics.surroundings import PARTS_OF_PERIOD

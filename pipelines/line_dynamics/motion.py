@@ -124,7 +124,7 @@ def _row(path, number, line):
 
 
 def faded(time, position, ramp):
-    """The table with its motion about its mean fading in over `ramp` s from 0, as harmonic motions do; (k, 3) m."""
+    """A table (k, 3) m whose motion about its mean grows over `ramp` s from 0, as harmonic motions do."""
     if ramp == 0:
         return position
     x = np.clip(time / ramp, 0.0, 1.0)

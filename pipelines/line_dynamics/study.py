@@ -1,6 +1,7 @@
 """One mooring line and the motion of its fairlead, as typed TOML.
 
-In m, s, kg and degrees, other units in the key.  Segments, and the bodies between them, count from the anchor up. z is
+Keys are in m, s, kg and degrees; other units stand in the key.
+Segments, and the bodies between them, count from the anchor up. z is
 measured from still water, and under the anchor the bed lies `water.depth` below still water.
 Every fault is one line that names
 key, value and allowed values.

@@ -1,4 +1,5 @@
-"""Lines of a study from a file of another program, or of `hakobune lines`, as the tables [types] and [[lines]].
+"""Mooring lines of a study, read from a file of another program or of `hakobune lines` into the tables [types] and
+[[lines]].
 
     lines_file = "moorings.dat"      # MoorDyn, MoorPy, RAFT or OrcaFlex, beside the study
 

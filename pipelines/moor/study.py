@@ -143,7 +143,7 @@ class Study(Table):
 
         A hull with a radius is round.
 
-        table : HullTable, by default that of one body
+        table : HullTable, by default the table of the study's one body
         """
         sizes, given = {}, table or (HullTable() if self.hull is None else self.hull)
         if is_round := "radius" in dimensions:

@@ -15,8 +15,8 @@ TOLERANCES = 1e-5, 1e-4
 class Bodies:
     """method : name; fine, rough : problems of `quadratic_forces`, rough None without a second resolution
 
-    errors : function of the forces at `fine`, the whole at `rough` and the change of the squares at `rough` by the
-        motions at `fine`, None for a fixed body
+    errors : function of three arguments: the forces at `fine`, the whole force at `rough`, and the change of the
+        squares at `rough` by the motions at `fine` (None for a fixed body)
     """
 
     method: str

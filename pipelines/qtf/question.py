@@ -78,7 +78,8 @@ class Question:
         )
 
     def adds_surface(self, share):
-        """Whether the question includes the forcing of the surface, whose share of the force is `share` or unknown"""
+        """Whether the question includes the forcing of the surface; share : share of this forcing in the force, or
+        unknown"""
         return self.level == "full" or (self.level == "auto" and share is not None and share > ENOUGH)
 
 

@@ -43,7 +43,7 @@ def failures(result, stiffness, years=None, words=ONE_BODY):
 
 
 def air_gaps(result, years=None):
-    """{point: (clearance m, m that are left, how often water reaches the point)} by the largest expected rise, or by
+    """{point: (clearance m, clearance left m, how often water reaches the point)} by the largest expected rise, or by
     the rise reached once in `years`
 
     how often : the probability in a SeaState, the years between two events in a Climate

@@ -1,7 +1,7 @@
 """`hakobune response --moored`: the body of a response study on the lines of a mooring study, with its slow motion.
 
-Of several bodies lines, ropes, fenders and hinges are the linear stiffness that they have where they balance the steady
-forces.
+For several bodies, lines, ropes, fenders and hinges act by their linear stiffness at the place where they balance the
+steady forces.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ def moored(path, read, db, sea, duration, points):
     from .study import viscous_laws, viscous_words
 
     if read.current is not None:
-        raise StudyError(f"current is given with --moored; leave it out: the current is that of {path}")
+        raise StudyError(f"current is given with --moored; leave it out: {path} gives the current")
     study, _ = read_study(path)
     hull = study.without_berth("response --moored").hull_of(db.sizes)
     system = study.system(hull, db.rotation_center, db.density, db.gravity)

@@ -95,8 +95,8 @@ def response(study: File | Tables | ResponseStudy, database: File | Database, mo
 
 
 class Solved(NamedTuple):
-    """found : SeaState or Climate; body : Reader of what moves; stiffness : (n, n) SI of water and lines; warnings,
-    failures, notes : one line each; slow : `SlowMotion` on lines, None without them"""
+    """found : SeaState or Climate; body : Reader of the moving bodies; stiffness : (n, n) SI of water and lines;
+    warnings, failures, notes : one line each; slow : `SlowMotion` on lines, None without them"""
 
     found: SeaState | Climate
     body: Reader
@@ -253,7 +253,7 @@ def _with_gaps(made, axes, found, years):
 
 
 def of_moored(motion, axis="plane"):
-    """Quantities of a SlowMotion; axis : name of that of its slow motions"""
+    """Quantities of a SlowMotion; axis : name of the axis of its slow motions"""
     moved = MOVED * (len(motion.offset) // 3)
     columns = {
         "offset": (motion.offset, moved, "mean"),

@@ -117,7 +117,8 @@ class RelativeTable(Table):
     """Relative motion of two points on two bodies: a gangway, a hose, a fender
 
     name : name of the relative motion in results
-    points : names of the two points; the motion is that of the second from the first, in the axes of the first's body
+    points : names of the two points; the motion of the second is taken relative to the first, in the axes of the
+    first's body
     """
 
     name: str

@@ -248,10 +248,9 @@ def _warn_of_few(components, resolved):
     least = max(FEWEST, math.ceil(resolved / APART))
     if components < least:
         warnings.warn(
-            f"{components} components are too few for a record that resolves {resolved:.0f} frequencies: the record "
-            f"is not Gaussian, and its groups and extremes are not those of the sea; give --components {least} or "
-            f"more, "
-            "or a shorter --duration",
+            f"{components} components are too few for a record that resolves {resolved:.0f} frequencies: the "
+            "record is not Gaussian, and its groups and extremes differ from those of the sea; give --components "
+            f"{least} or more, or a shorter --duration",
             stacklevel=2,
         )
 

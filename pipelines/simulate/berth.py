@@ -22,9 +22,9 @@ def findings_on_periods(file):
         for own in harbour:
             if abs(T / own - 1) <= NEAR:
                 yield (
-                    f"the natural period of {name} at the berth, {T:.3g} s, is near that of the harbour, {own:g} s, "
-                    f"so they resonate; change the pretension or stiffness of the ropes until the two periods are "
-                    f"{100 * NEAR:g} % apart"
+                    f"the natural period of {name} at the berth, {T:.3g} s, is near the natural period of the "
+                    f"harbour, {own:g} s, so the two resonate; change the pretension or stiffness of the ropes "
+                    f"until the two periods are {100 * NEAR:g} % apart"
                 )
 
 

@@ -198,7 +198,7 @@ def opened(path, mode="r"):
 
 
 def is_run(path):
-    """Whether a file is that of a simulation, of any version, damaged or not; devices and pipes are not opened"""
+    """Whether a file is the file of a simulation, of any version, damaged or not; devices and pipes are not opened"""
     return Path(path).is_file() and named(kind_filled_in(path)) == named(SCHEMA)
 
 

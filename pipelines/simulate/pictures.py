@@ -236,7 +236,7 @@ def _breaking(axes, file, worst, top):
 def spectrum(records, step, widest=np.inf):
     """ω (rad/s) and density of records (runs, n), the mean over runs and over neighbouring frequencies
 
-    widest : rad/s, from the first to the last of these, at most
+    widest : rad/s, largest range of the frequencies in a mean
     """
     y = records - records.mean(axis=1, keepdims=True)
     density = 2 * np.mean(np.abs(np.fft.rfft(y, axis=1)) ** 2, axis=0) * step / (2 * np.pi * y.shape[1])

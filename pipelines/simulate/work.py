@@ -35,7 +35,7 @@ _prepared = {}  # of this process: the last task, and its `Ready`
 
 @dataclass(frozen=True, eq=False)
 class Task:
-    """study : `moor.study.Study`; database : path; duration : s, or None for that of the study
+    """study : `moor.study.Study`; database : path; duration : s, or None for the duration of the study
 
     memory : memory of the water, fitted, None before that
     folder : folder of the study, for the files that it names
@@ -59,7 +59,7 @@ class Ready(NamedTuple):
 
 
 def prepared(task, db=None, waves=None):
-    """`Ready` of a Task; a process keeps it for the next seed of the same
+    """`Ready` of a Task; a process keeps it for the next seed of the same Task
 
     db : its open database, which other processes open themselves
     waves : `mooring.motion.wave_loads.WaveForces` of the same body in another sea, reused where equal
@@ -311,8 +311,8 @@ def largest_use(body, motion, tension):
 
 def anchor_pulls(body, motion, tension):
     """Pull along the bed and up at the anchor of each line, where its pull on the body is largest, N; shape (lines, 2);
-    nan for ropes.  As `largest_use`: static pulls, times the ratio of the largest tension to the static one, at least
-    1."""
+    nan for ropes.  Static pulls times the ratio of the largest tension to the static tension, at least 1, as in
+    `largest_use`."""
     found = np.full((tension.shape[1], 2), np.nan)
     for i in range(0 if body.system is None else len(body.system.lines)):
         lines = _at_rest_in(body, motion[tension[:, i].argmax()])
@@ -353,7 +353,7 @@ def _of_gaps(sides, apart):
         elif max(gap.max() - at_rest, at_rest - least) > max(FARTHER * at_rest, size):
             yield (
                 f"the gap between {names} varies from {least:.3g} to {gap.max():.3g} m and is {at_rest:.3g} m "
-                "at rest, but the forces of the water between the hulls are those of the gap at rest; give lines "
+                "at rest, but the forces of the water between the hulls are computed for the gap at rest; give lines "
                 "that hold the bodies there, or solve the bodies at the gap of the run"
             )
 
@@ -378,7 +378,8 @@ def at_rest_of(sides):
 def quantities_of(lines, fenders=(), words=ONE_BODY, sides=(), links=(), shapes=(), loads=()):
     """Names and units of the columns of statistics; words : words of the motions; sides : sides of several bodies
 
-    shapes : units of the last of the motions; loads : (name, unit) of what beams carry (`told_of_stations`)
+    shapes : units of the shapes, which are the last motions; loads : (name, unit) of the loads in beams
+    (`told_of_stations`)
     """
     between = [f"gap {one.name} {other.name}" for one, other in pairs_of(sides)]
     names = [*words, "wave", "wind speed", *between, *(f"tension {line}" for line in lines)]

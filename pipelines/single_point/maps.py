@@ -24,7 +24,8 @@ SLENDERNESS = "hull.length_over_beam"
 
 
 class Map(NamedTuple):
-    """x : (m,), y : (k,) values of the keys, y one nan without; growth (k, m) 1/s and period (k, m) s, heading (k, m) °
+    """x : (m,), y : (k,) values of the keys; y is one nan for a map over one key; growth : (k, m) 1/s; period : (k, m)
+    s; heading : (k, m) °
 
     failed : number of places without equilibrium or load, with the first reason
     """

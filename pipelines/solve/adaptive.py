@@ -2,11 +2,11 @@
 
 Each frequency is stored as usual; the error between frequencies is estimated from the stored values
 (`bem.database.between_frequencies`).  A resumed or repeated run therefore computes only the frequencies still missing.
-Their places do not depend on values (`bem.database.interpolant.chosen`). The same number, placed where the estimated
-error is largest, would leave errors beyond the tolerance where no value has shown a resonance yet.  The tolerance is
+Their places do not depend on values (`bem.database.interpolant.chosen`). As many frequencies placed where the estimated
+error is largest would leave errors beyond the tolerance where no value has shown a resonance yet.  The tolerance is
 relative to the largest coefficient of a band. The height of a resonance depends on damping that can be a thousandth of
-it.  Resonances (`bem.database.resonances`) are therefore solved too. For drift so are those that amplify, by 1/2ζ, the
-error ε of the radiated waves beyond the tolerance, if no frequency lies within their width.
+it.  Resonances (`bem.database.resonances`) are therefore solved too. For drift a resonance is also solved if it
+amplifies the error ε of the radiated waves, by 1/2ζ, beyond the tolerance and no frequency lies within its width.
 """
 
 from dataclasses import replace

@@ -165,7 +165,7 @@ def _smallest_waterplane(mesh):
 
 
 def lid_in_proportion(cover, mesh, other):
-    """The lid of another mesh of a hull, with as many panels per panel as `cover` has; None for None
+    """The lid of another mesh of a hull, with as many lid panels per hull panel as `cover` has; None for None
 
     Otherwise the error of a lid would be common to both meshes and would not show. Of an error of 1.2 % in the damping
     of the series box in its shortest waves, 0.9 % were not detected.
@@ -177,7 +177,7 @@ def coarse_hull(scene, mesh, cover, fewest=FEWEST):
     """Return (mesh, lid) with about half as many panels, for the error estimate.
 
     None for mesh files, and where the mesh itself is so coarse that half of it gives no information.
-    cover : the lid of the mesh, or None; fewest : in a direction
+    cover : the lid of the mesh, or None; fewest : least number of panels in a direction
     """
     coarse = _remeshed(scene, mesh, partial(coarse_counts, fewest=fewest))
     return None if coarse is None else (coarse, lid_in_proportion(cover, mesh, coarse))

@@ -1,7 +1,8 @@
 """The results of a sweep: one HDF5 file that is filled case by case and survives a kill at any instant.
 
-/keys/NAME (case,);  /status (case,): −1 to do, else that of the command;  /message (case,);  /results/NAME (case, …):
-the quantities of each case's result, or the arrays of its database, with all their digits, their axes and units.  The
+/keys/NAME (case,); /status (case,): −1 to do, else the status of the command; /message (case,); /results/NAME (case,
+…): the quantities of each case's result, or the arrays of its database, with all their digits, their axes and units.
+The
 status is written last.
 """
 

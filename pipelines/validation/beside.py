@@ -37,7 +37,7 @@ def chosen(named, only):
     words = [""] if only is None else [f"{word.strip()}-" for word in only.split(",")]
     for word in words:
         if not any(f"{name}-".startswith(word) for name in named):
-            raise StudyError(f"--only names {word[:-1]!r}; allowed: {', '.join(named)}, or how names begin")
+            raise StudyError(f"--only names {word[:-1]!r}; allowed: {', '.join(named)}, or beginnings of names")
     return [case for name, case in named.items() if any(f"{name}-".startswith(word) for word in words)]
 
 

@@ -43,7 +43,8 @@ ROWS = {
 
 
 class Curves:
-    """A database at frequencies `omega` (q,) rad/s that show all its values; `stored` (n,) numbers of the stored ones
+    """A database at frequencies `omega` (q,) rad/s that show all its values; `stored` (n,) are the numbers of the
+    stored frequencies
 
     gaps : `gaps.Gaps` of the database, without values
     """

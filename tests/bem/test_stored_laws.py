@@ -319,3 +319,33 @@ def test_motions_of_which_a_part_is_not_known_are_not_judged(db):
         changed(spoiled, name, (0, 0, 0), np.nan)
         found = _motion_defect(spoiled)
         assert np.isnan(found[0]) and found[1] == pytest.approx(off[1])
+
+
+@pytest.mark.parametrize("name, law", [("drift_force_fixed", "drift of the fixed body"),
+                                       ("drift_force", "drift of the free body")])  # fmt: skip
+def test_a_moment_that_is_not_stored_at_all_is_relative_to_a_force_at_one_wavenumber(db, name, law):
+    stored, k = np.array(db[name]), db["wavenumber"]
+    db.values[name] = stored * [1, 1, 0]
+    lost = np.zeros(2)
+    for i in (0, 1):
+        H = db["kochin_diffraction"][i]
+        if name == "drift_force":
+            H = H + db["rao"][i] @ db["kochin_radiation"][i]
+        level = RHO * G * group_factor(k[i], DEPTH) * np.max(np.mean(np.abs(H) ** 2, axis=-1)) / k[i]
+        push = max(np.abs(stored[i, :, :2]).max(), level)
+        lost[i] = np.abs(stored[i, :, 2]).max() * k[i] / push
+    assert laws(db, 1e-6)[law].worst == pytest.approx(lost.max(), rel=1e-6)
+
+
+@pytest.mark.parametrize("imported, share, breaks", [
+    (True, 1.05e-4, True), (True, 0.95e-4, False), (False, 1.05e-6, True), (False, 0.95e-6, False),
+])  # fmt: skip
+def test_numbers_of_other_programs_are_held_to_the_digits_that_are_printed(db, imported, share, breaks):
+    """Excitation is incident and scattered to a millionth, of files to a ten thousandth"""
+    if imported:
+        db.attributes["imported"] = "WAMIT"
+    largest = max(np.abs(db[name][0, :, :3]).max() for name in ("excitation_force", "Froude_Krylov_force"))
+    spoiled = {name: np.array(one) for name, one in db.values.items()}
+    spoiled["diffraction_force"][0, 0, 0] += share * largest
+    one = Made(**(vars(db) | {"values": spoiled}))
+    assert ("excitation is incident and scattered" in laws(one)) is breaks

@@ -299,7 +299,7 @@ def test_moments_that_have_no_end_are_integrals_up_to_where_they_are_asked_for(o
     omega = np.linspace(max(low, 1e-3), high, 200_001)
     wanted = np.trapezoid(omega**order * one.density(omega), omega)
     assert one.moment(order, low, high) == pytest.approx(wanted, rel=2e-4)
-    with pytest.raises(ValueError, match=f"moment {order} is infinite at shape 0.5; give high, the highest frequency"):
+    with pytest.raises(ValueError, match=f"moment of order {order} is infinite at the shape parameter 0.5; give high"):
         one.moment(order)
 
 

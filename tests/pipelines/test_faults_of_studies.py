@@ -88,7 +88,7 @@ FAULTS = {
     "law of a response": ("response", ("body", "viscous"), {"roll": "Yamasita"}, ("'Yamasita'", "Yamashita")),
     "current of a moored response": (
         "response --moored", ("current",), {"speed": 1.0, "incidence_deg": 0.0},
-        ("current is given with --moored", "leave it out: the current is that of moored.toml"),
+        ("current is given with --moored", "leave it out: moored.toml gives the current"),
     ),
     "law of a moored response": (
         "response --moored", ("body", "viscous"), {"roll": "Yamasita"}, ("'Yamasita'", "Yamashita"),

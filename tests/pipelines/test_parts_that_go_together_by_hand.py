@@ -150,7 +150,15 @@ def test_runs_are_compared_with_other_methods_on_the_waves_of_their_study(monkey
     import inspect
 
     names = list(inspect.signature(simulate.simulate).parameters)
-    given = {"study": "s", "database": "d", "output": output, **call, "methods": True, "division": "v"}
+    given = {
+        "study": "s",
+        "database": "d",
+        "output": output,
+        **call,
+        "methods": True,
+        "division": "v",
+        "pictures": True,
+    }
     assert simulate.simulate(**{name: given[name] for name in names}) == 3
     (first, words), second, shown = asked
     assert first == ("s", "d", output) and {name: words[name] for name in more} == more

@@ -1,7 +1,8 @@
-"""First-order flow on the side and, of a cylinder, on the bottom of a vertical-sided body, at points for integrals.
+"""First-order flow on a vertical-sided body, at points for integrals: on the side, and on the bottom of a cylinder.
 
 Points on the side are those of `bem.contour.side_flow` times the nodes of the contour; points on the bottom are those
-of `under_keel`. Both are graded towards the keel, where the flow is that of its edge.  All frequencies of a body share
+of `under_keel`. Both are graded towards the keel, where the flow is the flow around its edge.
+All frequencies of a body share
 these points. The contour and the functions are those of the shortest waves.
 """
 

@@ -1,5 +1,5 @@
-"""Force of a wave whose wavenumber κ differs from that of a free wave of its frequency, on a vertical-sided body, as an
-integral over the wall of its plan.
+"""Force of a wave whose wavenumber κ differs from the wavenumber of a free wave of its frequency, on a vertical-sided
+body, as an integral over the wall of its plan.
 
     D = −ρg ∬ (p ψ_ν − ψ p_ν) dS,        p = cosh κζ / cosh κh exp(iκ·x),  over the whole depth 0 < ζ < h
 

@@ -5,7 +5,7 @@ With the velocity u in the gap and the particular solution ψ of `bem.contour.ri
     φ = ψ + c + Σ_q (ε_q/s) (−1)^q Iₘ(l_q r)/l_q Iₘ'(l_q R) ⟨u − ∂ψ/∂n, cos l_qζ⟩,        q = 0: r^m / m R^(m−1)
 
 in every order m about the axis.  At a distance ρ = R − r from the keel the modes l_q beyond TERMS/ρ have decayed.
-Nearer than START of the smallest of draft, gap and radius the flow is that of the edge,
+Nearer than START of the smallest of draft, gap and radius the flow is the flow around the edge,
 
     φ = c₀ − Uρ − (2b/3π) ρ² ln ρ + Σ cₚ ρ^(2p/3),        p = 1, 2, 3,
 

@@ -24,7 +24,7 @@ def laplace(R):
 
 
 def decaying(kappa):
-    """Function of R that returns G and R ∂G/∂R of modified Helmholtz"""
+    """Function of R that returns G and R ∂G/∂R of the modified Helmholtz equation"""
 
     def kernels(R):
         single, radial = decaying_pair(kappa * R)

@@ -96,7 +96,8 @@ class SeveralFrequency:
         return FirstOrder(radiation, known, excitation - known, haskind, kochin, far[:, d:], residual)
 
     def far_field(self):
-        """Kochin functions per unit velocity of a motion, then per unit amplitude of the waves, (2, d + b, t)"""
+        """Kochin functions, shape (2, d + b, t): first per unit velocity of a motion, then per unit amplitude of the
+        waves"""
         d, k, exterior = self.fixed.side.shape[0], self.k, self.exterior
         total = np.zeros((2, self.on_contours.shape[1], len(self.theta)), complex)
         if not len(self.theta):

@@ -49,8 +49,8 @@ class Cause(NamedTuple):
 
 
 class Finding(NamedTuple):
-    """gap : the largest difference, found in `quantity`; cause : or None; left : difference that remains with the
-    cause, or with the best cause that was tried"""
+    """gap : the largest difference, found in `quantity`; cause : the cause, or None; left : difference that remains
+    with the cause, or with the best cause that was tried"""
 
     gap: float
     quantity: str
@@ -141,7 +141,8 @@ def changed(values, names, function):
 
 
 def scaled(values, names, factor, rows=None):
-    """Values with some quantities over a factor; `rows` (6,) is the power of the factor in each row"""
+    """Values with some quantities divided by a factor; the row i of a quantity is divided by its power `rows`[i]
+    (6,)"""
 
     def over(data):
         size = factor if rows is None else float(factor) ** np.asarray(rows, float)

@@ -87,9 +87,9 @@ class BandRun(CompressedRun):
         """
         if self.geometry.hull > LARGEST_FULL_SYSTEM and self.problem.nodes_per_panel != 4:
             raise FloatingPointError(
-                f"ω = {self.omega:.6g} rad/s: the low-rank waves of the band have an error of {error:.1e}; allowed: "
-                f"{ALLOWED * self.equations_of_band.accuracy:.1e}; give a narrower band, fewer panels or a larger "
-                f"tolerance"
+                f"ω = {self.omega:.6g} rad/s: the low-rank approximation of the band's waves has an error of "
+                f"{error:.1e}; allowed: {ALLOWED * self.equations_of_band.accuracy:.1e}; give a narrower band, "
+                "fewer panels or a larger tolerance"
             )
 
     @property

@@ -16,7 +16,7 @@ OF_SUFFICIENT = 0.1
 
 
 class CompressedRun(PanelRun):
-    """Potentials by `bem.panels.compressed.equations`; the estimated errors include that of the compression."""
+    """Potentials by `bem.panels.compressed.equations`; the estimated errors include the error of the compression."""
 
     def _solved(self):
         start = time.perf_counter()

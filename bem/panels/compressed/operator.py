@@ -344,7 +344,7 @@ class CompressedEquations:
         return Sources(first, points, e.normals[node].copy(), weights, depth_values(points[:, 2]), tree.hull)
 
     def apply(self, columns, exactly=False):
-        """A x of `Columns`, (n, p); exactly : in double precision, otherwise in that of the stored blocks"""
+        """A x of `Columns`, (n, p); exactly : in double precision, otherwise in the precision of the stored blocks"""
         kind, part = (complex, float) if exactly else (np.complex64, np.float32)
         values = np.ascontiguousarray(columns.values, kind)
         # real and imaginary parts side by side: the blocks are real

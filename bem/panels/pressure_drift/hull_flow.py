@@ -2,8 +2,7 @@
 
 The disturbance is interpolated between the nodes. Near an edge, where the interpolation has only powers of r^μ, it is
 interpolated together with the uniform flow of the incident waves relative to the moving edge.
-The velocity along the normal is
-that of the body.
+The velocity along the normal is the velocity of the body.
 """
 
 from dataclasses import dataclass

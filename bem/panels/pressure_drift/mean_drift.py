@@ -66,7 +66,7 @@ def carried_flow(surfaces, flow):
 
 
 def pressure_error(run):
-    """Relative error of the pressures, a number, estimated as that of coefficients and forces
+    """Relative error of the pressures, a number, estimated like the error of coefficients and forces
 
     raises : ValueError as `pressure_drift`
     """

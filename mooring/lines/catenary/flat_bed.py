@@ -51,7 +51,7 @@ def put_suspended(row, t, sine, cosine, length, weight, flexibility):
 
 @kernel(inline=True)
 def free_length(horizontal, height, weight, flexibility):
-    """Free length that `horizontal` supports up to a height over a flat bed."""
+    """Free length of line that the tension `horizontal` supports up to a height over a flat bed."""
     stretch = 1.0 + flexibility * horizontal
     load = weight * height
     rise = 2.0 * load / (stretch + np.sqrt(stretch * stretch + 2.0 * flexibility * load))

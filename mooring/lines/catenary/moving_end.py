@@ -95,8 +95,9 @@ def logarithm(x):
 def tensions_near(kept, lines, ends, n):
     """`pull` of lines n … n + 7 that lie partly on the bed, from the tangents kept of nearby positions
 
-    kept : (KEPT, m) of `workspace`, updated of the lines that are solved here; lines : (4, m) length, weight, 1/EA,
-    friction; ends : (4, m) x and height, given, and H and V, found, nan of a line to be solved alone
+    kept : (KEPT, m) of `workspace`, updated for the lines that are solved here
+    lines : (4, m) length, weight, 1/EA, friction; ends : (4, m) x and height, given, and H and V, found, nan for a line
+    to be solved alone
     """
     k, of, at, m = address(kept), address(lines), address(ends), ends.shape[1]
     length, weight, flexibility = load_vector(of, n), load_vector(of, m + n), load_vector(of, 2 * m + n)
@@ -197,7 +198,7 @@ def pull_of_any(kept, row, x, low, high, bed, length, weight, flexibility, frict
 
 @kernel()
 def pulls(kept, rows, x, low, high, bed, lines, out):
-    """out (n, 2) of `pull_of_any` for lines (n, 4): length, weight, 1/EA, friction"""
+    """`pull_of_any` of lines (n, 4), each with length, weight, 1/EA and friction; the results fill out (n, 2)"""
     for i in range(x.size):
         length, weight, flexibility, friction = lines[i]
         out[i, 0], out[i, 1] = pull_of_any(

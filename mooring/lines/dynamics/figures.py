@@ -22,9 +22,9 @@ class End:
     """Tension at one end, N, in the window: the largest, at `time` s, the mean and the smallest; rest : tension before
     the motion
 
-    slack : s of the window in which it is below a tenth of that at rest, nan without tension at rest
-    quasi_static : largest of the line at rest in every position, nan if none has a static shape
-    over_quasi_static : the largest over it, nan where it is none
+    slack : time in the window with a tension below a tenth of the tension at rest, s, nan without tension at rest
+    quasi_static : largest tension of the line at rest in every position, N, nan if none has a static shape
+    over_quasi_static : largest tension over quasi_static, nan where that is nan
     """
 
     largest: float
@@ -129,7 +129,7 @@ def _end(time, tension, begin, end, none, static=(np.nan,)):
 
 
 def time_below(t, values, level):
-    """s in which the lines between `values` (n,) at t (n,), linear in time, are below `level`"""
+    """Time, s, in which `values` (n,) at times t (n,), joined by straight lines, are below `level`"""
     low, high = np.minimum(values[:-1], values[1:]), np.maximum(values[:-1], values[1:])
     span = np.where(high > low, high - low, 1.0)
     share = np.where(high > low, np.clip((level - low) / span, 0.0, 1.0), low < level)

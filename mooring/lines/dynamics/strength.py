@@ -24,7 +24,8 @@ class Used(NamedTuple):
 
 @dataclass(frozen=True)
 class Strength:
-    """breaking : N of each segment from the anchor up, inf if unknown; names : names of their types"""
+    """breaking : breaking load of each segment from the anchor up, N, inf if unknown; names : names of the types of the
+    segments"""
 
     breaking: tuple[float, ...]
     names: tuple[str, ...]

@@ -122,11 +122,11 @@ class CurrentProfile:
 
 @dataclass(frozen=True)
 class WaveTrain:
-    """Regular waves on top of each other; all (w,).
+    """Regular waves that add up; all fields (w,).
 
     amplitude : m; period : s; direction : rad, travelled to; phase : rad, lag at the origin
     depth : m, may be inf; ramp : s, by default the longest period
-    carried : (2,) m/s, of the current that carries the waves: periods are those in the moving water
+    carried : (2,) m/s, current that carries the waves; periods are then measured in the moving water
     """
 
     amplitude: np.ndarray

@@ -117,8 +117,9 @@ def pass_load(line, e):
 def march_span(line, e, facet, load, target, unknown, rows):
     """Integrate down a free span to s = target, or, where target is nan, until the span is parallel to a facet.
 
-    load : index of the next point load there, or of the sinker at which the slope passes that of the facet
-    unknown : index of the unknown that the target is, below 0 for none
+    load : index of the next point load there, or of the sinker at which the slope of the line passes the slope of the
+    facet
+    unknown : index of the unknown that is the target, below 0 for none
     """
     q, g, at = e.q, e.g, e.at
     to_facet = math.isnan(target)

@@ -30,7 +30,7 @@ CLOSE = 1e-7  # relative distance of starts of spans in the coarsest searches
 def horizontal_tension(line, w, x, z, guess, tolerance):
     """H without excess length at the anchor, bracketed on ln H.
 
-    Where a line slides down to a bed vertex, a lower limit of H is that with which it arrives there without tension.
+    Where a line slides down to a bed vertex, H is at least the value with which the line arrives there without tension.
     returns : H, state; w holds the traversal, or at least in w.count that vertex
     """
     bottom, start = math.log(line.least), math.log(max(guess, line.least))

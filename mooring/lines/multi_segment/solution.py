@@ -86,7 +86,7 @@ class StaticSolution:
 
     @property
     def grounded(self):
-        """Begin and end, m from the anchor, of the parts on the bed, from the anchor up; shape (k, 2)"""
+        """Begin and end of each part on the bed, m from the anchor; shape (k, 2), from the anchor up"""
         p = self._one[(self._one[:, 0] == 1) & (self._one[:, 2] > 0)]
         spans = []
         for top, length in p[:, 1:3]:

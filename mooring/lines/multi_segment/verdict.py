@@ -7,8 +7,8 @@ balance:
     R = (H₋ − H₊, V₋ − V₊ + f),   + above the place, − below it, f the weight of the point load there,
 
 is zero off the bed.  There R, the force of the bed, lies in its cone of friction. A sinker on a slope therefore pulls
-with the force that exceeds friction, and T jumps on a facet at loads alone. Over a vertex T changes no more than that
-of a rope over a bollard.
+with the force that exceeds friction, and T jumps on a facet at loads alone. Over a vertex T changes no more than the
+tension of a rope over a bollard.
 Parts without tension are exempt; `StaticSolution.slides` reports them. A buoy is under water, out of
 the water, or in the surface with a weight between the two.
 """

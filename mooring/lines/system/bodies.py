@@ -59,7 +59,7 @@ def places_along(headings):
     """Matrix whose columns are the changes of position by motions of bodies of headings (N,), rad, along their axes;
     shape (6N, 6N)
 
-    x, y of positions are along those of space; roll and pitch are already about the axes of the body.
+    x and y of positions are along the axes of space; roll and pitch are already about the axes of the body.
     """
     turn = np.eye(6 * len(headings))
     for i, heading in enumerate(headings):

@@ -248,7 +248,8 @@ class System:
     def forces_between(self, starts, ends) -> LineForces:
         """Forces of every line with fixed ends at `starts` and `ends`, (n, 3) m in space each.
 
-        Infinite beyond the reach of a line.  raises : EquilibriumError for a line without forces for other reasons
+        Infinite beyond the reach of a line.
+        raises : EquilibriumError for a line that has no forces for another reason
         """
         from ..catenary.flat_bed import exchange
 

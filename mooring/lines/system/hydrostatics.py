@@ -22,7 +22,7 @@ def heading(R):
 def add_hydrostatics(force, K, first, stiffness, sinkage, R):
     """Add force and moment of a body, and −∂/∂(shift, rotation about space axes), whose freedoms begin at `first`.
 
-    stiffness : (6, 6), of which heave, roll and pitch are used; sinkage : m, height relative to that at rest
+    stiffness : (6, 6), of which heave, roll and pitch are used; sinkage : m, height relative to the height at rest
     """
     psi, x, y, z = heading(R), R[0, 2], R[1, 2], R[2, 2]
     c, s = math.cos(psi), math.sin(psi)

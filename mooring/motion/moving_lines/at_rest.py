@@ -15,8 +15,9 @@ from .polynomial import TERMS
 def moving_work(moving, states, samples, lines, sampled, shapes=(0, 0)):
     """`MovingWork` of lines at rest in their `states`, with room for the given number of samples
 
-    lines : total number, including those in their static shape
-    sampled : (bodies, numbers of each that are kept at a sample); shapes : their number, and that of their groups
+    lines : total number of lines, including lines in their static shape
+    sampled : (number of bodies, numbers that each body keeps at a sample); shapes : (number of shapes, number of their
+    groups)
     """
     count, bodies = len(moving.number), sampled[0]
     kept = [np.stack([np.concatenate([state[i] for state in states])] * 2) for i in range(1, 5)]

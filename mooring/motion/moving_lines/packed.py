@@ -102,7 +102,7 @@ class MovingWork(NamedTuple):
 def moving_lines(lines, fairleads, tolerance, as_spring, sea=None):
     """`MovingLines` and their States at rest.
 
-    lines : {number: DynamicLine}; fairleads : (m, 3) m in space, of these with the body at rest
+    lines : {number: DynamicLine}; fairleads : (m, 3) m in space, with the body at rest
     as_spring : `MovingLines.stretch` and `spring`; sea : LineSea that grows from still water, None for still water
     raises : LineError for a line without a shape at rest
     """

@@ -84,8 +84,8 @@ def ends_of(line, system):
 def dynamic_line(line, anchor, system, elements, surface=True, towards=0.0):
     """DynamicLine of a UniformLine or a CompositeLine, with its weight in air above the water.
 
-    anchor : (3,) m; elements : elements of the whole line, at least LEAST a segment; towards : rad, of the fairlead,
-    along which a bed of its own lies
+    anchor : (3,) m; elements : number of elements of the whole line, at least LEAST for each segment
+    towards : rad, direction of the fairlead, along which the line's own bed lies
     raises : ValueError for a property missing in its types
     """
     below, rest = max(float(anchor[2]) + system.depth, 0.0), (system.density, system.gravity, surface)

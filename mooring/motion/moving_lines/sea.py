@@ -190,7 +190,7 @@ def sea_ahead(sea):
 def open_sea(sea, water, nodes, position, velocity, room, start):
     """Fill the table of `water` from `start` s on, with the nodes of all lines at position (n, 3) m.
 
-    nodes : (m + 1,) where those of each line begin; velocity : (n, 3) m/s; room : from `water_of`
+    nodes : (m + 1,) first node of each line, and the end; velocity : (n, 3) m/s; room : from `water_of`
     """
     if sea.waves.shape[1] == 0:
         return

@@ -1,8 +1,9 @@
 """All moving lines over one step of the body: along the course of their fairleads, and their forces on the body.
 
-A fairlead moves from its position in the line to that on the body, along two cubics through positions and velocities at
-begin, middle and end.  A line takes as many own steps as its tolerance requires (`lines.dynamics.lumped.esdirk`).  Its
-pull F(t) is a cubic between the ends of steps, with slopes of parabolas through three of these ends.
+A fairlead moves from its position in the line to its position on the body, along two cubics through positions and
+velocities at begin, middle and end.
+A line takes as many own steps as its tolerance requires (`lines.dynamics.lumped.esdirk`).  Its pull F(t) is a cubic
+between the ends of its steps. The slope at an end is the slope of the parabola through this end and its two neighbours.
 The force on the body is the
 polynomial of third degree
 
@@ -50,8 +51,8 @@ def piece(p, v, q, w, length, out):
 def advance_lines(moving, work, whole, t, h):
     """Advance all lines that are `whole` over a step of the body of h s from t s, as a trial.
 
-    work.course, except its begin, is given; work.time, pull, slope and used are filled.
-    returns : whether all succeeded; work.stuck is the number of one that did not
+    work.course, except its begin, is given; work.time, pull, slope and used are filled. returns : whether all lines
+    succeeded; work.stuck is the number of a line that did not
     """
     rows, knots, cubics = np.zeros((ROWS, COLUMNS)), np.zeros(3), np.zeros((2, 4, 3))
     none, triples, table = np.zeros(0), np.zeros((0, 3)), np.zeros((0, 0, 3))
@@ -110,8 +111,8 @@ def put(y, x):
 
 @kernel(counted=False)
 def slopes(work, i):
-    """Fill work.slope of line i: slopes of parabolas through the ends of a step of the line, the step before and the
-    step after."""
+    """Fill work.slope of line i at the end of each step, by a parabola through the ends of a step of the line, the step
+    before and the step after."""
     time, pull, last = work.time[i], work.pull[i], work.used[i] - 1
     for j in range(last + 1):
         for k in range(3):
@@ -145,7 +146,8 @@ def between(work, i, j, t, k):
 
 @kernel()
 def project(moving, work, t, h, given):
-    """given (n, TERMS, 3) N: c_k of every moving line, by its number, of a step of h s from t s"""
+    """given (n, TERMS, 3) N: coefficients c_k of the pull of every moving line, by its number, in a step of h s from t
+    s"""
     p = np.zeros(TERMS)
     for i in range(moving.number.size):
         c = given[moving.number[i]]

@@ -19,6 +19,5 @@ def check_bending(body, free):
         if i in free and omega > FASTEST:
             raise ValueError(
                 f"{body.words[i]} has a natural frequency of {omega:.3g} rad/s, limit {FASTEST:g}: a run would "
-                "need steps far shorter than those for waves; solve fewer shapes (count), or hold it by "
-                "simulation.motions"
+                "need far shorter steps than waves need; solve fewer shapes (count), or hold it by simulation.motions"
             )

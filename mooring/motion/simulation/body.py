@@ -22,8 +22,8 @@ UNKNOWN = 0.4  # rad/s, mean frequency of waves if there are none
 def body_of(moored, weather, settings, components, drag, munk):
     """`equation.Body` of a run.
 
-    components : components of its waves, None for none; drag : N₂ of yaw of each
-    munk : whether the current has the moment that an ideal fluid has on the drifting hull, which is then not taken a
+    components : components of the waves, None for none; drag : N₂ of yaw of each body
+    munk : whether the current includes the moment of an ideal fluid on the drifting hull, which is then not added a
     second time
     raises : SimulationError
     """
@@ -66,7 +66,7 @@ def body_of(moored, weather, settings, components, drag, munk):
 
 
 def shapes_of(reader, groups, spring):
-    """`equation.Shapes` of the `Groups` of a Reader; spring : (n, n) beside water, weight and structure"""
+    """`equation.Shapes` of the `Groups` of a Reader; spring : (n, n) in addition to water, weight and structure"""
     K = reader.stiffness + spring
     K[: reader.rigid, : reader.rigid] = 0.0
     return Shapes(groups.owner, groups.place, groups.padded(K, 2))

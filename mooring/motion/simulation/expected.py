@@ -17,8 +17,8 @@ def expected_motion(moored, components):
     Each value is at least a fraction of the largest; for shapes, at least a fraction of the largest value of the
     shapes.
 
-    All are computed at the frequencies of `moored.waves`: seeds have different frequencies, for each of which the
-    database would store values.
+    All values are computed at the frequencies of `moored.waves`. Every seed has other frequencies, at which the
+    database would have to store values.
     """
     reader, waves, groups = moored.reader, moored.waves, groups_of(moored.reader)
     count = len(reader.axes_at_rest)

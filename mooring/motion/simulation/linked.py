@@ -26,7 +26,7 @@ def check_held(stiffness, body):
 
 def begin_together(links, inverse, poses, speed, shapes=None):
     """Poses and velocities (N, 6) that satisfy the links, nearest to the given poses and velocities; inverse : (n, n)
-    of the mass.
+    inverse of the mass matrix.
 
     shapes : (2, f) amplitudes of shapes and their rates, which then follow in the result; None without any
     raises : ValueError without any nearby

@@ -57,7 +57,7 @@ def frequency_of_coefficients(settings, components):
 
 
 def streams(moored, weather, seed, end):
-    """Wind and current `Stream` up to `end` s, None for no water drag, (N,) N₂ of yaw, and findings.
+    """Wind and current as `Stream`s up to `end` s (None without drag of the water), N₂ of yaw (N,), and findings.
 
     raises : SimulationError for a missing hull, or if the drag of the water is unknown
     """

@@ -16,7 +16,8 @@ def fitted_memory(body, motions=None):
 
     motions : numbers of its motions, None for all
     raises : ValueError where no tolerance is met
-    A band that contradicts itself has no near fit: tolerances that the best system tried is far from are left out.
+    A band that contradicts itself has no close fit. Tolerances that the best system tried is far from are then left
+    out.
     """
     A = body.held_added_mass(0.0)[0]
     A = A if motions is None else A[np.ix_(motions, motions)]

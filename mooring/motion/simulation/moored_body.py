@@ -101,7 +101,8 @@ def moored(
     db, system=None, hull=None, *, memory=None, spring=None, damping=None, quadratic=None, berth=None, waves=None,
     linearised_in=None, motions=None, turned=False,
 ):  # fmt: skip
-    """`Moored` of an opened database or `Reader`, a `System` of its bodies, axes at their rotation centres, and hulls
+    """`Moored` of an opened database or `Reader`, of a `System` of its bodies with axes at their rotation centres, and
+    of hulls
 
     hull : ExposedBox, of several bodies {name: ExposedBox}; the drag of the water is that of the box tests where they
     apply

@@ -152,7 +152,7 @@ class Doubt(NamedTuple):
     """Errors of the motions of a `Realisation`, from runs with smaller tolerances.
 
     error : (n,) m, rad, root mean square difference from the run with the smallest tolerance
-    bound : (n,) m, rad, bound of the true error; spread : (n,) standard deviations of the motions
+    bound : (n,) m, rad, upper bound of the true error; spread : (n,) standard deviations of the motions
     """
 
     error: np.ndarray

@@ -40,8 +40,7 @@ COARSE = 0.01  # change of a static tension by discretisation accepted without a
 class Begun(NamedTuple):
     """Initial data of a seed.
 
-    scene : `equation.Scene`; waves : `wave_loads.Waves`; expected : (N + G, 12) scale of its errors
-    (`expected_motion`)
+    scene : `equation.Scene`; waves : `wave_loads.Waves`; expected : (N + G, 12) scale of the errors (`expected_motion`)
     moving : as in `moving_of`; findings : one line each
     """
 
@@ -194,7 +193,7 @@ def _followed(moored, settings, begun, progress):
 
 
 def begin(moored, offset=(0.0,)):
-    """Displacements in space, m, and headings, rad, of bodies at rest, an offset (n,) along their axes added; shape (N,
+    """Displacements in space, m, and headings, rad, of bodies at rest plus an offset (n,) along their axes; shape (N,
     6)"""
     reader = moored.reader
     turned = reader.axes_at_rest * [0, 0, 0, 0, 0, 1]
@@ -261,6 +260,6 @@ def _of_lost(settings):
             )
         else:
             yield (
-                f"line {name} does not break, since its time is {at:g} s after the ramp and a run lasts "
+                f"line {name} does not break, since its break time is {at:g} s after the ramp and a run lasts "
                 f"{settings.duration:g} s"
             )

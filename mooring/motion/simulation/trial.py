@@ -45,9 +45,10 @@ TOO_SMALL = (
 
 
 class Choice(NamedTuple):
-    """settings : dynamic_lines as names in them; words : results of the trial; left_out : lines without own motion
+    """settings : settings with dynamic_lines as names; words : results of the trial; left_out : lines without own
+    motion
 
-    pace : s of computing per simulated s, of (static, moving) lines, nan without a trial
+    pace : s of computing per simulated s, for (static, moving) lines, nan without a trial
     """
 
     settings: object
@@ -57,7 +58,8 @@ class Choice(NamedTuple):
 
 
 class Difference(NamedTuple):
-    """Effect of the motion of lines: share, of the largest value with one of the two; words : the effect in numbers"""
+    """Effect of the motion of lines. share : difference over the larger of the two values; words : the effect in
+    numbers"""
 
     share: float
     words: str

@@ -13,7 +13,7 @@ from ...lines.system.parts import Fairlead
 
 
 class Groups(NamedTuple):
-    """owner : (G,) number of the body of each group, among the bodies that move; place : (f,) of each shape among the
+    """owner : (G,) number of each group's body, among the bodies that move; place : (f,) place of each shape among the
     6G"""
 
     owner: np.ndarray
@@ -25,7 +25,8 @@ class Groups(NamedTuple):
         return len(self.owner)
 
     def padded(self, values, axes=1):
-        """Values of motions, bodies before shapes, on the first `axes` axes, at 6N + 6G places, with 0 between"""
+        """Values of motions, bodies before shapes, on the first `axes` axes, spread over 6N + 6G places with 0 in the
+        others"""
         rigid = len(values) - len(self.place)
         at = np.append(np.arange(rigid), rigid + self.place)
         for axis in range(axes):

@@ -38,7 +38,7 @@ def harmonics(omega, step, count):
 
 @kernel(inline=True, counted=False)
 def sum_waves(rows, factor, sums):
-    """sums (k, 2, m) P and Q of k quantities, of rows (c, 2, k) p and q and factor (c, 2, m) of `harmonics`
+    """sums (k, 2, m): P and Q of k quantities, from rows (c, 2, k), p and q, and from factor (c, 2, m) of `harmonics`
 
     Blocks of rows that are zero are left out.
     """
@@ -67,7 +67,7 @@ def sum_waves(rows, factor, sums):
 
 @kernel(inline=True, counted=False)
 def at_step(sums, j, n):
-    """S of quantity j at step n, which may be before 0, of sums (k, 2, m)"""
+    """S of quantity j at step n from sums (k, 2, m); n may be before 0"""
     return sums[j, 0, n] + sums[j, 1, n] if n >= 0 else sums[j, 0, -n] - sums[j, 1, -n]
 
 

@@ -29,7 +29,8 @@ class HullWater(NamedTuple):
     """water : (n + 3, 15) N …, rows of a `ring_table`, five powers of three forces, none for none; length : m
 
     largest : rL/V; velocity : (2,) m/s of the current; linear : (3, 3) D; carried : (3,) kg, kg, kg m
-    drift : (m + 3, 3) N, N, N m over headings; lever : m, from where the water pushes up to the centre of the motion
+    drift : (m + 3, 3) N, N, N m over headings; lever : m, from the centre of pressure of the water up to the centre of
+    the motion
     at_rest : share of the coefficients in water at rest
     """
 
@@ -52,8 +53,8 @@ NO_HULL_WATER = HullWater(
 class OnHull(NamedTuple):
     """Coefficients of a hull for all directions, about the centre of its motion, instead of the coefficients of a box.
 
-    wind : (n, 6) N s²/m², N s² of unit speed over the direction that the wind blows to, None for none
-    water : HullWater; turning : whether it is from turning tests, which contain the inertia of the turn
+    wind : (n, 6) N s²/m², N s² at unit speed over the direction that the wind blows to, None for none
+    water : HullWater; turning : whether it comes from turning tests, which contain the inertia of the turn
     quadratic : N₂ of yaw, N m s²
     """
 
@@ -96,7 +97,8 @@ def hull_water_force(hull, share, moving, weights, room, out, drift):
 
     Loads are multiplied by `share`.
 
-    moving : (4,) heading, velocities along and across it and yaw rate over the ground; weights (6,), room (15,)
+    moving : (4,) heading of the body, its velocities along and across this heading, and yaw rate over the ground
+    weights (6,), room (15,)
     """
     heading, r = moving[0], moving[3]
     cos, sin = np.cos(heading), np.sin(heading)

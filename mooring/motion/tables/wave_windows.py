@@ -158,10 +158,10 @@ def meet(waves, place, pose, start, body=0):
 
 @kernel(counted=False)
 def fill_window(waves, window, number, pose, start, body=0):
-    """window (ROWS, m): forces of `Waves` at the steps of a window that begins at `start` s.
+    """Fill window (ROWS, m) with forces of `Waves` at the steps of a window that begins at `start` s.
 
-    number : number of the window; its begin has been met.  pose : (3,) slow pose of the body at its end, which is
-    met here
+    number : number of the window; its begin is already summed. pose : (3,) slow pose of the body at its end, which is
+    summed here
     """
     window[:] = 0.0
     if waves.table.omega.size == 0:

@@ -14,8 +14,9 @@ HIGH_SINKER = 0.5  # height of a sinker, over the water under the keel, above wh
 
 
 class Sinker(NamedTuple):
-    """A block on the bed: friction; width, m; unit_weight : N/m³; weight : submerged, N/m, of a given block, or None
-    lifted : whether a line's pull upwards is carried too"""
+    """A block on the bed. friction : coefficient; width : m; unit_weight : N/m³
+    weight : submerged, N/m, of a given block, or None
+    lifted : whether the block also carries a line's upward pull"""
 
     friction: float
     width: float
@@ -25,7 +26,7 @@ class Sinker(NamedTuple):
 
 
 class Pile(NamedTuple):
-    """diameter, length : m; cohesion : N/m²; safety; spacing : m, of given piles, or None"""
+    """diameter, length : m; cohesion : N/m²; safety : factor; spacing : m, between given piles, or None"""
 
     diameter: float
     length: float

@@ -86,7 +86,7 @@ class Waves(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Breakwater:
-    """A breakwater and its waves.  `rise` is that of the water above its mean level, m.
+    """A breakwater and its waves. `rise` is the height of the water above its mean level, m.
 
     body : None for a fixed one; sea : its direction is the angle to the normal; duration : s, of the sea
     holdings, theories : those compared, of `holdings.HOLDINGS` and THEORIES; loss : C of C U²/2g under the keel

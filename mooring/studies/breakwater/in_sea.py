@@ -73,7 +73,7 @@ def sea_behind(breakwater, curves, tides, held):
 
 
 def response_in_sea(breakwater, holding, theory, rise, omega, amplitude, ways):
-    """`Response` (m,) in moduli, root mean squares over the ways (d, m) rad of the sea's waves"""
+    """`Response` (m,) in moduli: root mean squares over the directions (d, m) rad of the sea's waves"""
     over = [response(breakwater, holding, theory, rise, omega, amplitude, way) for way in ways]
     return Response(*(np.sqrt(np.mean(np.abs(part) ** 2, axis=0)) for part in zip(*over, strict=True)))
 

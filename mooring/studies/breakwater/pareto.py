@@ -38,7 +38,8 @@ class Front(NamedTuple):
 def front(changed, ranges, samples=64, limits=6):
     """The `Front` of breakwaters on lines to the bed.  Raises BreakwaterError where no design holds.
 
-    changed : named values → `Breakwater`, as its `changed`; ranges : {name: (from, to)} of the values
+    changed : function of named values that returns a `Breakwater`, as its `changed`
+    ranges : {name: (from, to)} of the values
     samples : number of initial designs, a power of two; limits : tensions under which the wave behind is lowered
     """
     from scipy.stats import qmc

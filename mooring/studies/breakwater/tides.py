@@ -14,8 +14,8 @@ ENDS = ("front", "back")
 
 
 class Tide(NamedTuple):
-    """Tensions per metre at one level, N/m; change : ΔP of the pretension; front, back : greatest amplitudes over the
-    periods, at periods front_at, back_at, s"""
+    """Tensions per metre at one level, N/m; change : ΔP of the pretension
+    front, back : greatest amplitudes over the periods; front_at, back_at : periods of these amplitudes, s"""
 
     level: str
     rise: float
@@ -27,9 +27,9 @@ class Tide(NamedTuple):
 
 
 class Pretension(NamedTuple):
-    """N/m at mean level, of the worse line; given : by the study, or None; least : smallest pretension that keeps both
-    lines taut most : largest pretension within the allowable tension, or None; greatest : (front, back) tension with
-    `used`"""
+    """Pretension at mean level, N/m, for the worse line. given : by the study, or None; least : smallest that keeps
+    both lines taut
+    most : largest within the allowable tension, or None; greatest : (front, back) tension with `used`"""
 
     given: float | None
     used: float
@@ -67,7 +67,7 @@ def breaking(breakwater):
 
 
 def unbroken(breakwater, period):
-    """Those of the periods (n,) s at which a wave of the study's height does not break"""
+    """The periods among (n,) s at which a wave of the study's height does not break"""
     return period[breakwater.waves.height <= highest(breakwater, period)]
 
 

@@ -143,9 +143,9 @@ def wind_table(table):
         raise StudyError("wind: ship and coefficients are both given; give one of them")
     if table.ship not in ships():
         raise StudyError(
-            f"wind.ship is {table.ship!r}; allowed: {'; '.join(ships())} (Blendermann 1994; none of a bulk "
-            f"carrier, for which cargo vessel, loaded is the nearest); coefficients of "
-            "others, such as OCIMF, which are not public, can be given by wind.file"
+            f"wind.ship is {table.ship!r}; allowed: {'; '.join(ships())} (Blendermann 1994; he has no bulk "
+            "carrier, for which cargo vessel, loaded is the nearest); give other coefficients, such as those of "
+            "OCIMF, which are not public, by wind.file"
         )
     return partial(_of_ship, table.ship)
 

@@ -39,8 +39,8 @@ class Numbers(NamedTuple):
 
 
 def strength(breaking, largest, used):
-    """Breaking loads (n,), N, reduced where the utilisation exceeds that of the largest pull on the body (n,), N; shape
-    (n,)
+    """Breaking loads (n,), N, reduced where the utilisation exceeds the utilisation of the largest pull on the body
+    (n,), N; shape (n,)
 
     used : (n,) largest utilisation of any segment; below a buoy the tension of a line exceeds its pull on the body
     """

@@ -83,12 +83,12 @@ def mode_remarks(scene, hulls):
             points = [_in_shape(scene, mode, i, hulls[i].whole().centroids) for i in mode.moves]
             error = 100 * shape.error(np.concatenate(points))
             yield (
-                f"{mode.name}: its shape on the hull is uncertain by {error:.2g} % of its largest displacement, the "
-                f"difference of two splines"
+                f"{mode.name}: its shape on the hull is uncertain by {error:.2g} % of its largest displacement, "
+                "by which two splines differ"
             )
             if shape.dimensions < 3:
                 where = "in a plane" if shape.dimensions == 2 else "on a line"
-                yield f"{mode.name}: its points lie {where}; in the directions across, the shape is constant"
+                yield f"{mode.name}: its points lie {where}; across these directions the shape is constant"
             if shape.masses is None and scene.motions_known:
                 yield (
                     f"{mode.name}: {table.file} has no masses, so the shape is not coupled to the rigid motions by mass"

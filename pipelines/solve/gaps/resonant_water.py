@@ -31,8 +31,9 @@ REFINED = np.linspace(-0.9, 0.9, 7)  # of its steps, around the largest
 def resonant_water(scene, mesh, gaps=()):
     """Messages on the gaps and moonpools of a scene without damping lids whose resonance is among its waves.
 
-    gaps : [(names of two bodies, m between them, m of draft, m of width of both and of the gap, whether one stands on
-        the bed: then draft and width of the other)]
+    gaps : [(names of two bodies, m of water between them, draft, m, width of both bodies and the gap, m, whether one
+        stands on the bed)]
+        If one stands on the bed, draft and width are those of the other body.
     """
     if scene.damping_lids:
         return ()

@@ -146,7 +146,9 @@ def peers_of(python):
     try:
         done = subprocess.run([str(python), "-c", code], capture_output=True, text=True, check=True, timeout=60)
     except (OSError, subprocess.SubprocessError) as fault:
-        raise ValueError(f"--peer {python} does not run as a Python ({fault}); `make bench` makes one") from None
+        raise ValueError(
+            f"--peer {python} is not an interpreter of Python that runs ({fault}); `make bench` makes one"
+        ) from None
     found = dict(line.split() for line in done.stdout.splitlines())
     if not found:
         raise ValueError(f"--peer {python} has neither capytaine nor pyhams; `make bench` installs them")

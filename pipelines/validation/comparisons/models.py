@@ -96,7 +96,7 @@ def _periods(results):
 
 
 def roll_rows(results):
-    """[{column: number or text}] of each model without viscous damping and with that of each wave height
+    """[{column: number or text}] of each model without viscous damping and with the damping of each wave height
 
     of roll in beam waves where the former is largest
     """

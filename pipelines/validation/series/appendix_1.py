@@ -229,8 +229,8 @@ def ratios(found, variant, quantity, incidence):
 
 
 def sinker_ratios(found, variant, quantity, incidence):
-    """Standard deviation with the sinker over that of the chain at the same gain of the wavemaker, computed and
-    measured; shape (n, 2)"""
+    """Standard deviation with the sinker over the standard deviation with the chain, at the same gain of the wavemaker,
+    computed and measured; shape (n, 2)"""
     own = {(one["line"], one["gain"]): one for one in _of(found, variant, quantity, incidence)}
     pairs = [(own["sinker", gain], one) for (line, gain), one in own.items()
              if line == "chain" and ("sinker", gain) in own]  # fmt: skip

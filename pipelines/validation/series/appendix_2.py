@@ -12,7 +12,8 @@ is that of the
 sea's spectrum: the buoyancy of 0.2 × 0.5 m hinged 2.061 m ahead is a spring between the bow and the surface of the
 waves, and the free model pitches 1 to 2 % more than that; 8 to 10 % more than with a spring against still water.  These
 are the two limits for a contact buoy. On an intermediate buoy the measured pitch is 15 to 19 % larger. It is also
-larger than that of the free model in any sea of that spectrum, although the hawsers are too weak to lift the model.
+larger than the pitch of the free model in any sea of that spectrum, although the hawsers are too weak to lift the
+model.
 """
 
 import warnings

@@ -25,7 +25,7 @@ def series(
     /,
     *,
     output: Annotated[Path, Parameter(help="folder, made if it is not there")] = Path("series"),
-    only: Annotated[str | None, Parameter(help="cases a,b,c, or how their names begin: A, B-sinker, …")] = None,
+    only: Annotated[str | None, Parameter(help="cases a,b,c, or beginnings of their names: A, B-sinker, …")] = None,
     seeds: Annotated[int | None, Parameter(help="records of waves, over which statistics are taken [1]")] = None,
     hours: Annotated[float | None, Parameter(help="multi-point: of each run in time [3]")] = None,
     quay: Annotated[

@@ -98,7 +98,8 @@ def surge_at(point, tension):
 
 
 def drift_of(case, db):
-    """tonf over the square of the height: that of the head-on rows, by what is computed for the depth and the period"""
+    """Drift over the square of the height, tonf/m²: the value of the head-on rows, scaled by the computed drift at the
+    depth and the period"""
     f, sea = FLOATERS[case.floater], make_study(study_of(case)).waves
     omega = np.sort(db.reader.omega)
     stored = db.reader.drift(omega, [np.pi])[:, 0, 0]
@@ -173,15 +174,15 @@ def trends(found):
     for (floater, height, period, depth), rows in groups.items():
         ours, printed, away = map(_ends, np.array(rows).T)
         yield (
-            f"{floater}, H {height:g} m, {period:g} s, {depth:g} m: the significant over the static tension "
-            f"is {ours}, printed {printed}; the difference is that of {away} m of surge"
+            f"{floater}, H {height:g} m, {period:g} s, {depth:g} m: significant tension over static tension is "
+            f"{ours}, printed {printed}; {away} m of surge explain the difference"
         )
     away = np.abs([one["apart_m"] for one in found if np.isfinite(one["apart_m"])])
     if len(away) > 1:
         yield (
-            f"{len(away)} head-on cases: computed and printed significant tensions differ as much as by "
-            f"{np.median(away):.2f} m of surge (median; nine of ten cases: at most {np.quantile(away, 0.9):.2f} "
-            "m), since nearly taut lines turn a small surge into a large tension"
+            f"{len(away)} head-on cases: the difference of computed and printed significant tensions is the effect "
+            f"of {np.median(away):.2f} m of surge (median; nine of ten cases: at most "
+            f"{np.quantile(away, 0.9):.2f} m), since nearly taut lines turn a small surge into a large tension"
         )
 
 

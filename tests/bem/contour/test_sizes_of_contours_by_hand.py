@@ -206,6 +206,8 @@ def test_a_tolerance_is_of_half_a_digit_more_and_at_most_a_tenth():
 def test_bodies_are_as_near_as_a_two_hundredth_of_half_their_width():
     """0.015 m between circles of 3 m"""
     shapes = [("box", (6.0, 6.0, 2.0))] * 2
-    with pytest.raises(ValueError, match=r"body 1 is 0\.0145 m from the next; contours need at least 0\.015 m"):
+    with pytest.raises(
+        ValueError, match=r"body 1 is 0\.0145 m from the next; the contour method needs at least 0\.015 m"
+    ):
         prepare_several(shapes, [Place(0, 0, 0), Place(6.0145, 0, 0)], 10.0, 1e-2)
     assert prepare_several(shapes, [Place(0, 0, 0), Place(6.0155, 0, 0)], 10.0, 1e-2).gaps[0] == pytest.approx(0.0155)

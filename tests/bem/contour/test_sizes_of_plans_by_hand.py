@@ -150,3 +150,23 @@ def test_the_best_answer_of_too_many_equations_is_that_of_least_squares():
     assert rectangle._least_squares(matrix, right) == pytest.approx(np.linalg.lstsq(matrix, right)[0])
     with pytest.raises(np.linalg.LinAlgError, match="row 2 is not positive"):
         rectangle._least_squares(matrix * [1, 0, 1, 1], right)
+
+
+def test_pieces_near_a_point_are_for_a_third_of_the_fastest_decay_and_wave(monkeypatch):
+    """3/κ of the last of a table, 3/k of waves on the contour and inside, and none at κ = 0"""
+    asked = []
+
+    def noted(panels, x, y, own, count, smallest):
+        asked.append((count, smallest, own[0] >= 0))
+        raise InterruptedError
+
+    monkeypatch.setattr(rectangle, "layers", noted)
+    for call in (lambda: PLAN.maps((4, 4), np.array([0.5, 1.0, 4.0])), lambda: PLAN.laplace((4, 4))):
+        with pytest.raises(InterruptedError):
+            call()
+    count = PLAN.for_degree((4, 4)).count
+    assert asked == [(count, 0.75, True), (count + 3, np.inf, True)]
+    asked.clear()
+    monkeypatch.setattr(rectangle, "layers", lambda *them: asked.append((them[4], them[5], them[3][0])))
+    rectangle._wave_layout.__wrapped__(PLAN, 0.3, (4, 4))
+    assert asked == [(5, pytest.approx(10.0), -1), (5, pytest.approx(10.0), 0)]

@@ -225,7 +225,9 @@ def test_one_frequency_of_several_that_is_not_stored_needs_four_stored_ones():
         few = Between(OMEGA[:count], {"added_mass": A[:count]}, 20.0, G, np.zeros(1), np.zeros(1), OUTLINE)
         assert few.inside(OMEGA[:2]).tolist() == OMEGA[:2].tolist()
         if refused:
-            with pytest.raises(BetweenError, match=r"omega is 0\.5 rad/s and 3 frequencies are stored; .* at least 4"):
+            with pytest.raises(
+                BetweenError, match=r"omega is 0\.5 rad/s, which is not stored; .* at least 4 .*, and 3 are stored"
+            ):
                 few.inside([0.4, 0.5])
         else:
             assert few.inside([0.4, 0.5]).tolist() == [0.4, 0.5]
@@ -275,3 +277,11 @@ def test_of_a_database_of_several_bodies_those_that_move_are_read_with_their_pla
     alone = of_database(db)
     assert alone.shapes == (0, 0) and alone.outlines == () and alone.quantities["added_mass"] is db["added_mass"]
     assert (alone.depth, alone.gravity, alone.wall) == (20.0, G, None)
+
+
+def test_a_motion_of_a_ten_thousandth_of_its_kind_moves_no_water():
+    """Forces 1, 1.05e-4 and 0.95e-4 of two bodies, moments of the largest of both; shapes have their own"""
+    sizes = np.array([1.0, 1.05e-4, 0.95e-4, 2e3, 1.0, 1.0, 0.5, 1.0, 1.0, 2e4, 2.1, 1.9, 1e-9])
+    found = Between._seen(SimpleNamespace(shapes=("one",)), sizes)
+    lost = [2, 4, 5, 11]
+    assert np.isinf(found[lost]).all() and np.delete(found, lost).tolist() == np.delete(sizes, lost).tolist()

@@ -201,6 +201,9 @@ def test_rows_come_in_ascending_frequency_whatever_order_they_were_solved_in(pat
 def test_more_frequencies_leave_only_these_pending(path):
     fill(path)
     assert extend(path, omega=(0.4, 0.6, 2.0))
+    with h5py.File(path) as file:
+        assert file["solved"][()].tolist() == [1, 0, 1, 1, 0]
+        assert file["omega"].attrs["NAME"] == b"omega" and file["theta"].attrs["NAME"] == b"theta"
     assert [row.omega for row in pending(path).rows] == [0.6, 2.0]
     assert_right(path, OMEGAS, HEADINGS, NAMES)
     fill(path)

@@ -92,3 +92,12 @@ def test_what_the_room_offers_is_there_wherever_it_lives_and_nothing_else():
         assert room.__getattr__(name) is getattr(module, name)
     with pytest.raises(AttributeError, match=r"module 'hakobune\.bem\.database' has no attribute 'same_omega'"):
         room.__getattr__("same_omega")
+
+
+def test_one_body_is_one_that_is_rigid():
+    def require_rigid():
+        raise ValueError("bends")
+
+    with pytest.raises(ValueError, match="bends"):
+        Database.require_one_body(SimpleNamespace(bodies=(), require_rigid=require_rigid))
+    Database.require_one_body(SimpleNamespace(bodies=(), require_rigid=lambda: None))

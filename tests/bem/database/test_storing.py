@@ -92,3 +92,40 @@ def test_series_of_an_odd_and_of_an_even_number_of_angles_are_the_same_at_more(c
     found = at_angles(np.stack([H(count), 2 * H(count)]), more)
     assert found.shape == (2, more)
     assert found[0] == pytest.approx(H(more)) and found[1] == pytest.approx(2 * H(more))
+
+
+def test_numbers_reach_the_disk_before_their_marks_and_motions_before_what_follows_from_them(tmp_path, monkeypatch):
+    """At each flush: data without marks; marks of motions; all marks, and the frequency is solved"""
+    path, seen, names = tmp_path / "box.h5", [], NAMES[:-1]
+    create(path, header(), OMEGAS, HEADINGS, names)
+    kept = h5py.File.flush
+
+    def flush(file):
+        marks = {name: bool(np.any(file["stored"][name][1] != 0)) for name in names}
+        data = {name: bool(np.all(np.isfinite(file[name][1]))) for name in names}
+        seen.append((data, marks, bool(file["solved"][1]), bool(np.isfinite(file["checks/energy"][1]))))
+        kept(file)
+
+    with writing(path) as file, monkeypatch.context() as patched:
+        patched.setattr(h5py.File, "flush", flush)
+        append(file, OMEGAS[1], HEADINGS, result(OMEGAS[1], HEADINGS, names) | {"checks": {"energy": 1e-3}})
+    motions = {name for name in names if name in ("rao", "drift_force", "body_drift_force")}
+    assert motions and len(seen) == 3
+    for data, _, _, checked in seen:
+        assert all(data.values()) and checked
+    for (_, marks, solved, _), told in zip(seen, (set(), motions, set(names)), strict=True):
+        assert {name for name, there in marks.items() if there} == told and solved is (told == set(names))
+
+
+def test_a_limit_reaches_the_disk_before_its_mark(tmp_path, monkeypatch):
+    path, seen, kept = tmp_path / "box.h5", [], h5py.File.flush
+    create(path, header(), OMEGAS, HEADINGS, NAMES)
+
+    def flush(file):
+        seen.append((file["added_mass_infinity"][0, 0], bool(np.any(file["stored/added_mass_infinity"][()] != 0))))
+        kept(file)
+
+    with writing(path) as file, monkeypatch.context() as patched:
+        patched.setattr(h5py.File, "flush", flush)
+        storing.append_limit(file, "added_mass_infinity", np.full((6, 6), 3.0))
+    assert seen == [(3.0, False), (3.0, True)]

@@ -125,3 +125,9 @@ def test_values_are_moved_whichever_coordinates_differ_and_what_is_missing_says_
         with pytest.raises(FormatError) as refused:
             values.need(*names)
         assert str(refused.value).startswith(", ".join(names) + " is not in the database; " + way)
+
+
+def test_headings_of_other_conventions_are_reversed_mirrored_and_both():
+    assert own_solution._images(np.array([0.3, 2.0])) == pytest.approx(
+        [0.3 + np.pi, 2.0 + np.pi, -0.3, -2.0, np.pi - 0.3, np.pi - 2.0]
+    )

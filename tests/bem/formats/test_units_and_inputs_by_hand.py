@@ -7,9 +7,9 @@ import pytest
 from exact.water_waves import wavenumber
 from test_limits_of_laws import a_set
 
-from hakobune.bem.formats import orcaflex, wamit_inputs
+from hakobune.bem.formats import capytaine, nemoh, orcaflex, wamit, wamit_inputs
 from hakobune.bem.formats.orcaflex import FORCES, LENGTHS, MASSES, Units
-from hakobune.bem.formats.values import FormatError
+from hakobune.bem.formats.values import FormatError, Values
 from hakobune.bem.formats.yaml_text import YamlFault, parse
 from hakobune.bem.modes import Body
 
@@ -110,6 +110,63 @@ def test_a_body_has_its_mass_and_stiffness_about_the_reference_origin():
         assert not {"mass", "inertia_matrix", "center_of_mass"} & set(bare)
         if key == "Mass":
             assert bare["hydrostatic_stiffness"][3, 3] == pytest.approx(2.5 * 8 * 4)
+
+
+@pytest.mark.parametrize("module", [orcaflex, wamit, capytaine, nemoh])
+@pytest.mark.parametrize("name", ["added_mass", "radiation_damping", "excitation_force"])
+def test_files_are_written_of_added_mass_and_damping_and_orcaflex_has_forces_too(module, name, tmp_path):
+    shapes = {"added_mass": (2, 6, 6), "radiation_damping": (2, 6, 6), "excitation_force": (2, 1, 6)}
+    quantities = {one: np.zeros(shape) for one, shape in shapes.items() if one != name}
+    made = Values(np.array([0.5, 0.9]), np.zeros(1), 20.0, 1025.0, 9.81, quantities)
+    if name == "excitation_force" and module is not orcaflex:
+        return
+    with pytest.raises(FormatError, match=rf"^{name} is not in the database; give it by --only"):
+        module.write(made, tmp_path / "one")
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_vessel_is_written_in_tonnes_and_kilonewtons_about_the_rotation_centre(tmp_path):
+    """Inertia about the centre of mass, stiffness without weight, lags in degrees, motions in degrees per metre"""
+    rng, about, center, mass = np.random.default_rng(8), np.array([1.0, 3.0, -2.0]), np.array([2.0, 5.0, 1.0]), 7e6
+    own, r = np.diag([4e8, 5e8, 6e8]), center - about
+    inertia = np.zeros((6, 6))
+    inertia[3:, 3:] = own + mass * (r @ r * np.eye(3) - np.outer(r, r))
+    C = np.zeros((6, 6))
+    C[2:5, 2:5] = [[7e6, 1e6, 2e6], [1e6, 8e6, 3e6], [2e6, 3e6, 9e6]]
+    A, B = rng.normal(size=(2, 2, 6, 6)) * 1e6
+    X, rao = (rng.normal(size=(2, 2, 6)) + 1j * rng.normal(size=(2, 2, 6)) for _ in range(2))
+    made = Values(
+        np.array([0.5, 0.9]), np.array([0.0, np.pi / 2]), np.inf, 1025.0, 9.81,
+        {"added_mass": A, "radiation_damping": B, "excitation_force": 1e5 * X, "rao": rao, "added_mass_infinity": A[0]},
+        {"mass": mass, "inertia_matrix": inertia, "displaced_volume": 6800.0, "center_of_mass": center,
+         "center_of_buoyancy": np.array([1.0, 2.0, -3.0]), "hydrostatic_stiffness": C}, about, name="one",
+    )  # fmt: skip
+    (path,) = orcaflex.write(made, tmp_path / "one.yml")
+    model = parse(path.read_text())
+    draught = model["VesselTypes"][0]["Draughts"][0]
+    assert model["Environment"] == {"Density": 1.025, "WaterDepth": 1e5} and draught["Mass"] == 7e3
+    assert np.array(draught[orcaflex.INERTIA_COLUMNS]) == pytest.approx(own / 1e3)
+    assert draught["CentreOfMass"] == center.tolist() and draught["CentreOfBuoyancy"] == [1.0, 2.0, -3.0]
+    assert draught["DisplacedVolume"] == 6800.0
+    weight = mass * 9.81 * 3.0  # G is 3 m above the reference
+    assert np.array(draught[orcaflex.STIFFNESS_COLUMNS]) == pytest.approx(
+        (C[2:5, 2:5] + np.diag([0.0, weight, weight])) / 1e3
+    )
+    for key in ("ReferenceOrigin", "ReferenceOriginDatumPosition"):
+        assert draught[key] == about.tolist()
+    turns = np.array([1.0] * 3 + [180 / np.pi] * 3)
+    for group, whole in (("LoadRAOs", 1e2 * X), ("DisplacementRAOs", rao * turns)):
+        assert draught[group]["RAOOrigin"] == about.tolist() and draught[group]["PhaseOrigin"] == [0, 0, 0]
+        assert [one["RAODirection"] for one in draught[group]["RAOs"]] == pytest.approx([0.0, 90.0])
+        for m, one in enumerate(draught[group]["RAOs"]):
+            table = np.array(one[orcaflex.RAO_COLUMNS], float)
+            assert table[:, 0].tolist() == [0.5, 0.9]
+            assert table[:, 1::2] * np.exp(1j * np.radians(table[:, 2::2])) == pytest.approx(whole[:, m])
+    rows = draught["FrequencyDependentAddedMassAndDamping"]
+    assert [row["AMDPeriodOrFrequency"] for row in rows] == ["Infinity", 0.5, 0.9]
+    for row, mass_of, drain in zip(rows, (A[0], *A), (0 * B[0], *B), strict=True):
+        assert np.array(row[orcaflex.MASS_COLUMNS]) == pytest.approx((mass_of + mass_of.T) / 2e3)
+        assert np.array(row[orcaflex.DAMPING_COLUMNS]) == pytest.approx((drain + drain.T) / 2e3)
 
 
 @pytest.mark.parametrize("said, lag", [

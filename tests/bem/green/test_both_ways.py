@@ -19,9 +19,10 @@ def test_derivatives_by_both_depths_are_differences_in_each_zone_of_a_table(dept
         depths, back = forms.depth_variables(z, zeta), forms.depth_variables(zeta, z)
         wave, slope = forms.wave_factors(*depths, table.C, table.k, q)
         _, slope_back = forms.wave_factors(*back, table.C, table.k, q)
-        return forms.standing_part_at(
-            forms.table_position(R, depths, view), R, depths, wave, slope, slope_back, view
-        ), forms.wave_part(R, depths, wave, slope, view)[:3]
+        place = forms.table_position(R, depths, view)
+        return forms.standing_part_at(place, R, depths, wave, slope, slope_back, view), forms.wave_part_at(
+            place, R, depths, wave, slope, view
+        )[:3]
 
     zones = set()
     for R, z, zeta in (
@@ -47,7 +48,10 @@ def test_a_pair_by_a_table_is_the_function_without_its_images(depth):
     table = tables.wave_table(0.9, depth, G, 80.0, 18.0, 1e-6)
     for R, z, zeta in ((9.0, -6.0, -1.0), (9.0, -1.0, -6.0), (25.0, -15.0, -0.5), (45.0, -3.0, -17.0)):
         images = sum(1 / math.hypot(R, height) for height in (z - zeta, z + zeta, z + zeta + 2 * depth))
-        found, known = forms.pair(R, z, zeta, table), forms.green(R, zeta, z, 0.9, depth, G)
+        depths, view = forms.depth_variables(z, zeta), forms.table_view(table)
+        factors = forms.wave_factors(*depths, table.C, table.k, math.exp(-table.k * table.double_depth))
+        found = forms.wave_part_at(forms.table_position(R, depths, view), R, depths, *factors, view)
+        known = forms.green(R, zeta, z, 0.9, depth, G)
         assert found[0] == pytest.approx(known[0].real - images, abs=3e-7)
         heights = zeta - z, z + zeta, z + zeta + 2 * depth
         along = sum(-R / math.hypot(R, height) ** 3 for height in heights)

@@ -6,7 +6,7 @@ from published.green_reference import by_frequency, by_table, errors, reference,
 from scipy import special
 
 from hakobune.bem.green.deep_water import bessel, universal
-from hakobune.bem.green.finite_depth import BLOCK, decay, green, green_function, pair
+from hakobune.bem.green.finite_depth import BLOCK, decay, green, green_function, table_pairs
 from hakobune.bem.green.piecewise_polynomials import evaluate_piece, fit_pieces, sample_points
 from hakobune.bem.green.tables import limit_table, wave_table
 from hakobune.bem.kernels.jit import kernel
@@ -23,6 +23,12 @@ def scattered_points(n=60, draft=10.0, reach=90.0, seed=1):
     R = reach * rng.random(n) ** 2 + 0.5
     angle = 2 * np.pi * rng.random(n)
     return np.stack([R * np.cos(angle), R * np.sin(angle), -draft * rng.random(n)], axis=-1)
+
+
+def without_images(R, z, zeta, table, depth):
+    """Real part of G through a table less 1/r and the images in surface and bed; R, z, zeta : m, numbers"""
+    found = table_pairs(table, *(np.array([one]) for one in (R, z, zeta)))[0, 0].real
+    return found - sum(1 / np.hypot(R, height) for height in (z - zeta, z + zeta, z + zeta + 2 * depth))
 
 
 def with_gravity_one(R, z, zeta, omega, depth):
@@ -93,7 +99,8 @@ def test_impossible_water_is_refused(omega, depth):
 
 def test_nothing_is_made_up_beyond_the_reach_of_a_table():
     table = wave_table(0.5, 100.0, G, 40.0, 10.0)
-    assert np.isfinite(pair(40.0, -1.0, -2.0, table)[0]) and np.isnan(pair(80.0, -1.0, -2.0, table)[0])
+    near, far = table_pairs(table, np.array([40.0, 80.0]), np.full(2, -1.0), np.full(2, -2.0))[0]
+    assert np.isfinite(near) and np.isnan(far)
 
 
 def test_a_table_holds_at_any_distance_if_its_reach_does():
@@ -102,7 +109,7 @@ def test_a_table_holds_at_any_distance_if_its_reach_does():
     for R in (100.0, 1000.0, 9000.0):
         value = green(R, z, zeta, omega, depth)[0].real
         images = sum(1 / np.hypot(R, height) for height in (z - zeta, z + zeta, z + zeta + 2 * depth))
-        assert pair(R, z, zeta, table)[0] == pytest.approx(value - images, rel=1e-7, abs=1e-10)
+        assert without_images(R, z, zeta, table, depth) == pytest.approx(value - images, rel=1e-7, abs=1e-10)
 
 
 @kernel()
@@ -242,7 +249,7 @@ def test_direct_quadrature_of_the_principal_value_agrees():
     numerator = (mu + K) * e(mu * (z + zeta)) * (1 + e(-2 * mu * (z + depth))) * (1 + e(-2 * mu * (zeta + depth)))
     integrand = numerator / ((mu - K) - (mu + K) * e(-2 * mu * depth)) * special.j0(mu * R)
     table = wave_table(omega, depth, G, 50.0, 10.0)
-    g = pair(R, z, zeta, table)[0] + 1 / np.hypot(R, z + zeta)
+    g = without_images(R, z, zeta, table, depth) + 1 / np.hypot(R, z + zeta)
     assert g == pytest.approx(w @ integrand, abs=2e-6)  # of 1/r = 0.1
 
 
@@ -250,7 +257,7 @@ def test_direct_quadrature_of_the_principal_value_agrees():
 def test_limits_are_sums_of_images(which, sign):
     depth, R, z, zeta = 12.0, 7.0, -3.0, -5.0
     table = limit_table(which, depth, 40.0, 10.0)
-    ours = pair(R, z, zeta, table)[0]
+    ours = without_images(R, z, zeta, table, depth)
     n = np.arange(1, 20001)
     total = 0.0
     for height, parity in ((z - zeta, 1), (-(z + zeta), sign)):
@@ -262,7 +269,7 @@ def test_limits_are_sums_of_images(which, sign):
     if which == "infinity":
         assert ours == pytest.approx(total, abs=1e-5)
     else:  # up to the constant: compare the change with R
-        other = pair(2 * R, z, zeta, table)[0]
+        other = without_images(2 * R, z, zeta, table, depth)
         again = 0.0
         for height in (z - zeta, -(z + zeta)):
             again += np.sum(
@@ -272,3 +279,10 @@ def test_limits_are_sums_of_images(which, sign):
             )
         again -= 1 / np.hypot(2 * R, z + zeta + 2 * depth)
         assert ours - other == pytest.approx(total - again, abs=1e-5)
+
+
+def test_a_source_elsewhere_has_the_same_flow_about_it():
+    points, away = scattered_points(12), np.array([13.0, -21.0, 0.0])
+    here, there = (green_function(points + move, SOURCE + move, 0.6, 12.0) for move in (0.0 * away, away))
+    for one, other in zip(here, there, strict=True):
+        assert other == pytest.approx(one, rel=1e-9)

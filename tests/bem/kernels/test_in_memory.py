@@ -96,3 +96,22 @@ def test_what_is_not_there_is_a_zero_and_tuples_of_numbers_lie_side_by_side():
         assert words[place + 1 : place + 8].tolist() == [0, 0, 1, 8, row.values.ctypes.data, 1, 8]
     with pytest.raises(TypeError, match="kernels cannot read a str; allowed: arrays, numbers, tuples of them"):
         laid_out(Inner("one", rows[0].values))
+
+
+def test_a_field_of_several_words_is_read_word_by_word_after_those_before_it():
+    """{number, two integers, {number, number}}: five words, read from the third on, each marked as never changing"""
+    from llvmlite import ir
+
+    from hakobune.bem.kernels.addresses import _read, _words
+
+    i64, number = ir.IntType(64), ir.DoubleType()
+    kind = ir.LiteralStructType([number, ir.ArrayType(i64, 2), ir.LiteralStructType([number, number])])
+    assert [_words(one) for one in (number, i64.as_pointer(), ir.ArrayType(i64, 3), kind)] == [1, 1, 3, 5]
+    module = ir.Module()
+    made = ir.Function(module, ir.FunctionType(kind, [ir.IntType(8).as_pointer()]), "read")
+    builder = ir.IRBuilder(made.append_basic_block())
+    whole, after = _read(builder, kind, made.args[0], 2)
+    builder.ret(whole)
+    text = str(module)
+    assert after == 7 and text.count("!invariant.load") == 5
+    assert [f"i64 {8 * word}\n" in text for word in range(9)] == [False] * 2 + [True] * 5 + [False] * 2

@@ -341,3 +341,7 @@ def test_kernels_are_kept_in_the_cache_of_the_user_unless_a_folder_is_named(monk
     for name, value in (given | {"HOME": str(tmp_path / "home")}).items():
         monkeypatch.setenv(name, value)
     assert jit._base() == tmp_path / folder
+
+
+def test_the_sources_of_kernels_are_looked_for_beside_all_packages_of_the_house():
+    assert jit.ROOT == ROOT and (jit.ROOT / "meshing" / "__init__.py").is_file()

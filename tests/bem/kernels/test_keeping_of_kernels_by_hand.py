@@ -153,12 +153,15 @@ def test_a_long_kernel_is_called_by_its_symbol_and_a_file_that_is_there_stays(
         file.write_bytes(b"before")
     if worthless:
         made.worthless.add(file)
-    monkeypatch.setattr(kept, "_instructions", lambda result: instructions)
     monkeypatch.setattr(made, "_called_by", lambda *them: called.append(them))
     monkeypatch.setattr(kept, "dumps", pickle.dumps)
     signature = [SimpleNamespace(name="float64*" if inner else "float64")]
+    blocks = [SimpleNamespace(instructions=range(n)) for n in (60, instructions - 60)]
     result = SimpleNamespace(signature=SimpleNamespace(return_type="float64"), _reduce=lambda: "reduced",
-                             target_context=SimpleNamespace(enable_nrt=True))  # fmt: skip
+                             target_context=SimpleNamespace(enable_nrt=True),
+                             fndesc=SimpleNamespace(llvm_func_name="symbol"),
+                             library=SimpleNamespace(get_function={"symbol": SimpleNamespace(blocks=blocks)}.get),
+                             )  # fmt: skip
     made._save(file, signature, result)
     assert called == [(signature, result, apart)]
     assert file.read_bytes() == (pickle.dumps((apart, "reduced")) if written else b"before")

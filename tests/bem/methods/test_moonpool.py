@@ -120,6 +120,7 @@ def test_the_largest_rise_is_found_in_few_frequencies():
 
     omega, size = moonpool._largest(rise, 1.05)
     assert omega == pytest.approx(1.21, rel=2e-3) and size == pytest.approx(40, rel=0.01) and len(asked) <= 6
+    assert asked[:3] == pytest.approx([1.05 * 0.8, 1.05 * 0.95, 1.05 * 1.05])
     assert moonpool._largest(rise, 3.0) is None
 
 

@@ -29,6 +29,7 @@ def solved(request):
 
 def test_every_quantity_alone_is_what_it_is_among_the_others(solved):
     body, names, whole = solved
+    assert whole["wall_time"]["solve"] > 0
     for name in sorted(names):
         alone = solve_frequency(body, 0.6, HEADINGS, {name}, theta=None)[name]
         assert np.abs(alone).max() > 0

@@ -49,6 +49,8 @@ def assert_equal(found, other):
         assert np.array_equal(np.isnan(found[name]), np.isnan(other[name]))
         assert np.nanmax(np.abs(found[name] - other[name])) < CLOSE * scale, name
     assert found["checks"]["residual"] < 1e-12
+    stages = {"incident", "rankine", "table", "assemble", "solve", "far field"}
+    assert found["wall_time"].keys() >= stages and min(found["wall_time"].values()) > 0
 
 
 @pytest.mark.parametrize("symmetry", ["xy", "x", "y", ""])

@@ -80,6 +80,10 @@ def drift_difference(one, other, width):
 def test_low_rank_waves_give_what_full_matrices_give(name, omega):
     prepared = body(name)
     low_rank, full = both(prepared, omega)
+    stages = {"incident", "reduction", "table", "assemble", "solve"}
+    if prepared.problem.wall is None:
+        stages |= {"potentials", "far field"}
+    assert low_rank["wall_time"].keys() == stages
     # potentials are as good as the basis; forces of short waves are differences of larger ones.  The accuracy is a
     # twentieth of the error that the panels leave, or less: ten times that is still within it
     limit = 10 * prepared.band_equations[0].accuracy

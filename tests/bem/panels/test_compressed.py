@@ -49,6 +49,8 @@ def test_compressed_equations_give_what_full_ones_give_within_what_is_said(name)
     changes = found.radiation - full.radiation, found.excitation - full.excitation
     for change, bound in zip(changes, found.compression_errors, strict=True):
         assert np.all(np.abs(change) <= bound)
+    for run, more in ((found, set()), (full, {"rankine", "table", "assemble"})):
+        assert run.wall_time.keys() - {"far field"} == {"incident", "solve", *more}
 
 
 @pytest.mark.parametrize("name", [name for name in BODIES if name != "wall"])

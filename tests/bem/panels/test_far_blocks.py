@@ -135,3 +135,32 @@ def test_a_row_of_the_size_of_the_tolerance_is_nothing(monkeypatch, factor, sing
         assert U.shape[1] == rank
         if rank:
             assert np.allclose(U @ V, factor, rtol=1e-9) and np.allclose(U @ V_S, single, rtol=1e-9)
+
+
+def test_a_node_of_several_sources_has_the_sum_of_what_they_send(monkeypatch):
+    """Thirty sources of 1/r at twenty nodes, the lid's times K in the double layer"""
+    far = plain("bem.panels.compressed.far_blocks")
+    sources = POINTS[TARGETS:] + APART
+    first = np.cumsum([0, *([1, 2] * 10)])
+    hull = np.arange(20) % 3 > 0
+
+    water = SimpleNamespace(table=SimpleNamespace(K=0.7))
+    given, depths = SimpleNamespace(first=first, points=sources, hull=hull), np.ones(TARGETS)
+
+    def line(i, next_point, q, next_source, count, sx, sy, nodes, *rest):
+        assert rest[0] is depths and rest[1:4] == (given, water, "view of the table") and (sx, sy) == (1.0, 1.0)
+        assert rest[4].shape == (len(rest[5]), 3) and rest[5].shape[1] == 5
+        for e in range(count):
+            r = np.linalg.norm(nodes[i + e * next_point] - sources[q + e * next_source])
+            rest[5][e, :2] = 1 / r, 1 / r**3
+
+    monkeypatch.setattr(far, "_line", line)
+    monkeypatch.setattr(far, "table_view", lambda table: "view of the table")
+    blocks = np.array([[0, TARGETS, 0, 20, 1, 1], [4, 20, 3, 17, 1, 1]])
+    made = far.low_rank_blocks(blocks, POINTS[:TARGETS], depths, given, water, 1e-6, 1e-6)
+    r = np.linalg.norm(POINTS[:TARGETS, None] - sources, axis=2)
+    single, double = (np.add.reduceat(part, first[:-1], axis=1) for part in (1 / r, 1 / r**3))
+    double = np.where(hull, double, 0.7 * single)
+    for (low, high, start, end, _, _), (U, V, V_S) in zip(blocks, made, strict=True):
+        assert np.sqrt(np.mean(np.abs(U @ V - double[low:high, start:end]) ** 2)) < 1e-6
+        assert np.sqrt(np.mean(np.abs(U @ V_S - single[low:high, start:end]) ** 2)) < 1e-6

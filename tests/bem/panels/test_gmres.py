@@ -6,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
+from hakobune.bem.panels.compressed import iteration
 from hakobune.bem.panels.compressed.iteration import _cycle, gmres
 from hakobune.bem.panels.one_frequency import PanelRun
 
@@ -79,17 +80,26 @@ def test_the_space_is_orthogonal_to_single_precision_where_its_vectors_are_nearl
 
     equations = SimpleNamespace(apply=lambda c, exactly=False: matrix @ c.values)
     sides = rng.normal(size=(SIZE, 1)) + 1j * rng.normal(size=(SIZE, 1))
-    _cycle(equations, kept, Columns(np.zeros((SIZE, 1)), 1), sides, np.zeros(1))
+    _cycle(equations, kept, Columns(np.zeros((SIZE, 1)), 1), sides, np.full(1, 1e-4))
     basis = np.array(seen[:-1])
     assert len(basis) > 1
     assert np.abs(basis.conj() @ basis.T - np.eye(len(basis))).max() < 2e-6
 
 
+@pytest.mark.parametrize("tolerance, fall", [(0.9, 0.1), (0.02, 0.01), (1e-10, 1e-4)])
+def test_a_cycle_falls_to_half_the_tolerance_as_far_as_single_precision_goes(equations, monkeypatch, tolerance, fall):
+    """Of the largest entry, over the scale of each column: a tenth at most, and a ten-thousandth at least"""
+    seen = []
+    monkeypatch.setattr(iteration, "_cycle", lambda *given: seen.append(given[-1]) or (np.zeros((SIZE, SIDES)), 1))
+    gmres(equations, lambda values, signs: values, Columns(np.zeros((SIZE, SIDES)), 1), tolerance, 40)
+    assert seen[0] == pytest.approx(np.full(SIDES, fall))
+
+
 @pytest.mark.parametrize("apart, count", [(1.9e-4, 1), (2.1e-4, 2)])
-def test_a_cycle_ends_where_a_ten_thousandth_is_left(apart, count):
+def test_a_cycle_ends_where_as_little_is_left_as_asked(apart, count):
     """Of eigenvalues 1 and 1 + δ and a side with half of each, one iteration leaves δ/2"""
     matrix = np.diag([1.0, 1.0 + apart])
     equations = SimpleNamespace(apply=lambda c, exactly=False: matrix @ c.values)
     sides = np.ones((2, 1), complex)
-    found = _cycle(equations, lambda values, signs: values, Columns(np.zeros((2, 1)), 1), sides, np.zeros(1))
+    found = _cycle(equations, lambda values, signs: values, Columns(np.zeros((2, 1)), 1), sides, np.full(1, 1e-4))
     assert found[1] == count

@@ -251,3 +251,50 @@ def test_an_integral_over_panels_is_met_by_lines_between_their_nodes():
     for n, r in enumerate((0.4, 1.7)):
         exact = np.polynomial.Polynomial([0, 0, r, 0, 1.0]).integ()(3.0) / np.pi
         assert missed[0, n] == pytest.approx(matrix[0, n] @ nodes[0] ** 2 - exact, rel=1e-9)
+
+
+def test_a_kernel_that_is_infinite_at_the_edge_is_integrated_on_the_panel_beside_it():
+    """∫ρ^(−1/3) dρ over 3 m, with nodes that gather at the edge and at no other side of a panel"""
+    from hakobune.bem.panels.pressure_drift.edge_flow import _interpolated_integral, at_nodes
+
+    lengths, at = np.array([[1.0, 2.0]]), np.ones((1, 1, 1, 1))
+    one, nodes = (lambda rho: np.ones_like(rho)), at_nodes(lengths)[:, :, None, None]
+    matrix, _ = _interpolated_integral(lambda r, rho: rho ** (-1 / 3), at, one, nodes, lengths)
+    assert matrix[0, 0].sum() == pytest.approx(1.5 * 3 ** (2 / 3) / np.pi, rel=1e-12)
+    matrix, _ = _interpolated_integral(lambda r, rho: rho**12, at, one, nodes, lengths)
+    assert matrix[0, 0].sum() == pytest.approx(3.0**13 / 13 / np.pi, rel=1e-12)
+    # on the second panel 16 nodes are exact up to degree 31, less 1 of the line; with nodes cubed up to 9
+    matrix, _ = _interpolated_integral(lambda r, rho: np.where(rho > 1, (rho - 1) ** 30, 0.0), at, one, nodes, lengths)
+    assert matrix[0, 0].sum() == pytest.approx(2.0**31 / 31 / np.pi, rel=1e-12)
+
+
+@pytest.mark.parametrize("mu, gap", [(2 / 3, np.inf), (0.8, np.inf), (2 / 3, 0.7)])
+def test_errors_at_the_nodes_of_both_faces_solve_what_their_lines_miss(mu, gap):
+    """e = M e + (M φ − ∫K φ), M of lines between two nodes of each panel; panels of 1 and 2 m, and 0.8 and 1 m below"""
+    from scipy.integrate import quad
+
+    faces = np.array([1.0, 2.0]), np.array([0.8, 1.0])
+    flow = EdgeFlow(np.array(mu), np.array(gap))
+    place = (1 - 1 / np.sqrt(3)) / 2
+    starts = [np.cumsum(face) - face for face in faces]
+    nodes = [np.ravel([(s + place * L, s + (1 - place) * L) for s, L in zip(start, face, strict=True)])
+             for start, face in zip(starts, faces, strict=True)]  # fmt: skip
+    phi = flow.above, flow.below
+    kernels = {(0, 1): flow.onto_above, (1, 0): flow.onto_below, (1, 1): flow.bed}
+    M, exact = np.zeros((8, 8)), np.zeros(8)
+    for (to, of), kernel in kernels.items():
+        for i, r in enumerate(nodes[to]):
+            for panel, (s, L) in enumerate(zip(starts[of], faces[of], strict=True)):
+                one, two = nodes[of][2 * panel : 2 * panel + 2]
+                given = {"epsabs": 1e-11, "limit": 200}
+                K = lambda rho, r=r, kernel=kernel: float(kernel(r, rho)) / np.pi  # noqa: E731
+                for n, (own, other) in enumerate(((one, two), (two, one))):
+                    line = quad(lambda x, a=own, b=other, K=K: K(x) * (x - b) / (a - b), s, s + L, **given)[0]
+                    M[4 * to + i, 4 * of + 2 * panel + n] += line
+                exact[4 * to + i] += quad(lambda x, of=of, K=K: K(x) * float(phi[of](np.array(x))), s, s + L, **given)[
+                    0
+                ]
+    missed = M @ np.concatenate([p(x) for p, x in zip(phi, nodes, strict=True)]) - exact
+    error = np.linalg.solve(np.eye(8) - M, missed)[:4] / nodes[0] ** mu
+    found = nodal_errors(faces[0][None], faces[1][None], np.array([mu]), np.array([gap]))[0]
+    assert np.abs(error).max() > 1e-3 and found == pytest.approx(error, rel=1e-4, abs=1e-7)

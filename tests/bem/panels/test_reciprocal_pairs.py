@@ -119,3 +119,39 @@ def test_a_pair_of_nodes_has_both_normal_derivatives_of_one_evaluation(monkeypat
                     wanted = np.array([there * g, back * g, there * flux, back * flux_back])
                 assert found[row, column : column + 4] == pytest.approx(wanted)
     assert seen == len(asked) > 10
+
+
+def test_pairs_of_nodes_are_located_for_each_image_and_seen_from_both(monkeypatch):
+    """R, ∂R/∂n at either end, the place in the table, and whether the other panel is far enough for its nodes"""
+    pairs = plain("bem.panels.reciprocal_pairs")
+    rng = np.random.default_rng(9)
+    nodes, normals, centers = rng.normal(size=(12, 3)), rng.normal(size=(3, 3)), rng.normal(size=(3, 3))
+    nodes[:, 2], centers[:, 2] = -np.arange(0.1, 1.3, 0.1), [-0.2, -0.6, -1.1]
+    images, squares = np.array([[1.0, 1.0], [-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]]), np.array([3.0, 6.0, 5.0])
+    asked = []
+
+    def table_position(R, depths, view):
+        asked.append((R, depths, view))
+        return tuple(100 * len(asked) + n for n in range(6))
+
+    monkeypatch.setattr(pairs, "table_position", table_position)
+    monkeypatch.setattr(pairs, "depth_variables", lambda z, zeta: (z, zeta))
+    for a, b in ((0, 2), (1, 1)):
+        asked.clear()
+        pieces, values = np.full((64, 3), -1), np.full((64, 8), np.nan)
+        pairs._locate(a, b, nodes, normals, centers, squares, images, "view", pieces, values)
+        for e in range(64):
+            i, j, mirror = nodes[4 * a + e // 16], nodes[4 * b + e // 4 % 4], [*images[e % 4], 1.0]
+            there = (j * mirror - i)[:2]
+            R = np.hypot(*there)
+            assert asked[e] == (pytest.approx(R), (i[2], j[2]), "view")
+            assert pieces[e].tolist() == [100 * (e + 1) + n for n in range(3)]
+            assert values[e, 3:6].tolist() == [100 * (e + 1) + n for n in range(3, 6)] and values[e, 0] == asked[e][0]
+            assert values[e, 1] == pytest.approx((normals[b] * mirror)[:2] @ there / R if R else 0.0)
+            assert values[e, 2] == pytest.approx(-normals[a, :2] @ there / R if R else 0.0)
+            # the image in the surface of the other panel's middle
+            apart = np.array([*(i - centers[b] * mirror)[:2], i[2] + centers[b, 2]])
+            back = np.array([*(j - centers[a] * mirror)[:2], j[2] + centers[a, 2]])
+            assert values[e, 6] == (apart @ apart >= squares[b])
+            assert values[e, 7] == (a != b and back @ back >= squares[a])
+        assert 0 < values[:, 6].sum() < 64 and (a == b or 0 < values[:, 7].sum() < 64)

@@ -226,3 +226,102 @@ def test_each_part_of_a_band_is_decomposed_to_its_accuracy(few, share, monkeypat
     tested, _, of_X, of_Y, V, N, sizes = found.error_test
     assert (tested, N.tolist()) == ("points", [[[3]], [[7]]]) and of_X is X and of_Y is Y
     assert V is found.velocities and sizes == pytest.approx(root[:hull])
+
+
+def test_blocks_are_of_every_second_frequency_and_tell_how_many_rows_they_stand_for(monkeypatch):
+    """Waves of k (ω² = gk tanh kh) by a table as wide as the hull; 3 of 11 sources of two points are 6/11 of a row"""
+    from hakobune.bem.kernels.progress import progress_callback
+
+    made, asked, told = Snapshots(geometry(), (0.4, 1.9), G), [], []
+    made.geometry.reach, made.geometry.draft = 44.0, 8.0
+    monkeypatch.setattr(low_rank_waves, "wave_table", lambda *them: asked.append(them) or SimpleNamespace(K="K"))
+    monkeypatch.setattr(low_rank_waves, "depth_values", lambda *them: them)
+    monkeypatch.setattr(low_rank_waves, "wave_blocks", lambda g, points, sources, table, Z: ((points, sources), Z))
+    with progress_callback(lambda *them: told.append(them)):
+        found = list(made.blocks([1, 2], [3, 4, 5], 1, 2))
+    k = made.wavenumbers[1::2]
+    assert len(k) > 1 and told == [("waves", pytest.approx(6 / 11))] * len(k)
+    assert [omega for omega, *_ in asked] == pytest.approx(np.sqrt(G * k * np.tanh(k * DEPTH)))
+    assert {tuple(rest) for _, *rest in asked} == {(DEPTH, G, 44.0, 8.0)}
+    assert found == [("K", ([1, 2], [3, 4, 5]), (one, DEPTH)) for one in k]
+
+
+@pytest.mark.parametrize("rows", [2, 3, 256])
+def test_rankine_equations_are_put_together_row_by_row_and_told(rows, monkeypatch):
+    """2π − D on the hull, D on the lid, S V beside S of the lid, of each class; blocks end anywhere"""
+    from hakobune.bem.kernels.progress import progress_callback
+    from hakobune.bem.panels.band import equations
+
+    monkeypatch.setattr(equations, "ROWS", rows)
+    S, D = RNG.normal(size=(2, 2, HULL + LID, HULL + LID))
+    g = geometry()
+    g.elements.nodes[:, 0] = np.arange(HULL + LID)
+
+    def rankine_rows(at):
+        own = at[:, 0].astype(int)
+        return S[:, own], D[:, own], None, None
+
+    g.rankine_rows, told = rankine_rows, []
+    V = RNG.normal(size=(2, HULL, 2))
+    with progress_callback(lambda *them: told.append(them)):
+        matrices, on_lid, sides = equations._rankine_equations(g, V)
+    assert {stage for stage, _ in told} == {"matrices"}
+    assert [count for _, count in told] == [min(rows, HULL + LID - start) for start in range(0, HULL + LID, rows)]
+    for c in range(2):
+        assert matrices[c] == pytest.approx(2 * np.pi * np.eye(HULL) - D[c, :HULL, :HULL])
+        assert on_lid[c] == pytest.approx(D[c, HULL:, :HULL])
+        assert sides[c] == pytest.approx(np.hstack([S[c, :, :HULL] @ V[c], S[c, :, HULL:]]))
+    assert len(matrices) == len(on_lid) == len(sides) == 2
+
+
+@pytest.mark.parametrize("lid", [LID, 0])
+def test_unit_columns_of_a_class_are_solved_with_or_without_the_lid(lid):
+    """(2π − D₀) φ = [X, S₀V, S₀ of the lid], φ at samples and sources, ∬ V φ over all images, D₀φ + … on the lid"""
+    from scipy.linalg import lu_factor
+
+    from hakobune.bem.panels.band.equations import BandEquations
+
+    r, v, q, on_hull = 3, 2, 4, np.array([1, 5])
+    X, Y, V = RNG.normal(size=(HULL + lid, r)), RNG.normal(size=(q, HULL + lid)), RNG.normal(size=(2, HULL, v))
+    samples = SimpleNamespace(on_hull=on_hull, hull=len(on_hull))
+    low_rank = SimpleNamespace(X=X, Y=Y, velocities=V, error_test=SimpleNamespace(samples=samples))
+    u, g = r + v + lid, geometry(copies=2)
+    empty = (np.full((2, rows, u), np.nan) for rows in (HULL, len(on_hull), v, q, lid))
+    made = BandEquations(g, 1e-3, low_rank, *empty, None, None, None)
+    A, on_lid = RNG.normal(size=(HULL, HULL)) + 6 * np.eye(HULL), RNG.normal(size=(LID, HULL))
+    sides = RNG.normal(size=(HULL + LID, v + LID))
+    made.solve_class(1, lu_factor(A.T), on_lid, sides)
+    known = np.hstack([X, sides[: HULL + lid, : v + lid]])
+    phi = np.linalg.solve(A, known[:HULL])
+    assert made.unit_potentials[1] == pytest.approx(phi)
+    assert made.potentials_at_samples[1] == pytest.approx(phi[on_hull])
+    areas = 2 * g.elements.weights[:HULL]
+    assert made.integrals[1] == pytest.approx(np.einsum("nv,n,nu->vu", V[1], areas, phi))
+    assert made.at_sources[1] == pytest.approx(Y[:, :HULL] @ phi)
+    assert made.on_lid[1] == pytest.approx(on_lid[:lid] @ phi + known[HULL:])
+    assert np.isnan(made.unit_potentials[0]).all()
+    with pytest.raises(FloatingPointError, match=r"hull \(symmetry class 0\) have no finite solution"):
+        made.solve_class(0, lu_factor(A.T), on_lid, sides * np.nan)
+
+
+def test_both_parts_of_a_band_are_solved_with_the_factors_of_each_class(monkeypatch):
+    """Without and with the lid: S₀V of its own velocities, then S₀ of the lid"""
+    from hakobune.bem.panels.band import equations
+
+    solved, V = [], {"open": RNG.normal(size=(2, HULL, 2)), "lid": RNG.normal(size=(2, HULL, 3))}
+
+    def empty(g, accuracy, low_rank):
+        return SimpleNamespace(low_rank=low_rank, solve_class=lambda *them: solved.append((g, *them)))
+
+    monkeypatch.setattr(equations, "split_by_lid", lambda *them: [("open", "low"), ("lid", "high")])
+    monkeypatch.setattr(equations, "low_rank_waves", lambda g, *_: SimpleNamespace(velocities=V[g]))
+    monkeypatch.setattr(equations.BandEquations, "empty", empty)
+    sides = [np.arange(8) + 10.0 * c + np.zeros((2, 1)) for c in range(2)]  # 2 + 3 velocities and 3 nodes of the lid
+    monkeypatch.setattr(equations, "_rankine_equations", lambda g, v: (["A", "B"], ["on lid A", "on lid B"], sides))
+    monkeypatch.setattr(equations, "_factored", lambda matrix: f"factors of {matrix}")
+    assert len(equations.band_equations("lid", (0.2, 1.1), G, 1e-3)) == 2
+    wanted = [(name, c, f"factors of {A}", f"on lid {A}") for c, A in enumerate("AB") for name in ("open", "lid")]
+    assert [one[:4] for one in solved] == wanted
+    for (name, c, *_), side in zip(wanted, (one[4] for one in solved), strict=True):
+        own = [0, 1, 5, 6, 7] if name == "open" else [2, 3, 4, 5, 6, 7]
+        assert side[0].tolist() == [10.0 * c + n for n in own]

@@ -313,3 +313,43 @@ def test_a_strip_is_even_where_no_weight_is_a_hundred_millionth_of_its_largest(s
     weights[1, 1, 2] = 3.0
     none = np.zeros(0)
     assert surface_near.Strips(none, weights, none, none, none, none, none, none).even == even
+
+
+@pytest.mark.parametrize("degrees, images, whole", [
+    ([0, 90, 180, 270, 360], 1, True), ([0, 90, 180], 2, True), ([0, 90], 4, True),
+    ([0, 90, 60, 180, 270, 360], 1, False),  # a side that runs back
+    ([0, 90, 180], 1, False), ([0, 90, 180, 270, 360], 2, False), ([0, 90, 180, 269.9], 1, False),
+])  # fmt: skip
+def test_a_waterline_runs_once_around_the_middle_and_never_back(degrees, images, whole, monkeypatch):
+    turn = np.radians(degrees)
+    corners = 5.0 * np.stack([np.cos(turn), np.sin(turn)], axis=1)
+    sides = np.stack([corners[:-1], corners[1:]], axis=1)
+    monkeypatch.setattr(surface_near, "_sides", lambda mesh: (np.arange(len(sides)), sides))
+    monkeypatch.setattr(surface_near, "_known", lambda panels, sides, line: (panels, panels))
+    monkeypatch.setattr(surface_near, "_strips", lambda *them: SimpleNamespace(even=True))
+    mesh = SimpleNamespace(reflections=lambda: range(images))
+    circle = surface_near.Circle(np.zeros(2), 8.0, np.full(2, 5.0))
+    if whole:
+        assert len(strips_about(mesh, None, circle, 0.1)) == 1
+        return
+    with pytest.raises(ValueError, match="one closed curve, with each point visible from its middle"):
+        strips_about(mesh, None, circle, 0.1)
+
+
+@pytest.mark.parametrize("folds, tried", [({}, 1), ({3}, 2), ({5}, 2), ({3, 5}, 2)])
+def test_strips_of_every_number_of_points_are_even_before_they_are_taken(folds, tried, monkeypatch):
+    """Sides of 1 m and of 9 m have 3 and 5 points; one kind that folds is enough to lean less"""
+    corners = np.array([[4.5, 0.5], [-4.5, 0.5], [-4.5, -0.5], [4.5, -0.5], [4.5, 0.5]])
+    sides, seen = np.stack([corners[:-1], corners[1:]], axis=1), []
+
+    def strips(sides, known, circle, count, outwards, spread):
+        seen.append((count, spread))
+        return SimpleNamespace(even=spread < 0.3 or count not in folds)
+
+    monkeypatch.setattr(surface_near, "_sides", lambda mesh: (np.arange(4), sides))
+    monkeypatch.setattr(surface_near, "_known", lambda panels, sides, line: (panels, panels))
+    monkeypatch.setattr(surface_near, "_strips", strips)
+    found = strips_about(SimpleNamespace(reflections=lambda: [0]), None,
+                         surface_near.Circle(np.zeros(2), 9.0, np.array([4.5, 0.5])), 0.1)  # fmt: skip
+    assert {count for count, _ in seen} == {3, 5} and len(found) == 2
+    assert [spread for _, spread in seen] == [spread for spread in (0.3, 0.15)[:tried] for _ in range(2)]

@@ -77,7 +77,7 @@ def test_panels_shrink_four_times_each_towards_corners_and_span_a_sixth_of_a_cir
 
 @pytest.mark.parametrize("turn, tolerance, levels, exponent", [
     (np.pi / 2, 1e-5, 5, 2 / 3), (-np.pi / 2, 1e-5, 3, 2.0), (np.pi / 2, 1e-3, 3, 2 / 3), (0.9e-3, 1e-5, 0, 1.0),
-    (-0.9e-3, 1e-5, 0, 1.0), (np.pi / 2, 0.19, 1, 2 / 3),
+    (-0.9e-3, 1e-5, 0, 1.0), (np.pi / 2, 0.19, 1, 2 / 3), (1.05e-3, 1e-5, 4, 1 / (1 + 1.05e-3 / np.pi)),
 ])  # fmt: skip
 def test_a_corner_has_as_many_panels_as_its_flow_needs(turn, tolerance, levels, exponent):
     """φ ~ d^(π/β): ln(0.2/tolerance) over (1 + π/β) ln 4, β of the water on the right, of a half plane none"""
@@ -114,6 +114,14 @@ def test_sections_side_by_side_are_one_chain_with_the_water_between_them():
         side_by_side._chain([(square, -4.0), (square, 0.0), (square, 1.9)])
 
 
+@pytest.mark.parametrize("depth", [6.0, 12.0])
+def test_what_pushes_the_water_under_the_keel_is_pushed_by_it(depth):
+    """Green's identity of g, ±1 on both halves of a gap of height s, and the flow of a motion: ∮ φ_g n dl = −2s U"""
+    flow = keel_loss.keel_flow(10.0, 4.0, depth, 0.7, tolerance=1e-4)
+    assert flow.force == pytest.approx(-2 * (depth - 4.0) * flow.moved, rel=1e-9)
+    assert flow.moved[1] == 0 and abs(flow.moved[2]) > 0.5 * abs(flow.moved[0])
+
+
 def test_a_resistance_under_the_keel_leaves_no_reciprocity():
     """Haskind's relation does not hold with losses: nothing is told of it; the rest is there"""
     flow = keel_loss.keel_flow(10.0, 4.0, 6.0, 0.7, tolerance=1e-4)
@@ -124,6 +132,27 @@ def test_a_resistance_under_the_keel_leaves_no_reciprocity():
     for name in ("added_mass", "damping", "excitation", "radiated", "radiated_back", "reflection", "transmission"):
         assert getattr(free, name) == pytest.approx(getattr(flow.section, name), rel=1e-9, abs=1e-9)
     assert free.drift == pytest.approx(flow.section.drift, rel=1e-4)
+
+
+@pytest.mark.parametrize("omega", [0.9, 1.7, 2.4])
+def test_in_deep_water_too_it_is_the_power_of_two_below_four_radians_of_the_wave(monkeypatch, omega):
+    heard = []
+
+    def contour(beam, draft, longest, tolerance):
+        heard.append((beam, draft, longest, tolerance))
+        raise Asked
+
+    monkeypatch.setattr(deep_water, "contour", contour)
+    with pytest.raises(Asked):
+        deep_water.DeepFlow(8.0, 3.0, omega, 9.81, 1e-3)
+    beam, draft, longest, tolerance = heard[0]
+    assert (beam, draft, tolerance) == (8.0, 3.0, 1e-3)
+    assert longest == 2.0 ** np.floor(np.log2(4 * 9.81 / omega**2))
+
+
+def test_a_gap_under_any_section_that_is_too_thin_is_refused():
+    with pytest.raises(ValueError, match=r"the gap under the keel .* is 8e-05 m; allowed: 9e-05 m or more"):
+        any_section.section_flow(rectangle(10.0, 6.0).wetted(3.0), 3.00008, 0.7, 9.81, 1e-3)
 
 
 @pytest.mark.parametrize("beam, draft, longest, bottom, side", [
@@ -141,6 +170,21 @@ def test_panels_in_deep_water_are_as_long_as_twice_what_is_beside_them_at_most(b
     assert found.y[found.side] == pytest.approx(np.full(found.side.sum(), beam / 2))
     assert found.z[~found.side] == pytest.approx(np.full((~found.side).sum(), -draft))
     assert np.all(np.diff(found.y[~found.side]) > 0) and np.all(np.diff(found.z[found.side]) > 0)
+
+
+@pytest.mark.parametrize("tolerance, levels", [(1e-6, 5), (9e-7, 6), (1e-2, 3), (1e-4, 4)])
+def test_panels_at_the_edge_in_deep_water_shrink_as_its_flow_needs_and_half_as_often_at_the_surface(tolerance, levels):
+    """A quarter each, ⌈−0.4 log₄ tolerance⌉ + 1 of them"""
+    found = deep_water.contour(8.0, 6.0, 99.0, tolerance)
+    lengths, on_side = found.weights.reshape(-1, 10).sum(axis=1), found.side.reshape(-1, 10).any(axis=1)
+    quarters = 4.0 ** -np.arange(levels, -1, -1)
+    assert lengths[~on_side] == pytest.approx(4.0 * np.diff(np.append(0.0, quarters))[::-1])
+    few = 4.0 ** -np.arange(levels // 2, -1, -1)
+    wanted = np.concatenate([3.0 * np.diff(np.append(0.0, quarters)), 3.0 * np.diff(np.append(0.0, few))[::-1]])
+    assert lengths[on_side] == pytest.approx(wanted)
+    nodes = np.polynomial.legendre.leggauss(10)[0]
+    first = 4.0 * (1 - 0.25) * (1 + nodes) / 2
+    assert found.y[:10] == pytest.approx(first)
 
 
 @pytest.mark.parametrize("beam, omega", [(4.0, 1.0), (30.0, 1.0), (30.0, 2.0)])

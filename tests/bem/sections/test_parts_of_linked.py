@@ -45,6 +45,8 @@ def test_what_rows_leave_free_is_at_right_angles_to_them():
     rows = np.array([[1.0, 0, 0, -1], [2.0, 0, 0, -2], [0, 1, 1, 0]])
     free = linked._null_space(rows)
     assert free.shape == (4, 2) and rows @ free == pytest.approx(0.0, abs=1e-12)
+    for much in (1e-12, 1e12):  # whatever the unit
+        assert linked._null_space(much * rows).shape == (4, 2)
     assert free.T @ free == pytest.approx(np.eye(2)) and linked._null_space(np.zeros((0, 3))).shape == (3, 3)
     assert linked._scale(np.diag([4.0, -9.0])) == pytest.approx(np.array([[4.0, 6.0], [6.0, 9.0]]))
 

@@ -78,3 +78,15 @@ def test_a_closed_curve_is_seen_under_the_whole_circle_from_inside_and_under_non
     circle = panels_of([Edge(-2 + 0j, 2 + 0j, 1.0), Edge(2 + 0j, -2 + 0j, 1.0)])
     double = layers(circle, np.array([0.3 + 0.4j, 1.9 + 0.1j, 2.2 + 0.3j]))[1].sum(axis=1)
     assert double == pytest.approx([-2 * np.pi, -2 * np.pi, 0.0], abs=1e-7)  # 2.6^(−20) is 5e-9
+
+
+def test_beyond_an_ellipse_of_half_axes_of_2_6_half_lengths_in_all_the_rule_of_gauss_is_used():
+    """Both rules agree to 1e-8 there; within it, the polynomial's is another number"""
+    panel, weights = panels_of([Edge(-1 + 0j, 1 + 0j)]), np.polynomial.legendre.leggauss(NODES)[1]
+    for total, same in ((2.55, False), (2.65, True), (2.8, True)):
+        p = 1j * (total - 1 / total) / 2
+        single, double = layers(panel, np.array([p]))
+        gauss = weights * np.log(np.abs(T - p)), -weights * np.imag(1 / (T - p))
+        for found, known in zip((single[0], double[0]), gauss, strict=True):
+            assert bool(np.abs(found - known).max() < 1e-14) is same
+            assert found.sum() == pytest.approx(known.sum(), abs=2e-8)

@@ -22,7 +22,9 @@ def test_the_twenty_tables_come_in_the_order_of_the_report():
 
 
 def test_rows_run_over_frequency_first_then_beam_then_depth():
-    rows = tables((5.0, 6.0), (1.4, np.inf), (0.5, 1.0), tolerance=1e-3)
+    told = []
+    rows = tables((5.0, 6.0), (1.4, np.inf), (0.5, 1.0), tolerance=1e-3, progress=lambda: told.append(1))
+    assert len(told) == len(rows) == 8
     order = [(row["H_over_d"], row["B_over_d"], row["xi_B"]) for row in rows]
     assert order == [(H, B, x) for H in (1.4, np.inf) for B in (5.0, 6.0) for x in (0.5, 1.0)]
     text = [line for line in csv_text(rows, 1e-3).splitlines() if not line.startswith("#")]

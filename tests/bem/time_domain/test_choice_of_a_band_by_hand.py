@@ -114,7 +114,7 @@ def test_shorter_bands_are_tried_until_one_agrees_or_the_best_is_taken(monkeypat
 
     monkeypatch.setattr(module, "_goal", made([0.2, 0.0299, 0.0]))
     with pytest.warns(UserWarning, match=r"above 1\.7 rad/s contradict those at lower frequencies by 0\.27 of the "
-                                         r"largest, recommended: 0\.03; the memory uses the lower"):  # fmt: skip
+                                         r"largest, recommended: 0\.03; the memory of the water uses"):  # fmt: skip
         assert module._shorter(BODY, goal(0.27), range(6)).band == pytest.approx((0.5, 1.7))
     assert tried == [(1.85, True), (1.7, True)]
     tried.clear()

@@ -147,11 +147,14 @@ def test_retardation_is_the_answer_to_a_push(memory):
 
 
 def test_bands_and_tolerances_that_cannot_do_are_refused(box, tmp_path):
-    with pytest.raises(ValueError, match=r"tolerance of the memory is 0; allowed: 1e-5 to 0.1"):
+    with pytest.raises(
+        ValueError, match=r"tolerance of the memory of the water \(retardation functions\) is 0; allowed: 1e-5 to 0.1"
+    ):
         memory_of_database(box, 0)
     few = database(tmp_path / "few.h5", {"omegas": [0.3, 0.6, 0.9]})
     with pytest.raises(
-        ValueError, match="the memory needs radiation at 8 or more frequencies, and 3 are stored; solve a band"
+        ValueError,
+        match="the memory of the water needs radiation at 8 or more frequencies, and 3 are stored; solve a band",
     ):
         memory_of_database(few)
 

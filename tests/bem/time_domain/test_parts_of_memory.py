@@ -199,7 +199,9 @@ def test_a_run_at_one_frequency_has_no_states_and_the_added_mass_of_the_highest(
 
 @pytest.mark.parametrize("tolerance", [0.99e-5, 0.101])
 def test_a_tolerance_lies_between_a_hundred_thousandth_and_a_tenth(tolerance):
-    with pytest.raises(ValueError, match=r"tolerance of the memory is .*; allowed: 1e-5 to 0.1"):
+    with pytest.raises(
+        ValueError, match=r"tolerance of the memory of the water \(retardation functions\) is .*; allowed: 1e-5 to 0.1"
+    ):
         memory_of_database(None, tolerance)
 
 
@@ -222,7 +224,7 @@ def test_a_memory_that_no_system_meets_is_told_with_its_best(monkeypatch):
     omega = np.linspace(0.1, 2.0, 40)
     wanted = RNG.normal(size=(40, 1, 1)) + 1j * RNG.normal(size=(40, 1, 1))
     with pytest.raises(
-        ValueError, match=r"the memory of b has an error of .*, and the tolerance is 1e-05; give a larger"
+        ValueError, match=r"the memory of the water in b has an error of .*, and the tolerance is 1e-05; give a larger"
     ):
         fit_now(omega, wanted, np.ones(1), (1,), 1e-5, np.zeros((40, 1)), ("a", "b"))
 
@@ -233,10 +235,13 @@ def test_the_best_of_what_was_tried_is_told(monkeypatch):
     monkeypatch.setattr(fewest_states, "fitted", lambda s, wanted, poles, weight: (None, next(offs)))
     wanted, none = np.ones((4, 1, 1), complex), np.zeros((4, 1))
     with pytest.raises(
-        ValueError, match=r"the memory of sway has an error of 0\.2 with the best system that was tried, and the"
+        ValueError,
+        match=r"the memory of the water in sway has an error of 0\.2 with the best system that was tried, and the",
     ) as one:
         fit_now(np.arange(1.0, 5), wanted, np.ones(1), (1,), 0.01, none, ("surge", "sway"))
-    assert str(one.value).startswith("the memory of sway") and str(one.value).endswith("to a smaller tolerance")
+    assert str(one.value).startswith("the memory of the water in sway") and str(one.value).endswith(
+        "to a smaller tolerance"
+    )
     assert one.value.within == pytest.approx(0.2 / 8)  # beyond eight times a tolerance no modes are moved
     offs, many = iter([0.5, 0.2, 0.3]), np.ones((4, 4, 4), complex)
     with pytest.raises(fewest_states.FitError) as one:

@@ -145,6 +145,15 @@ def test_more_frequencies_go_where_radiation_changes_by_more_than_a_seventh_of_i
     assert module._between(omega, mass) == pytest.approx([0.55])
 
 
+@pytest.mark.parametrize("lost", [{"inertia": None}, {"stiffness": None}])
+def test_drift_before_a_wall_is_of_bodies_with_inertia_and_stiffness(opened, lost):
+    beta = np.radians([0.0, 90.0])
+    (whole,) = module._at(opened.reader, WALL, np.array([OMEGA]), beta)
+    (row,) = module._at(replace(opened.reader, **lost), WALL, np.array([OMEGA]), beta)
+    assert row["drift_force"] is None and whole["drift_force"].shape == (2, 3)
+    assert row["excitation_force"] == pytest.approx(whole["excitation_force"])
+
+
 @pytest.mark.parametrize("degrees", [35.0, 90.0, 120.0])
 def test_a_far_wall_sends_a_second_wave_whose_drift_is_that_of_both_waves(opened, degrees, monkeypatch):
     """D of the far field of two waves, β and −β with exp(2ikw sin β), each with its own motion; the moment, too"""

@@ -100,6 +100,19 @@ def test_one_unit_sends_what_it_sends_in_the_wave_at_its_middle():
     assert one.missed == missed and one.beta is beta
 
 
+@pytest.mark.parametrize("k, count", [(0.1, 24), (2.0, 8 * 28 * 2.0 / 2 / np.pi)])
+def test_waves_that_arrive_are_met_at_eight_places_in_a_wave_around_a_unit_or_at_24(monkeypatch, k, count):
+    """Of 10 x 4 m"""
+    from hakobune.bem.wave_field import units
+
+    theta, plan = np.arange(32) * np.pi / 16, rectangle(np.array([5.0, 2.0]))
+    asked, kept = [], units.contour
+    monkeypatch.setattr(units, "contour", lambda plan, count: asked.append(count) or kept(plan, count))
+    own = np.exp(-1j * k * np.outer([1.0], np.cos(theta)))
+    field(plan, k, theta, own, theta, np.tile(own, (32, 1)), np.zeros(1), np.array([[0.0, 0.0], [40.0, 0.0]]))
+    assert asked == pytest.approx([count])
+
+
 def test_waves_around_a_body_have_none_in_its_plan_unless_it_lies_below():
     sources = SimpleNamespace(covers=Made().covers, elevation=lambda s, places: 10.0 * places[:, 0])
     places = np.array([[3.2, 0.0], [8.0, 2.0]])

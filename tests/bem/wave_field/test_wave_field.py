@@ -277,3 +277,12 @@ def test_the_waves_of_a_moving_body_are_those_it_scatters_and_those_of_each_moti
     assert far_field(reader, None, omega, beta) == pytest.approx(still)
     both = far_field(reader, reader.motions(None, None)[0], omega, np.array([beta]))
     assert both == pytest.approx(found[None])
+
+
+def test_a_hull_that_reaches_the_surface_along_a_line_alone_has_no_waterline():
+    """A roof under water whose ridge lies in the surface: its plan is that of its eaves"""
+    points = np.array([[x, y, -3.0 * (y != 0)] for x in (-10.0, 0.0, 10.0) for y in (-4.0, 0.0, 4.0)])
+    roof = PanelMesh(points, np.array([[i, i + 3, i + 4, i + 1] for i in (0, 1, 3, 4)]))
+    plan, pierces = plan_of(roof)
+    assert not pierces and np.abs(plan).max(axis=0) == pytest.approx([10, 4])
+    assert np.sort(plan, axis=0)[:, 0] == pytest.approx([-10, -10, 10, 10])

@@ -170,7 +170,7 @@ def test_the_field_is_compared_by_quartiles_and_by_what_a_centimetre_allows():
         (lambda v: energy.berthing_energy(SHIP, 0.1, 1.5, 0.5, 1, v), 1.0, 1.01, "coefficient of configuration"),
         (lambda v: energy.berthing_energy(SHIP, 0.1, v, 0.5), 1.0, 0.99, "virtual mass is 0.99; allowed: at least 1"),
         (lambda v: energy.berthing_energy(SHIP, v, 1.5, 0.5), 0.01, math.inf, "speed of the berthing is inf"),
-        (lambda v: Speeds(0.1, 1.0).speed_of(v), 1.01, 1.0, "once in 1 contacts; allowed: above 1"),
+        (lambda v: Speeds(0.1, 1.0).speed_of(v), 1.01, 1.0, "once in 1 contacts is requested; allowed: above 1"),
         (lambda v: speeds_of_moments(v, 0.1), 0.1, 0.0, "mean of the speeds is 0"),
         (lambda v: speeds_of_moments(1.0, v), 0.0128, 0.0126, "deviation of the speeds over their mean is 0.0126"),
         (lambda v: speeds_of_moments(1.0, v), 15.8, 16.0, "deviation of the speeds over their mean is 16"),

@@ -134,7 +134,7 @@ def test_an_end_of_orcaflex_on_a_vessel_has_the_vessel_and_its_heading():
 @pytest.mark.parametrize("changes, says", [
     ({"ConnectionX": ["~", 4.0]}, "end A of line L has no X, Y, Z"),
     ({"Connection": ["Fixed"]}, "line L has 1 connections; allowed: two"),
-    ({"Connection": ["tug", "ship"]}, "end A of line L is on tug; allowed: Fixed, Anchored, or one of Vessels"),
+    ({"Connection": ["tug", "ship"]}, "end A of line L is connected to tug; allowed: Fixed, Anchored, or one of "),
 ])  # fmt: skip
 def test_an_end_of_orcaflex_without_a_place_is_told(changes, says):
     with pytest.raises(FormatError, match=says):

@@ -266,7 +266,10 @@ def test_a_trial_compares_the_line_that_changes_most_with_the_largest_pull():
 def test_a_trial_compares_slow_motions_that_are_not_small(monkeypatch):
     """σ of surge 2 and 1 m; sway of a twentieth does not count; yaw counts with the arm to the fairleads, 50 m"""
     monkeypatch.setattr("hakobune.mooring.motion.simulation.trial._arm", lambda moored: 50.0)
-    swing, body = np.array([5.0, 1.0, -1.0, 1.0, -1.0])[:, None], SimpleNamespace(reader=SimpleNamespace(words=WORDS))
+    swing, body = (
+        np.array([5.0, 1.0, -1.0, 1.0, -1.0])[:, None],
+        SimpleNamespace(reader=SimpleNamespace(words=WORDS, rigid=6)),
+    )
     time = np.array([-1.0, 0.0, 1.0, 2.0, 3.0])
     one, other = (
         SimpleNamespace(time=time, slow=swing * np.array(s)) for s in ([2.0, 0.05, 0.01], [1.0, 0.001, 0.012])
@@ -455,7 +458,7 @@ def test_what_lines_feel_and_what_breaks_is_told():
     assert _current_at_lines(current) == pytest.approx([math.sqrt(3), 1.0]) and _current_at_lines(Weather()) is None
     broken, whole = _of_lost(still)
     assert broken.startswith("line a breaks 99 s after the ramp") and whole.startswith(
-        "line b does not break, since its time is 100 s"
+        "line b does not break, since its break time is 100 s"
     )
 
 

@@ -276,7 +276,9 @@ def test_a_line_that_would_break_after_the_end_is_said_not_to(on_chains):
     name = on_chains.system.line_names[0]
     run = simulate(on_chains, Weather(), replace(CALM, duration=20.0, lines_lost=((name, 30.0),)))
     assert run.tension[-1, 0] > 0
-    assert f"line {name} does not break, since its time is 30 s after the ramp and a run lasts 20 s" in run.findings
+    assert (
+        f"line {name} does not break, since its break time is 30 s after the ramp and a run lasts 20 s" in run.findings
+    )
 
 
 def test_constant_coefficients_without_waves_are_refused(on_springs):

@@ -383,7 +383,7 @@ def test_the_most_probable_sea_by_hand():
     b, lam, w = 2.75 * 0.6**4, 2.5, 0.8
     wanted = 0.25 * b**lam / math.gamma(lam) * 4.0 * w ** -(4 * lam + 1) * math.exp(-b / w**4)
     assert float(one.density(w)) == pytest.approx(wanted, rel=1e-12)
-    with pytest.raises(ValueError, match="moment 4 is infinite at shape 1"):
+    with pytest.raises(ValueError, match="the moment of order 4 is infinite at the shape parameter 1"):
         OneSystem(2.0, 0.6, 1.0).moment(4)
 
 

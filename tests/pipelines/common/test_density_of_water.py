@@ -21,7 +21,5 @@ STUDIES = [
 def test_a_density_that_no_water_has_is_refused(command, scene, table, density):
     study = tomllib.loads((SCENES / scene).read_text(encoding="utf-8"))
     study[table] = study.get(table, {}) | {"density": density}
-    with pytest.raises(
-        ValueError, match=rf"{table}\.density is {density:g}; allowed: 900 to 1300 kg/m³, that of water"
-    ):
+    with pytest.raises(ValueError, match=rf"{table}\.density is {density:g}; allowed: 900 to 1300 kg/m³, as for water"):
         getattr(hakobune, command)(study)

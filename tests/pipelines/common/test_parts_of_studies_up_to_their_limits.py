@@ -191,7 +191,7 @@ def test_cases_of_validation_are_named_by_how_they_begin():
     assert (
         chosen(cases, None) == [1, 2, 3] and chosen(cases, "box") == [1, 2] and chosen(cases, "box-30m, ship") == [2, 3]
     )
-    refused("--only names 'bo'; allowed: box-20m, box-30m, ship, or how names begin", chosen, cases, "bo")
+    refused("--only names 'bo'; allowed: box-20m, box-30m, ship, or beginnings of names", chosen, cases, "bo")
 
 
 ROPE = {"elongation_percent": [0.0, 10.0, 30.0], "tension_kN": [0.0, 100.0, 800.0]}
@@ -224,7 +224,9 @@ def test_a_spread_is_of_lines_that_hang():
 
     def legs(kind):
         raw = {"water": {"depth": 20.0}, "types": TYPES, "spreads": [{"type": kind, **spread}]}
-        return make_study(raw)._legs({"": SimpleNamespace(length=60.0, beam=12.0)}, 1025.0, 9.80665, False)
+        return make_study(raw)._legs(
+            {"": SimpleNamespace(length=60.0, beam=12.0, is_round=False)}, 1025.0, 9.80665, False
+        )
 
     assert len(legs("chain")) == 8
     refused("spreads[0].type nylon is a hawser; give it as [[lines]] with a bollard", legs, "nylon")

@@ -171,7 +171,7 @@ def fender(x, y):
 ])  # fmt: skip
 def test_a_rope_through_the_hull_to_its_other_side_is_told(fairlead, bollard, told):
     said = list(quay_tables.doubtful_holds([], [rope(fairlead, bollard)], HULL, False))
-    assert len(said) == told and all("to a bollard on its other side: R; limit none" in line for line in said)
+    assert len(said) == told and all("to a bollard on its other side: R; allowed: none" in line for line in said)
 
 
 @pytest.mark.parametrize(("fenders", "ropes", "held", "told"), [

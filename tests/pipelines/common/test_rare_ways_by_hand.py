@@ -672,7 +672,7 @@ def test_how_well_a_shape_is_known_is_told_in_per_cent(dimensions, masses, known
     first, *said = modes.mode_remarks(SimpleNamespace(motions_known=known), [hull, hull])
     assert (
         first
-        == "m: its shape on the hull is uncertain by 1.2 % of its largest displacement, the difference of two splines"
+        == "m: its shape on the hull is uncertain by 1.2 % of its largest displacement, by which two splines differ"
     )
     assert len(said) == len(told) and all(words in line for words, line in zip(told, said, strict=True))
 

@@ -100,7 +100,7 @@ def test_a_ship_by_name_has_blendermanns_coefficients_on_its_silhouette():
     ("text", "said"),
     [
         (f'[wind]\nship = "ocimf"\n{BLOWN}', "wind.ship is 'ocimf'; allowed: car carrier; .*OCIMF, which are "
-        "not public, can be given by wind.file"),
+        "not public, by wind.file"),
         (f'[wind]\nfile = "a.csv"\n{BLOWN}', "wind.file is given in a study that was not read from a file"),
         (f"[wind]\ncenter_z = nan\n{BLOWN}", "wind.center_z is nan"),
         ("superstructure_side = -1.0\n", "hull.superstructure_side is -1"),

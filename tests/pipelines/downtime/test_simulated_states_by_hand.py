@@ -239,7 +239,7 @@ def test_hours_of_states_have_errors_of_ninety_per_cent_and_states_that_failed_a
     assert list(said.findings[:2]) == ["of ice", "uncertain"] and len(said.findings) == 7
     assert said.findings[2].endswith("hour 2001-01-01T00:00:00: reason 0")
     assert said.notes[0].startswith(
-        "simulated: 2 states of 30 min with 3 seeds each, with the waves of each hour and al"
+        "simulated: 2 states of 30 min with 3 seeds each; a state has the waves of its hour, and al"
     )
     assert len(said.notes) == 1
     moored.moored(of_simulation(), "folder", "db", None, "local", print)
@@ -299,8 +299,8 @@ def test_states_take_limits_of_what_their_body_gives(monkeypatch):
 
 
 @pytest.mark.parametrize("systems, columns, told", [
-    (1, {}, ["with the waves of"]), (2, {}, ["with the waves of", "limiting seas are defined for one wave system"]),
-    (1, {"wind speed": 1, "wind from": 1, "current speed": 1, "current to": 1}, ["with the waves, wind, current of"]),
+    (1, {}, ["the waves of its"]), (2, {}, ["the waves of its", "limiting seas are defined for one wave system"]),
+    (1, {"wind speed": 1, "wind from": 1, "current speed": 1, "current to": 1}, ["the waves, wind, current of"]),
 ])  # fmt: skip
 def test_notes_say_what_each_state_has_of_its_hour(systems, columns, told):
     said = list(moored._notes(of_simulation(), record(columns=columns, systems=systems).hindcast, found_states()))

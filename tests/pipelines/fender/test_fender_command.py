@@ -32,7 +32,7 @@ def test_an_inclined_face_is_told_beside_the_upright_one_and_drawn(tmp_path, cap
     asked = f"fender --family cell --height 2 --angle 8 --width 2.4 --energy 900 --plot {picture}"
     assert cli.main(asked.split()) == 0
     assert (
-        "the face is inclined by 8° over 2.4 m and computed in strips; a deflection is that" in capsys.readouterr().out
+        "the face is inclined by 8° over 2.4 m and computed in strips; deflections are given" in capsys.readouterr().out
     )
     words, tilted = {"family": "cell", "height": 2.0}, {"angle_deg": 8.0, "width": 2.4}
     found, upright = hakobune.fender(words | tilted, energy=9e5), hakobune.fender(words)

@@ -136,7 +136,7 @@ def test_a_rope_that_is_half_as_long_again_parts(asked, strain, status):
     """T/EA: of a light line that stands straight up, EA ε all along"""
     words = ["line", "--weight", 1.0, "--stiffness", 100.0, "--length", 40, "--depth", repr(40 * (1 + strain))]
     _, said = asked(*words, "--span", 0, status=status)
-    told = f"FAILS: the line is {100 * strain:.3g}" in said and "limit 50 %, where any rope parts" in said
+    told = f"FAILS: the line is stretched by {100 * strain:.3g}" in said and "limit 50 %, where any rope parts" in said
     assert told is bool(status)
 
 

@@ -128,9 +128,7 @@ def test_gusts_push_with_the_wind_of_the_plane_and_bound_waves_are_told_in_shall
     assert gust[0] is gusts and gust[1].tolist() == [1, 2, 6] and house.asked["long_period"][3] is gusts
     assert "; slow drift by Newman's rule, gusts of NPD; the drag" in found.notes[0] and found.notes[1] == "bound 20"
     house.read.current = "given"
-    with pytest.raises(
-        StudyError, match=r"current is given with --moored; leave it out: the current is that of m\.toml"
-    ):
+    with pytest.raises(StudyError, match=r"current is given with --moored; leave it out: m\.toml gives the current"):
         moored.moored("m.toml", house.read, house.db, SEA, 3600.0, "points")
 
 

@@ -136,11 +136,14 @@ def test_natural_periods_of_a_berth_are_those_of_its_springs_and_are_told_beside
     assert found == pytest.approx([4 * np.pi, 2 * np.pi, 2 * np.pi / 3], rel=2e-2)
     assert found[0] == pytest.approx(4 * np.pi, rel=1e-12) and found[1] > 2 * np.pi
     near = list(findings_on_periods(SimpleNamespace(attrs={"natural_period": found, "harbour_period": [14.0, 100.0]})))
-    assert len(near) == 1 and "s, is near that of the harbour, 14 s, so they resonate; change" in near[0]
+    assert (
+        len(near) == 1 and "s, is near the natural period of the harbour, 14 s, so the two resonate; change" in near[0]
+    )
     attrs = {"natural_period": [12.0, 24.0, 50.0], "harbour_period": [10.0, 20.1, 62.0, 63.0]}  # within a fifth of it
     near = list(findings_on_periods(SimpleNamespace(attrs=attrs)))
     told = [line.split(";")[0].removeprefix("the natural period of ") for line in near]
-    assert told == [f"{motion} at the berth, {own} s, is near that of the harbour, {swings} s, so they resonate"
+    assert told == [f"{motion} at the berth, {own} s, is near the natural period of the harbour, {swings} s, "
+                    "so the two resonate"
                     for motion, own, swings in (("surge", 12, 10), ("sway", 24, 20.1), ("yaw", 50, 62))]  # fmt: skip
     assert not list(findings_on_periods(SimpleNamespace(attrs={"natural_period": [12.0]})))
 

@@ -34,7 +34,7 @@ def taken(memory, at):
 
 @kernel(inline=True, counted=False)
 def beside(e, b):
-    """e − b of a number, times the unit matrix, and a tuple of nine"""
+    """e I − b as a tuple of nine: e a number, I the unit matrix, b a tuple of nine"""
     b0, b1, b2, b3, b4, b5, b6, b7, b8 = b
     return (e - b0, -b1, -b2, -b3, e - b4, -b5, -b6, -b7, e - b8)
 

@@ -38,7 +38,7 @@ def bends(bending):
 
 @kernel(counted=False)
 def bend(bending, q, r, D, last, cq):
-    """Add the forces of bending to r, and its tangent to D and `bending`, as in `Work`."""
+    """Add the forces of bending to r, and the tangent of these forces to D and `bending`, as in `Work`."""
     if bends(bending):
         for j in range(last + 1):
             bending[NEXT, j], bending[OVERNEXT, j] = 0.0, 0.0

@@ -122,7 +122,8 @@ def pull_elements(work, elements, cq, cv):
 def half_water(known, w, slot, t, x, a, du, cv):
     """Drag and inertia (3) of the halves of eight elements at their nodes, and the tangent: xx, yy, zz, xy, xz, yz.
 
-    t : along the elements; x, du : velocity of the water past the nodes, its acceleration; a : that of the nodes
+    t : (3) unit vectors along the elements; x, du : velocity of the water past the nodes, acceleration of the water; a
+    : acceleration of the nodes
     """
     along = dot(x, t)
     x = combine(1.0, x, -along, t)

@@ -65,7 +65,7 @@ def fairlead_at(motion, t, p, v, a):
 
 @kernel(counted=False)
 def time_weights(x, weights):
-    """weights (2, SAMPLES) of the values at 0, 1, …, for the value at x of the polynomial through these values, and for
+    """weights (2, SAMPLES): factors on the values at 0, 1, …, which give the polynomial through these values at x, and
     its slope"""
     for i in range(SAMPLES):
         value, slope = SHARES[i], 0.0

@@ -1,6 +1,6 @@
 """HAMS's side of the bench, by its wheel pyhams: a job on standard input, one line of JSON on standard output.
 
-The job is that of `capytaine_job.py` with symmetry "y" or "", since HAMS takes one mirror plane only.
+The job is the same as in `capytaine_job.py`, with symmetry "y" or "", since HAMS takes one mirror plane only.
 HAMS reads and writes files and solves all frequencies in one call. A child process solves the first frequency alone,
 another solves all of them, and the difference is the time of the other frequencies.
 """

@@ -292,7 +292,7 @@ def test_rows_of_another_origin_are_not_replaced(tmp_path, capsys):
         (["--threads", "1,1"], "different whole numbers"),
         (["--only", "box-13"], "'box-13'; allowed: cylinder-15"),
         (["--quick", "--only", "box-12"], "leaves nothing to do"),
-        (["--peer", "/not/there/python"], "does not run as a Python"),
+        (["--peer", "/not/there/python"], "is not an interpreter of Python that runs"),
         (["--peer", sys.executable], "neither capytaine nor pyhams; `make bench` installs them"),
         (["--output", __file__], "is a file; allowed: a folder"),
     ],

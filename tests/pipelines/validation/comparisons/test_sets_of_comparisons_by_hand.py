@@ -403,7 +403,7 @@ def test_tables_beside_a_publication_have_units_by_the_ends_of_their_columns():
         [1, 4],
         [3],
     ]
-    with pytest.raises(Exception, match=r"--only names 'C'; allowed: A-sinker, A-buoy, AB, B, or how names begin"):
+    with pytest.raises(Exception, match=r"--only names 'C'; allowed: A-sinker, A-buoy, AB, B, or beginnings of names"):
         beside.chosen(named, "A,C")
 
 

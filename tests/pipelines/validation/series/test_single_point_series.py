@@ -42,7 +42,7 @@ def test_two_cases_are_solved_run_and_tabulated_beside_the_print(tmp_path):
     said = "".join(made.notes)
     ((title, panels, *_),) = single_point.pictures(made).values()
     assert title.startswith("Floater A; crosses: printed") and not panels[0].curves  # one depth alone
-    assert "A, H 1.5 m, 10 s, 20 m: the significant over the static tension is" in said and "m of surge" in said
+    assert "A, H 1.5 m, 10 s, 20 m: significant tension over static tension is" in said and "m of surge" in said
     assert cli.main(["single-point", str(folder / "A16.toml"), "--database", str(folder / "A_20m.h5"), "--output",
                      str(tmp_path / "a.h5")]) == 0  # fmt: skip
 
@@ -67,10 +67,10 @@ def row(name="A16", static=34.0, significant=40.0, apart=0.1):
 def test_trends_and_statements_are_ratios():
     """A16 and A17: 40/34 and 48/40 computed; 35/30 and 42/35 printed"""
     first, last = single_point.trends([row(), row("A17", 40.0, 48.0, -0.3)])
-    assert first == ("A, H 1.5 m, 10 s, 20 m: the significant over the static tension is 1.18 to 1.20, printed "
+    assert first == ("A, H 1.5 m, 10 s, 20 m: significant tension over static tension is 1.18 to 1.20, printed "
                      "1.17 to 1.20; "
-                     "the difference is that of -0.30 to 0.10 m of surge")  # fmt: skip
-    assert "tensions differ as much as by 0.20 m of surge (median; nine of ten cases: at most 0.28 m)" in last
+                     "-0.30 to 0.10 m of surge explain the difference")  # fmt: skip
+    assert "tensions is the effect of 0.20 m of surge (median; nine of ten cases: at most 0.28 m)" in last
     three = [row(name, 30.0, value) for name, value in (("A12", 54.0), ("A14", 48.0), ("A16", np.nan))]
     (said,) = single_point.statements(three)
     assert said.endswith("sharply below 15 m, at 20, 14, 12 m; computed: beyond reach, 48 t, 54 t")

@@ -156,3 +156,42 @@ def test_bessel_functions_of_next_to_nothing_are_those_of_two_to_minus_forty(x):
     least = 2.0**-40
     assert (j0, found) == pytest.approx((1.0, y0(least)), rel=1e-9)
     assert abs(j1) < 1e-11 and slope == pytest.approx(-y1(least), rel=1e-6)
+
+
+@pytest.mark.parametrize("x, error", [(32.0, 1e-11), (33.75, 1e-11), (900.0, 1e-11),
+                                      *((n * math.pi / 2 + 0.1, 2e-14) for n in (21, 22, 23, 24))])  # fmt: skip
+def test_far_from_the_origin_bessel_functions_are_hankels_series_up_to_its_ninth_term(x, error):
+    """√(2/πx) (P cos χ − Q sin χ), χ = x − νπ/2 − π/4; (4ν² − 1)(4ν² − 9) … (4ν² − (2k − 1)²)/(k! 8ᵏ), DLMF 10.17;
+    sine and cosine by twelve powers of what is beyond quarter turns"""
+    from plain import plain
+
+    deep = plain("bem.green.deep_water")
+    found, scale = deep.bessel(x, deep.universal().bessel.reshape(-1)), math.sqrt(2 / (math.pi * x))
+    for order, j, y in ((0, found[0], found[1]), (1, -found[2], -found[3])):
+        terms = [1.0]
+        for k in range(1, 9):
+            terms.append(terms[-1] * (4 * order**2 - (2 * k - 1) ** 2) / (8 * k * x))
+        P, Q = (sum((-1) ** (k // 2) * terms[k] for k in range(first, 9, 2)) for first in (0, 1))
+        c, s = (part(x - order * math.pi / 2 - math.pi / 4) for part in (math.cos, math.sin))
+        assert j == pytest.approx(scale * (P * c - Q * s), abs=error * scale)
+        assert y == pytest.approx(scale * (P * s + Q * c), abs=error * scale)
+
+
+def test_integrals_are_cut_for_the_accuracy_of_the_table_and_of_a_whole_one_four_digits_below(monkeypatch):
+    """5 − ln of the accuracy; a whole table's remainder is wanted to 1e-4 of 1/r"""
+    kinds = ("PositiveFrequency", "ZeroFrequency", "InfiniteFrequency")
+    for kind in kinds:
+        monkeypatch.setattr(tables, kind, lambda *them, kind=kind: (kind, *them))
+    monkeypatch.setattr(tables, "_table", lambda form, *them, **more: (form, more))
+    K, k, _ = tables._wave_numbers(0.8, 20.0, 9.81)
+    assert pytest.approx(0.64 / 9.81) == K and k * math.tanh(20 * k) == pytest.approx(K)
+    whole = tables.whole_table.__wrapped__(0.8, 20.0, 9.81)
+    assert whole == (
+        ("PositiveFrequency", K, k, 20.0, pytest.approx(5 - math.log(1e-4 * tables.WHOLE))),
+        {"whole": True},
+    )
+    some = getattr(tables.wave_table, "__wrapped__", tables.wave_table)(0.8, 20.0, 9.81, 30.0, 5.0, 1e-6)
+    assert some == (("PositiveFrequency", K, k, 20.0, pytest.approx(5 - math.log(1e-6))), {})
+    for which, kind in (("zero", kinds[1]), ("infinity", kinds[2])):
+        assert tables.limit_table(which, 20.0, 30.0, 5.0, 1e-4)[0] == (kind, 20.0, pytest.approx(5 - math.log(1e-4)))
+    assert tables.whole_table.__wrapped__(0.8, np.inf, 9.81)[0] is None
