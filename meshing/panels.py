@@ -16,6 +16,8 @@ AT_FOOT = 1e-6  # distance below which a point lies at the foot of a hull or on 
 NO_AREA = 1e-9  # area over the square of the longest edge, below which a panel has no area
 SAME_SIDE = 1e-9  # points closer to a plane than this share of the hull's size lie in the plane
 IN_SURFACE = 2e-7  # of the largest coordinate, two digits of float32: a cut moves points so near into the surface
+DRAWN = 2e-3  # the same at most for a file of few decimals: three of a radius of a metre
+DECIMALS = 6  # most decimals of a file whose last one is looked for
 ROUND = 12  # least number of turns about the vertical that map a mesh to itself for a body of revolution
 
 
@@ -131,26 +133,14 @@ class PanelMesh:
     @cached_property
     def is_round(self):
         """Whether a rotation by 1/12 of a circle or less about the vertical axis through the origin maps the hull to
-        itself"""
+        itself, within the decimals of its file"""
         points = self.whole().points if self.symmetry else self.points
-        radius = np.hypot(*points[:, :2].T)
-        if not len(points) or not radius.max() > 0:
+        reach = np.hypot(*points[:, :2].T).max(initial=0.0)
+        if not reach > 0:
             return False
-        near = SAME_PLACE * radius.max()
-        rim = np.unique(np.round(points[radius > radius.max() - near] / (10 * near)), axis=0)
-        levels = np.unique(rim[:, 2], return_counts=True)[1]
-        counts = [n for n in range(int(levels.max()), ROUND - 1, -1) if np.all(levels % n == 0)]
-        if not counts:
-            return False
-        from scipy.spatial import cKDTree
-
-        tree = cKDTree(points)
-        for count in counts:
-            c, s = np.cos(2 * np.pi / count), np.sin(2 * np.pi / count)
-            turned = points @ np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
-            if tree.query(turned)[0].max() <= near:
-                return True
-        return False
+        rounded = 1.5 * _step(points)  # of two radii, the corners of two squares of the step
+        nears = (SAME_PLACE * reach, *([rounded] if SAME_PLACE < rounded / reach <= DRAWN else []))
+        return any(_turns_to_itself(points, near) for near in nears)
 
     @cached_property
     def volume(self):
@@ -287,6 +277,44 @@ class PanelMesh:
             return_inverse=True,
         )
         return replace(self, points=self.points[first], corners=back.reshape(-1)[self.corners])
+
+
+def _turns_to_itself(points, near):
+    """Whether a turn of points (n, 3), m, by 1/ROUND of a circle or less about the vertical is within `near` m of them
+
+    The numbers of points on the levels of the rim give the turns that are possible.
+    """
+    radius = np.hypot(*points[:, :2].T)
+    rim = points[radius > radius.max() - near]
+    rim = rim[np.argsort(rim[:, 2])]
+    levels = [
+        _apart(np.arctan2(*level[:, 1::-1].T), 2 * near / radius.max())
+        for level in np.split(rim, np.flatnonzero(np.diff(rim[:, 2]) > near) + 1)
+    ]
+    counts = [n for n in range(max(levels), ROUND - 1, -1) if all(level % n == 0 for level in levels)]
+    if not counts:
+        return False
+    from scipy.spatial import cKDTree
+
+    tree = cKDTree(points)
+    for count in counts:
+        c, s = np.cos(2 * np.pi / count), np.sin(2 * np.pi / count)
+        turned = points @ np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
+        if tree.query(turned)[0].max() <= 2 * near:
+            return True
+    return False
+
+
+def _step(points):
+    """Last decimal of points (n, 3) of a file, m: 0.001 for three decimals; 0 beyond DECIMALS"""
+    steps = (10.0**-n for n in range(DECIMALS + 1))
+    return next((step for step in steps if np.abs(np.round(points, 9) % step - step / 2).min() > 0.499 * step), 0.0)
+
+
+def _apart(angles, near):
+    """Number of different angles, rad, of which those closer than `near` are one"""
+    angles = np.sort(angles)
+    return int(np.count_nonzero(np.diff(angles, append=angles[0] + 2 * np.pi) > near))
 
 
 def _below(points, panel, cut):

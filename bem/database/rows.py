@@ -26,7 +26,7 @@ from hakobune.meshing.whole_files import keep_room
 from .. import INTERPOLATED
 from .file import LATER, DatabaseError, Header, beside, lay_out, opened, read_header
 from .integrity import check_cells, check_rows
-from .schema import BODY, CELL_AXES, CHECKS, COORDINATES, DERIVED, ESTIMATES, LIMITS, NEEDS_MOTION, QUANTITIES
+from .schema import BESIDE, BODY, CELL_AXES, CHECKS, COORDINATES, DERIVED, ESTIMATES, LIMITS, NEEDS_MOTION, QUANTITIES
 
 if TYPE_CHECKING:
     from hakobune.meshing.panels import PanelMesh
@@ -365,15 +365,20 @@ class Database:
 
     @property
     def is_round(self) -> bool:
-        """Whether the hull is a body of revolution about the vertical through the origin, without a wall beside it"""
-        return self.wall is None and (
-            set(self.dimensions) == {"radius", "draft"} or (self.mesh is not None and self.mesh.is_round)
+        """Whether the hull is a body of revolution about the vertical through the origin, without a wall or the fixed
+        bodies of an import beside it"""
+        return (
+            self.wall is None
+            and not self.header.attributes.get(BESIDE)
+            and (set(self.dimensions) == {"radius", "draft"} or (self.mesh is not None and self.mesh.is_round))
         )
 
     @property
     def symmetry(self) -> str:
         """Planes of symmetry of hull and water, "", "x", "y" or "xy": a wall destroys the symmetry in the plane
-        parallel to it"""
+        parallel to it, fixed bodies of an import beside it destroy all"""
+        if self.header.attributes.get(BESIDE):
+            return ""
         return self.mesh.symmetry if self.wall is None else self.mesh.symmetry.replace("y", "")
 
     @property

@@ -78,6 +78,7 @@ CELL_AXES = {
     name: tuple([axis for axis in axes if axis in ("omega", "wave_direction")])
     for name, (axes, _, _) in QUANTITIES.items()
 }
+BESIDE = "bodies_beside"  # attribute of an import: number of bodies in the water beside it, which are fixed
 LIMITS = tuple([name for name, axes in CELL_AXES.items() if not axes])
 NEEDS_MOTION = ("rao", "drift_force", "body_drift_force")
 ONLY_BY_NAME = ("pressure",)  # large, and wanted for few frequencies

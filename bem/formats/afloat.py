@@ -55,6 +55,7 @@ def on_hull(values, mesh, weight=Weight()):  # noqa: B008 - a frozen value
         body["mass"] = float(weight.mass)
     still = _still(values, mesh, body)
     _check(values, still)
+    remarks += _without_stiffness(body, values, still)
     geometry = {
         "displaced_volume": still.volume,
         "wetted_area": still.wetted_area,
@@ -97,6 +98,18 @@ def _check(values, still):
         f"files dimensionless is {ratio**-0.5:.4g} times as large (--length-unit), or --mesh, --density or "
         "--gravity differ from those of the files"
     )
+
+
+def _without_stiffness(body, values, still):
+    """A message where files have no stiffness in heave, but the hull has one: it is left out of a body"""
+    C, expected = body.get("hydrostatic_stiffness"), values.density * values.gravity * still.waterplane_area
+    if C is None or C[2, 2] > 0 or not expected > UNFELT * values.density * values.gravity * still.wetted_area:
+        return []
+    del body["hydrostatic_stiffness"]
+    return [
+        f"heave stiffness in the files is {C[2, 2]:.5g} N/m, but that of the hull {expected:.5g} N/m: the files' "
+        f"stiffness is not taken"
+    ]
 
 
 def _with_weight(body, values, still, weight):

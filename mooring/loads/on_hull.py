@@ -9,7 +9,7 @@ at the centre of gravity. A uniform current has equal pressure over the draft an
 A round hull, for which the report has no tests, is a vertical cylinder: F = ½ρ C_D D d U² along the stream, without a
 moment.  In a current C_D is ROUGH, an upper bound. A smooth cylinder has 0.65, short cylinders less than long ones
 (Gonçalves et al., OMAE 2013), and columns of OC4 0.56 to 0.68 (NREL/TP-5000-60601).
-Water at rest only damps the motion, where such a large value is unsafe (API RP 2A-WSD, 22nd edition, B.5.3.1.2.8.3).
+Water at rest only damps the motion, where such a large value is unsafe.
 STILL is therefore low.  Between them C_D follows the ratio of the speed V of the current to the speed v of the hull. A
 current that carries the wake away counts as steady:
 
@@ -31,9 +31,10 @@ from .coefficients import HullCoefficients, hull_force
 from .members import C_D
 
 # C_D of a rough circular cylinder, post-critical (DNV-RP-C205, 2019, section 6.7), without relief at its ends; API RP
-# 2A-WSD, B.5.3.1.2.8.2: 1.00 to 1.10 with marine growth
+# 2A-WSD has 1.00 to 1.10 with marine growth (commentary on drag coefficients)
 ROUGH = 1.05
-STEADY = 0.4  # V/v from which C_D is that of a steady current (API RP 2A-WSD, B.5.3.1.2.8, steady current in line)
+STEADY = 0.4  # V/v above which C_D is steady, in line (API RP 2A-WSD, commentary on drag coefficients, current/wave
+# velocity ratio)
 STILL = 0.5  # the same cylinder in an oscillation below a third of its diameter, KC < 2: 0.47 × 1.05 (same section)
 
 
@@ -59,8 +60,13 @@ class StreamOnHull:
     def share(self, speed, own):
         """Share of the coefficients in a stream of `speed` for speeds `own` of the hull, both m/s; 1 for a hull at
         rest"""
-        x = np.minimum(1.0, speed / np.maximum(STEADY * np.asarray(own, float), np.finfo(float).tiny))
-        return np.where(np.asarray(own) == 0, 1.0, self.still + (1.0 - self.still) * x * x * (3.0 - 2.0 * x))
+        return drag_share(self.still, speed, own)
+
+
+def drag_share(still, speed, own):
+    """Share of C_D, `still` in water at rest, in a stream of `speed` for speeds `own` of the hull, m/s"""
+    x = np.minimum(1.0, speed / np.maximum(STEADY * np.asarray(own, float), np.finfo(float).tiny))
+    return np.where(np.asarray(own) == 0, 1.0, still + (1.0 - still) * x * x * (3.0 - 2.0 * x))
 
 
 def heeling(load, height, up=0.0):

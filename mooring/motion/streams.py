@@ -15,7 +15,8 @@ from hakobune.bem.kernels.jit import kernel
 
 from ..environment.gusts import MissingVariance, gust_components
 from ..environment.wave_records import real_sum
-from ..loads.on_hull import STEADY, current_on, wind_on
+from ..loads.on_hull import current_on, wind_on
+from .tables.hull_water import drag_share
 from .tables.interpolation import between_samples, on_ring, ring_table
 
 RING = 720  # angles of a table of coefficients
@@ -100,11 +101,7 @@ def stream_force(stream, body, t, share, moving, weights, out, value):
     grown = 1.0 + gust / speed if speed > 0.0 else 1.0
     x, y = share * stream.velocity[0] * grown, share * stream.velocity[1] * grown
     along, across = cos * x + sin * y - u, -sin * x + cos * y - v
-    square = along * along + across * across
-    still, flow, own = stream.still[body], np.hypot(x, y), STEADY * np.hypot(u, v)
-    if flow < own:
-        ratio = flow / own
-        square *= still + (1.0 - still) * ratio * ratio * (3.0 - 2.0 * ratio)
+    square = (along * along + across * across) * drag_share(stream.still[body], np.hypot(x, y), np.hypot(u, v))
     on_ring(stream.table[body], np.arctan2(across, along), weights, out)
     for j in range(6):
         out[j] *= square

@@ -18,6 +18,7 @@ import numpy as np
 
 from ..environment.gusts import GustSpectrum
 from ..loads.box_drag import about
+from ..loads.on_hull import drag_share
 from ..loads.turning import LARGEST_TURN, TurningCoefficients
 from .rings import Ring, angles
 
@@ -52,7 +53,8 @@ class WaterLoad:
     length : m, of r'; turning : whether the table is from turning tests, and then includes inertia
     speed : m/s; direction : rad the current flows to, in space
     quadratic : N₂ of yaw, N m s²; linear : (3, 3) damping, N s/m …
-    height : m above still water of its point of action
+    height : m above still water of its point of action; at_rest : share of the table in water at rest, where a round
+    hull moves (`loads.on_hull.StreamOnHull.still`)
     """
 
     table: np.ndarray
@@ -63,6 +65,7 @@ class WaterLoad:
     quadratic: float = 0.0
     linear: np.ndarray | None = None
     height: float = 0.0
+    at_rest: float = 1.0
 
     @cached_property
     def ring(self):
@@ -79,15 +82,23 @@ class WaterLoad:
         """Velocity of the current in space, m/s; shape (2,)"""
         return self.speed * np.array([np.cos(self.direction), np.sin(self.direction)])
 
-    def force(self, u, v, r):
+    def share(self, heading, u, v):
+        """Share of the table for a body at a heading with velocities through the water, m/s"""
+        if self.at_rest == 1.0:
+            return 1.0
+        c = self.direction - heading
+        own = np.hypot(u + self.speed * np.cos(c), v + self.speed * np.sin(c))
+        return float(drag_share(self.at_rest, self.speed, own))
+
+    def force(self, u, v, r, share=1.0):
         """Force, N, N, N m, at a velocity through the water along and across the body, m/s, and a yaw rate, rad/s;
-        shape (3,)"""
+        shape (3,); share : of the table"""
         V = np.hypot(u, v)
         out = np.zeros(3)
         if V > 0:
             turn = min(max(r * self.length, -LARGEST_TURN * V), LARGEST_TURN * V) / V
             c = self.ring(np.arctan2(-v, -u))
-            out = V * V * (c[0] + turn * (c[1] + turn * (c[2] + turn * (c[3] + turn * c[4]))))
+            out = share * V * V * (c[0] + turn * (c[1] + turn * (c[2] + turn * (c[3] + turn * c[4]))))
         out[2] -= self.quadratic * r * abs(r)
         return out if self.linear is None else out - self.linear @ np.array([u, v, r])
 
@@ -129,7 +140,7 @@ class Loads:
         wind_speed : m/s at this instant, by default the mean
         """
         u, v, r = velocity
-        total = self.water.force(u, v, r)
+        total = self.water.force(u, v, r, self.water.share(heading, u, v))
         if self.wind is not None:
             speed = self.wind.speed if wind_speed is None else wind_speed
             x, y = self._through_air(heading, u, v, speed)

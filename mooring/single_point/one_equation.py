@@ -85,7 +85,7 @@ def on_hull(point: SinglePoint, slow_added_mass, drift=True, up=0.0) -> OnHull:
     mass = point.mass if water.turning else slow_added_mass[np.ix_(PLANE, PLANE)]
     held = loads.drift.table if drift and loads.drift is not None else None
     found = hull_water(water.table, water.length, LARGEST_TURN, water.velocity, water.linear, mass, water.turning, held,
-                       up - water.height)  # fmt: skip
+                       up - water.height, water.at_rest)  # fmt: skip
     wind = None if loads.wind is None else heeling(loads.wind.table, loads.wind.height, up)
     return OnHull(wind, found, bool(water.turning), water.quadratic)
 

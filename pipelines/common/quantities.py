@@ -18,6 +18,9 @@ ROUGHEST = 5.0  # coefficient of friction
 DENSITIES = 900.0, 1300.0  # kg/m³ of water, from fresh and warm to the Dead Sea
 
 
+RADIANS = math.pi / 12, 0.0051, 0.5  # step of headings in radians, how far two decimals miss it, step of degrees
+
+
 class StudyError(ValueError):
     """A study cannot be used; the message names the key, its value and the allowed values."""
 
@@ -95,6 +98,21 @@ def waves_on(current):
     if current.waves not in SPECTRA:
         raise StudyError(f"current.waves is {current.waves!r}; allowed: {', '.join(SPECTRA)}")
     return current.waves
+
+
+def in_radians(key, degrees):
+    """A message if all values of a key in degrees, but 0, are multiples of 15° in radians, as 0.52 and 1.57; else []"""
+    step, near, whole = RADIANS
+    given = [abs(value) for value in degrees if value]
+    fits = all(
+        abs(value - step * round(value / step)) < near and abs(value - whole * round(value / whole)) > 1e-9
+        for value in given
+    )
+    if not (given and fits and max(given) <= 2 * math.pi + near):
+        return []
+    shown = ", ".join(f"{value:g}" for value in degrees)
+    turned = ", ".join(f"{round(math.degrees(value)):g}" for value in degrees)
+    return [f"{key} is {shown}, in degrees; if radians are meant, give {turned}"]
 
 
 def direction(where, table):

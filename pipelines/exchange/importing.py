@@ -9,7 +9,7 @@ import numpy as np
 
 from hakobune.bem.database import append, append_limit, create, open_database, writing
 from hakobune.bem.database.file import Header, check_place
-from hakobune.bem.database.schema import DOFS, LIMITS
+from hakobune.bem.database.schema import BESIDE, DOFS, LIMITS
 from hakobune.bem.formats.afloat import on_hull
 from hakobune.bem.formats.judging.believed import believed
 from hakobune.bem.formats.judging.laws import depth_of
@@ -17,6 +17,7 @@ from hakobune.bem.formats.values import FormatError, body_of, with_headings_once
 from hakobune.bem.kernels.progress import OWN, progress_callback
 from hakobune.bem.modes import names_of
 from hakobune.meshing.files import read_mesh, wetted
+from hakobune.meshing.mirror import folded
 from hakobune.meshing.quality import findings
 from hakobune.meshing.whole_files import made_beside
 from hakobune.mooring.criteria.failing import fails
@@ -27,7 +28,7 @@ from ..printing.console import new_console
 from ..printing.verdict import tell
 from .command import format_of
 
-LID = 1e-6, 0.01  # height over the draft of panels above the water that are a lid
+LID = 1e-6  # height over the draft from which panels are above the water
 NODES_WORTH_ASKING = 600  # of an own solution; with fewer it takes less than a second
 
 
@@ -48,7 +49,7 @@ def import_(place, kind_name, mesh, known, weight, output, fresh=False, correct=
     values = with_headings_once(read_set(module, place, of_module))
     if known["rotation_center"] is not None:
         values = replace(values, rotation_center=np.array(known["rotation_center"], float))
-    panels = without_lid(hull_of(place, kind, module, mesh, of_module))
+    panels = below_water(hull_of(place, kind, module, mesh, of_module))
     values, left_out = _finite(between(values, *known["frequencies"]))
     lost = [
         fails(f"{name} is not finite at {omega} rad/s; these frequencies are not stored: compute them again")
@@ -164,15 +165,17 @@ def hull_of(place, kind, module, mesh, known):
     return panels
 
 
-def without_lid(panels):
-    """The PanelMesh below the water, of a hull that ends in a lid a little above it, as AQWA's hulls may; a message
-    reports this"""
+def below_water(panels):
+    """The PanelMesh below the water, of a hull with a freeboard or a lid, as AQWA's hulls may have; a message reports
+    this.  Raises ValueError where nothing lies below."""
     low, top = (float(end(panels.points[:, 2])) for end in (np.min, np.max))
-    if not -LID[0] * low < top <= -LID[1] * low:
+    if not top > LID * abs(low):
         return panels
+    dry = int(np.count_nonzero(panels.vertices[..., 2].max(axis=1) > LID * abs(low)))
     wet = panels.clipped()
     print(
-        f"{panels.name}: {len(panels) - len(wet)} panels up to {top:.3g} m above the water are left out",
+        f"{panels.name}: {dry} panels up to {top:.3g} m above the water are left out, or cut at z = 0; volume and "
+        f"hydrostatic stiffness are of the hull below",
         file=sys.stderr,
     )
     return wet
@@ -268,11 +271,16 @@ def _finite(values):
 
 
 def store(values, mesh, output, source):
-    """Make a database of Values on their hull; source : origin of the import"""
+    """Make a database of Values on their hull, of which half or a quarter is kept if it has mirror planes
+
+    source : origin of the import
+    """
     angles = np.linspace(0, 2 * np.pi, 4, endpoint=False)
+    beside = {BESIDE: values.others} if values.others and not values.bodies else {}
+    mesh = mesh if values.bodies or beside else folded(mesh)
     header = Header(
         mesh, None, values.water_depth, values.density, values.gravity, values.rotation_center, angles, values.body,
-        attributes={"imported": source}, bodies=values.bodies,
+        attributes={"imported": source} | beside, bodies=values.bodies,
     )  # fmt: skip
     headings = values.wave_direction if len(values.wave_direction) else np.zeros(1)
     create(output, header, values.omega, headings, tuple(values.quantities))

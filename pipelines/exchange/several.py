@@ -24,7 +24,7 @@ from hakobune.mooring.criteria.failing import fails
 from ..printing.console import new_console
 from ..printing.verdict import tell
 from .command import FORMATS, format_of
-from .importing import asked_of, between, check_import, hull_of, pairs_of, read_set, store, store_pairs
+from .importing import asked_of, below_water, between, check_import, hull_of, pairs_of, read_set, store, store_pairs
 
 FORCES = ("excitation_force", "Froude_Krylov_force", "diffraction_force")
 AROUND = np.arange(12) * (np.pi / 6)
@@ -59,7 +59,7 @@ def import_several(place, kind_name, names, meshes, known, weights, output, fres
             raise FormatError(
                 f"{place} has {values.others + 1} bodies, and --bodies names {len(names)}; name all of them"
             )
-        hull = hull_of(place, kind, module, mesh, of_module)
+        hull = below_water(hull_of(place, kind, module, mesh, of_module))
         values, said = on_hull(values, hull, weight)
         _, agreed, doubts = believed(values, hull)
         remarks += [f"{name}: {one}" for one in (*said, *agreed)]

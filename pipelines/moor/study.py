@@ -34,7 +34,16 @@ from ..common.quay_tables import (
 )
 from ..common.typed import typed
 from ..common.weather.seas import WavesTable, mean_wave, sea_with_swell
-from ..common.weather.streams import CurrentTable, WindTable, current_of, no_box, superstructures, wind_of, with_files
+from ..common.weather.streams import (
+    CurrentTable,
+    WindTable,
+    current_of,
+    doubtful_weather,
+    no_box,
+    superstructures,
+    wind_of,
+    with_files,
+)
 from ..common.weather.water import DepthTable, check_solved_depth
 from ..results.heard import heard
 from ..site.link import SiteLink, read_study_at_site
@@ -50,6 +59,7 @@ from .tables import (
 )
 
 MOST_LINES = 500  # largest number of lines of a study; they take three seconds
+AT_SURFACE = 1e-6  # depth of a point in the surface, over the draft
 
 
 class Study(Table):
@@ -156,10 +166,12 @@ class Study(Table):
     def remarks(self, hull, db):
         """Initial findings on an `ExposedBox` and the database of its hull, one line each
 
-        raises : StudyError as `check_streams`
+        raises : StudyError as `check_streams` and `check_floats`
         """
         self.check_depth(db.water_depth, db.path)
+        check_floats(db)
         said = [line for line in dict.fromkeys(unread(one.catalogue) for one in self.types.values()) if line]
+        said += doubtful_weather(self)
         for one in each_body(db):
             box = hull.get(one.name) if db.bodies else hull
             if box is not None:
@@ -311,6 +323,20 @@ class Study(Table):
 
     def _straight(self, table):
         return table.type in self.types and self.types[table.type].straight
+
+
+def check_floats(db):
+    """Raises StudyError for a body whose hull is at the surface, but has no stiffness in heave"""
+    if db.bodies or db.hydrostatic_stiffness is None or db.hydrostatic_stiffness[2, 2] > 0 or db.mesh is None:
+        return
+    top = float(db.mesh.points[:, 2].max())
+    if top < -AT_SURFACE * db.mesh.draft:  # all of it lies below
+        return
+    raise StudyError(
+        f"hydrostatics: the hull of {db.path} has a stiffness in heave of {db.hydrostatic_stiffness[2, 2]:.4g} N/m, "
+        f"which cannot hold it up; its mesh ends at z = {top:.4g} m, not open at the water: cut it by `hakobune "
+        f"mesh --clip`, and solve or import it again"
+    )
 
 
 def box_of(db, body):

@@ -23,6 +23,7 @@ from hakobune.bem.second_order.stored import StoredForces, read_forces, write_fo
 
 from ..common.progress import duration
 from ..results.heard import heard
+from .foretelling import foretell
 from .problem import bodies
 
 EVERY = 5.0  # s, between writings
@@ -57,6 +58,7 @@ def solve(db, question, fresh):
 def _solve(db, question, fresh):
     body = bodies(db, question.method, float(question.omega[-1]), question.highest)
     stored = None if fresh else _of_same_waves(db, question, body)
+    foretell((body.fine, body.rough), question)
     estimated = question.kind is DIFFERENCE and question.level != "full" and not db.bodies
     share = _share(body.fine, question, stored) if estimated else None
     full = question.adds_surface(share)

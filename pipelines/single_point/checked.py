@@ -14,7 +14,7 @@ def checked(study, body=None):
 
     body : `moor.checked.Body` of its database or scene, None without
     """
-    known = study
+    known, is_round = study, body is not None and body.ring is not None and body.ring.is_round
     if body is not None:
         check_database(study, body)
         if study.mass is None:  # with a database the mass of the body follows from its waves
@@ -23,6 +23,6 @@ def checked(study, body=None):
         if study.waves is not None and study.waves.drift_tonf_per_m2 is None:
             check_headings(body, [sea_with_swell("waves", study.waves, study.water.depth)])
             known = msgspec.structs.replace(known, waves=None)
-    make(known)
+    make(known, is_round=is_round)
     if study.slewing is not None:
         check(study, body)

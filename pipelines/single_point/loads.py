@@ -31,18 +31,21 @@ from ..common.quantities import StudyError, direction, positive, speed
 from ..common.units import TONF
 from ..common.weather.gusts import gusts_of
 from ..common.weather.seas import PERIODS, sea_with_swell, spectrum_of
-from ..common.weather.streams import current_of, no_box, superstructures, wind_of
+from ..common.weather.streams import current_of, doubtful_weather, no_box, superstructures, wind_of
 
 MIDDLE = (0.0, 0.0)
 ONE_OF = "give one of turning, coefficients, file"
 PROPORTIONS = {"L/B": "length_over_beam = 2", "B/d": "beam_over_draft = 10", "H/d": "depth_over_draft = 8"}  # tested
 
 
-def loads_of(study, db, density, center, mass):
-    """Loads of a Study about its centre of mass (2,) m, and findings; mass : (3, 3) kg …, with added mass"""
+def loads_of(study, db, density, center, mass, is_round=False):
+    """Loads of a Study about its centre of mass (2,) m, and findings; mass : (3, 3) kg …, with added mass
+
+    is_round : whether the hull is a vertical cylinder
+    """
     h = study.hull
-    hull = ExposedBox(h.length, h.beam, h.draft, h.freeboard, **superstructures(h))
-    findings = no_box(_block(h, density), hull, study)
+    hull = ExposedBox(h.length, h.beam, h.draft, h.freeboard, **superstructures(h), is_round=is_round)
+    findings = doubtful_weather(study) + ([] if is_round else no_box(_block(h, density), hull, study))
     water = _water(study, hull, density, center, mass, findings)
     return Loads(water, _wind(study, hull, center), _drift(study, db, center, findings)), findings
 
@@ -61,6 +64,11 @@ def _wind(study, hull, center):
 
 def _water(study, hull, density, center, mass, findings):
     c, h = study.current, study.hull
+    if c is None and hull.is_round:
+        water = current_on(None, hull, density, study.water.depth)
+        findings += water.notes
+        table = still_table(about(water.unit(angles()), MIDDLE, center))
+        return WaterLoad(table, h.length, False, quadratic=turning_drag(water, h.length), height=water.height[1])
     if c is None:
         table = _turning(study, None, density, center, findings)
         return WaterLoad(table, h.length, True, height=-0.5 * h.draft)
@@ -68,7 +76,7 @@ def _water(study, hull, density, center, mass, findings):
     if len(ways) > 1:
         raise StudyError(f"current: {' and '.join(ways)} are given, and each defines the force; {ONE_OF}")
     stream = speed("current", c), direction("current", c)
-    if not ways or ways == ["turning"]:
+    if ways == ["turning"] or not (ways or hull.is_round):
         own = [k for k in ("yaw_drag", "yaw_rate", "sway_damping", "yaw_damping") if getattr(c, k)]
         if own:
             raise StudyError(
@@ -84,14 +92,16 @@ def _water(study, hull, density, center, mass, findings):
             raise StudyError(f"current.{key} is {value:g}; allowed: at least 0, finite")
     linear = 1e3 * np.diag([0.0, c.sway_damping, c.yaw_damping]) if c.sway_damping or c.yaw_damping else None
     table = still_table(about(water.unit(angles()), MIDDLE, center))
+    findings += water.notes
     if c.yaw_rate is not None:
         table[:, 1] = _by_yaw_rate(study, c.yaw_rate, density, mass)
-    return WaterLoad(table, h.length, False, *stream, drag, linear, water.height[1])
+    return WaterLoad(table, h.length, False, *stream, drag, linear, water.height[1], water.still)
 
 
-def own_mass(h, density):
-    """kg, of a box if no displacement is given"""
-    return density * h.length * h.beam * h.draft if h.displacement is None else 1e3 * h.displacement
+def own_mass(h, density, is_round=False):
+    """kg, of a box or a vertical cylinder if no displacement is given"""
+    block = 0.25 * math.pi if is_round else 1.0
+    return density * h.length * h.beam * h.draft * block if h.displacement is None else 1e3 * h.displacement
 
 
 def _block(h, density):

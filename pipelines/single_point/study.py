@@ -20,6 +20,7 @@ from .loads import loads_of, own_mass
 
 DENSITY, GRAVITY = 1025.0, 9.80665
 MOST_LINES = 60
+ROUND = 1e-3  # the same of length and beam of a round hull
 SAME = 1e-6  # relative difference within which sizes of study and database are equal
 
 
@@ -34,8 +35,10 @@ class Made(NamedTuple):
     findings: tuple[str, ...]
 
 
-def make(study, db=None) -> Made:
+def make(study, db=None, is_round=None) -> Made:
     """The SinglePoint of a Study; db : an opened database, for masses and drift
+
+    is_round : whether the hull is a vertical cylinder; by default as in the database, else not
 
     raises : StudyError or SinglePointError, one line
     """
@@ -44,8 +47,14 @@ def make(study, db=None) -> Made:
     if db is not None:
         check_database(study, db)
     density = DENSITY if db is None else db.density
-    mass, center = _mass(study, db, density)
-    loads, findings = loads_of(study, db, density, center, mass)
+    is_round = (db is not None and db.is_round) if is_round is None else is_round
+    if is_round and not math.isclose(study.hull.length, study.hull.beam, rel_tol=ROUND):
+        raise StudyError(
+            f"hull.length is {study.hull.length:g} m and hull.beam {study.hull.beam:g} m, but the hull of the database "
+            "is round; give its diameter as both"
+        )
+    mass, center = _mass(study, db, density, is_round)
+    loads, findings = loads_of(study, db, density, center, mass, is_round)
     ends, lengths = _hawsers(study, center)
     system, left = system_of(study, depth, density)
     try:
@@ -72,15 +81,16 @@ def check_database(study, db):
     seen = waves is not None and waves.drift_tonf_per_m2 is None
     period = mean_wave(waves, sea_with_swell("waves", waves, depth).spectrum)[1] if seen else None
     check_solved_depth(depth, db.water_depth, "the database", period)
+    sizes = dict.fromkeys(("length", "beam"), 2 * db.dimensions.get("radius", math.nan)) | db.dimensions
     for key in ("length", "beam", "draft"):
-        own, stored = getattr(hull, key), db.dimensions.get(key)
-        if stored is not None and not math.isclose(own, stored, rel_tol=SAME):
+        own, stored = getattr(hull, key), sizes.get(key)
+        if stored is not None and not (math.isnan(stored) or math.isclose(own, stored, rel_tol=SAME)):
             raise StudyError(
                 f"hull.{key} is {own:g} m, but the database is for {stored:g} m; change it, or give another database"
             )
 
 
-def _mass(study, db, density):
+def _mass(study, db, density, is_round):
     """Planar mass with added mass about the centre of mass, shape (3, 3), and that centre from midship, m, shape
     (2,)"""
     h, table = study.hull, study.mass
@@ -88,13 +98,14 @@ def _mass(study, db, density):
         raise StudyError("mass is missing; give [mass] with added_surge, added_sway and added_yaw, or --database")
     if db is not None and table is None:
         return planar_mass_stored(db.reader), np.asarray(db.rotation_center, float)[:2]
-    own = positive("hull.displacement", own_mass(h, density))
+    own = positive("hull.displacement", own_mass(h, density, is_round))
     if table.gyration is not None:
         positive("mass.gyration", table.gyration)
+    gyration = h.beam / math.sqrt(8) if table.gyration is None and is_round else table.gyration
     shares = np.array([table.added_surge, table.added_sway, table.added_yaw])
     if not np.all((shares >= 0) & np.isfinite(shares)):
         raise StudyError(f"mass: the added mass is {shares.min():g} times the mass of the body; allowed: at least 0")
-    return planar_mass(own, h.length, h.beam, shares, table.gyration), np.array([h.center, 0.0])
+    return planar_mass(own, h.length, h.beam, shares, gyration), np.array([h.center, 0.0])
 
 
 def _hawsers(study, center):

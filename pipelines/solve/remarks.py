@@ -2,9 +2,10 @@
 
 from hakobune.bem.database.schema import NEEDS_MOTION
 
-from ..common.quantities import DENSITIES
+from ..common.quantities import DENSITIES, in_radians
 from ..scene.methods import names_given
 from ..scene.products import expand
+from ..scene.tables import listed
 from .arrangement import own_hulls_of_modes
 from .bending.modes import mode_remarks
 from .header import each_body
@@ -27,6 +28,7 @@ def remarks(scene, hull, body):
         *_density_remarks(scene.water.density),
         *_gravity_remarks(scene.water.gravity),
         *_weight_remarks(scene, hull.mesh, body),
+        *in_radians("waves.headings_deg", listed("waves.headings_deg", scene.waves.headings_deg)),
         *_motion_remarks(scene),
         *mode_remarks(scene, own_hulls_of_modes(scene, hull.mesh)),
     )

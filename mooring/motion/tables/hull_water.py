@@ -1,7 +1,8 @@
 """Water and mean drift on a hull that slews in a current, at its velocity through the water, compiled.
 
-    F = Σₖ cₖ(β) V^(2−k) (rL)ᵏ − D ν′ + drift(ψ) + carried,    k = 0 … 4,  |rL| ≤ V/2      (`single_point.loads`)
+    F = C Σₖ cₖ(β) V^(2−k) (rL)ᵏ − D ν′ + drift(ψ) + carried,    k = 0 … 4,  |rL| ≤ V/2      (`single_point.loads`)
 
+C : share of the coefficients of a round hull (`loads.on_hull`), else 1
 β, V : angle and speed of the water at the hull; ν′ = (u, v, r) through the water.  `carried` is what the current adds
 to the inertia of the equation of motion, whose velocities are those over the ground: seen from axes that turn, a
 current of components U, W changes at the rate r (W, −U).  With T of the body and the added mass a of slow motion,
@@ -19,6 +20,7 @@ import numpy as np
 from hakobune.bem.kernels.in_memory import in_memory
 from hakobune.bem.kernels.jit import kernel
 
+from ...loads.on_hull import STEADY
 from .interpolation import on_ring, ring_table
 
 
@@ -29,6 +31,7 @@ class HullWater(NamedTuple):
     largest : rL/V; velocity : (2,) m/s of the current; linear : (3, 3) D; carried : (3,) kg, kg, kg m
     drift : (m + 3, 3) N, N, N m over headings; lever : m, from the centre of pressure of the water up to the centre of
     the motion
+    at_rest : share of the coefficients in water at rest
     """
 
     water: np.ndarray
@@ -39,10 +42,11 @@ class HullWater(NamedTuple):
     carried: np.ndarray
     drift: np.ndarray
     lever: float
+    at_rest: float
 
 
 NO_HULL_WATER = HullWater(
-    np.zeros((0, 15)), 0.0, 0.0, np.zeros(2), np.zeros((3, 3)), np.zeros(3), np.zeros((4, 3)), 0.0
+    np.zeros((0, 15)), 0.0, 0.0, np.zeros(2), np.zeros((3, 3)), np.zeros(3), np.zeros((4, 3)), 0.0, 1.0
 )  # values of a body that does not slew, of the same types for the same kernels
 
 
@@ -60,11 +64,11 @@ class OnHull(NamedTuple):
     quadratic: float
 
 
-def hull_water(table, length, largest, velocity, linear, mass, turning, drift=None, lever=0.0):
+def hull_water(table, length, largest, velocity, linear, mass, turning, drift=None, lever=0.0, at_rest=1.0):
     """HullWater of a table (n, 5, 3) N … over the angle the water flows to.
 
     mass : (3, 3) kg …, T of slow surge, sway and yaw with turning tests, else the added mass; linear : (3, 3) or None
-    drift : (m, 3) N, N, N m over the heading, None for none
+    drift : (m, 3) N, N, N m over the heading, None for none; at_rest : as in HullWater
     """
     carried = np.array([mass[0, 0], -mass[1, 1], -mass[2, 1]])
     if not turning:
@@ -73,7 +77,18 @@ def hull_water(table, length, largest, velocity, linear, mass, turning, drift=No
         ring_table(np.reshape(table, (len(table), 15))), float(length), float(largest), np.asarray(velocity, float),
         np.zeros((3, 3)) if linear is None else np.asarray(linear, float), carried,
         np.zeros((4, 3)) if drift is None else ring_table(drift), float(lever),
+        float(at_rest),
     )  # fmt: skip
+
+
+@kernel(counted=False)
+def drag_share(still, flow, own):
+    """Share of C_D, `still` in water at rest, in a stream of `flow` m/s for a hull that moves with `own` m/s; as
+    `loads.on_hull.drag_share`"""
+    if flow >= STEADY * own:
+        return 1.0
+    ratio = flow / (STEADY * own)
+    return still + (1.0 - still) * ratio * ratio * (3.0 - 2.0 * ratio)
 
 
 @kernel(counted=False)
@@ -94,9 +109,10 @@ def hull_water_force(hull, share, moving, weights, room, out, drift):
     V = np.sqrt(u * u + v * v)
     if V > 0.0:
         on_ring(hull.water, np.arctan2(-v, -u), weights, room)
+        square = V * V * drag_share(hull.at_rest, np.hypot(x, y), np.hypot(moving[1], moving[2]))
         s = min(max(r * hull.length, -hull.largest * V), hull.largest * V) / V
         for j in range(3):
-            out[j] += V * V * (room[j] + s * (room[3 + j] + s * (room[6 + j] + s * (room[9 + j] + s * room[12 + j]))))
+            out[j] += square * (room[j] + s * (room[3 + j] + s * (room[6 + j] + s * (room[9 + j] + s * room[12 + j]))))
     for j in range(3):
         out[j] -= hull.linear[j, 0] * u + hull.linear[j, 1] * v + hull.linear[j, 2] * r
     on_ring(hull.drift, heading, weights, drift)

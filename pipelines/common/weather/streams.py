@@ -10,13 +10,16 @@ import zlib
 from functools import partial
 from pathlib import Path
 
-from ..quantities import StudyError, Table, direction, speed, waves_on
+from ..quantities import StudyError, Table, direction, in_radians, speed, waves_on
 from .seas import seas_at
 
 STREAMS = ("wind", "current")
 WAYS = ("coefficients", "ship")  # ways to give coefficients of the hull; only one may be used
 OF_HULL = (*WAYS, "center_z")  # keys of the hull, independent of the weather
 BOXY = 0.95  # block coefficient above which a hull counts as a box
+# m/s, mean over ten minutes: the best track of the Japan Meteorological Agency has 140 kn, estimated, and none more; a
+# wind above STRONGEST is told.  The strongest gust is 113 m/s (World Meteorological Organization, Barrow Island 1996)
+TIP, STRONGEST = 72.0, 85.0
 AREAS = ("area_x", "area_y", "area_n", "length")
 
 
@@ -273,6 +276,22 @@ def _with_numbers(where, table, folder):
     sizes = {key: getattr(c, key) for key in (*AREAS, "height") if getattr(c, key) is not None}
     coefficients = {key: values.tolist() for key, values in numbers.items()} | sizes
     return {key: value for key, value in table.items() if key != "file"} | {"coefficients": coefficients}
+
+
+def doubtful_weather(study):
+    """Messages on a wind above all that were measured, and on directions that look like radians; study : with wind,
+    current and waves, each None or a table"""
+    said = []
+    if study.wind is not None and (given := speed("wind", study.wind)) > STRONGEST:
+        said.append(
+            f"the wind has {given:.4g} m/s, and the strongest known mean over ten minutes is {TIP:g} m/s (typhoon Tip, "
+            f"1979); a gust, knots or km/h may be meant"
+        )
+    for where in (*STREAMS, "waves"):
+        for key in ("direction_deg", "incidence_deg"):
+            if (given := getattr(getattr(study, where), key, None)) is not None:
+                said += in_radians(f"{where}.{key}", [given])
+    return said
 
 
 def no_box(block, hull, study):

@@ -162,3 +162,13 @@ def test_a_table_is_put_on_its_grid_in_any_order_and_a_place_twice_is_damage():
         gridded("a", [np.append(w, 1.0), np.append(i, 3.0)], np.arange(5.0))
     with pytest.raises(FormatError, match="a: 0 values for 2, 3"):
         gridded("a", [w[[0, 1, 3]], i[[0, 1, 3]]], np.arange(3.0), modes=((1, 2, 3),))
+
+
+@pytest.mark.parametrize("heave", [0.0, -1.0])
+def test_files_without_a_stiffness_in_heave_have_that_of_the_hull(heave):
+    """A set of zeros, as programs write where they have none, would let the body fall through the water"""
+    found, remarks = on_hull(values({"hydrostatic_stiffness": stiffness(heave)}), HULL)
+    assert found.body["hydrostatic_stiffness"] == pytest.approx(stiffness())
+    assert remarks[0].startswith(f"heave stiffness in the files is {heave * C33:.5g} N/m, but that of the hull 2e+06")
+    kept = on_hull(values({"hydrostatic_stiffness": stiffness()}), HULL)
+    assert not any("is not taken" in line for line in kept[1])

@@ -43,6 +43,7 @@ from hakobune.mooring.motion.tables.hull_water import hull_water, hull_water_for
 from hakobune.mooring.motion.tables.interpolation import between_samples, lagrange_weights, on_ring, ring_table
 from hakobune.mooring.motion.tables.wave_windows import HEADINGS
 from hakobune.mooring.motion.wave_loads import WaveForces, wave_table
+from hakobune.mooring.single_point.loads import Loads, WaterLoad
 
 RHO, G = 1000.0, 9.8
 
@@ -382,6 +383,21 @@ def test_water_on_a_hull_has_its_powers_of_the_turn_and_what_the_current_adds(tu
         wanted += r * (np.array([5 * W, -8 * U, -0.6 * U]) if turning else np.array([-3 * W, -3 * U, -0.6 * U]))
         assert out == pytest.approx(wanted, rel=1e-6)
         assert found == pytest.approx(share**2 * np.array([math.cos(0.4), math.sin(0.4), math.cos(0.8)]), rel=1e-5)
+
+
+@pytest.mark.parametrize("current, left", [(0.0, 0.4), (0.25, 0.7), (0.5, 1.0), (2.0, 1.0)])
+def test_water_on_a_round_hull_that_outruns_the_current_has_less_drag(current, left):
+    """Half way to the current that is 0.4 of the hull's speed x = 0.5: 0.4 + 0.6 (3/4 − 2/8) = 0.7"""
+    at = np.arange(720) * (2 * math.pi / 720)
+    table = np.zeros((720, 5, 3))
+    table[:, 0, :2] = 3 * np.stack([np.cos(at), np.sin(at)], axis=1)
+    hull = hull_water(table, 20.0, 0.5, (0.0, current), None, np.eye(3), False, at_rest=0.4)
+    out = np.zeros(3)
+    hull_water_force(hull, 1.0, np.array([0.0, 1.25, 0.0, 0.0]), np.zeros(6), np.zeros(15), out, np.zeros(3))
+    V = math.hypot(1.25, current)
+    assert out == pytest.approx(left * 3 * V * np.array([-1.25, current, 0.0]), rel=1e-6, abs=1e-9)
+    load = Loads(WaterLoad(table, 20.0, False, current, math.pi / 2, at_rest=0.4))
+    assert load.moving(0.0, (1.25, -current, 0.0)) == pytest.approx(out, rel=1e-6, abs=1e-9)
 
 
 def test_ends_of_lines_at_rest_are_turned_by_the_headings_of_their_bodies():

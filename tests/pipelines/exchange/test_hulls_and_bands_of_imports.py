@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from hakobune.meshing.hydrostatics import hydrostatics
 from hakobune.meshing.panels import PanelMesh
 from hakobune.pipelines.exchange import importing
 
@@ -141,14 +142,26 @@ def test_a_hull_that_is_missing_is_told_with_the_file_that_would_have_it(hulls, 
         assert str(refused.value) == f"{begins}{near}{ends}"
 
 
-@pytest.mark.parametrize("above, left", [(0.0, 6), (0.04, 5), (0.06, 6)])
-def test_a_lid_a_little_above_the_water_is_no_hull(above, left, capsys):
-    """A box of 10 × 4 × 5 m with sides from the water and a lid above it: up to a hundredth of the draft, 0.05 m"""
+@pytest.mark.parametrize("above, left", [(0.0, 6), (0.04, 5), (3.0, 5)])
+def test_what_lies_above_the_water_is_no_hull(above, left, capsys):
+    """A box of 10 × 4 × 5 m with sides from the water and a lid above it"""
     x, y = np.array([-5.0, 5, 5, -5]), np.array([-2.0, -2, 2, 2])
     rings = [np.column_stack([x, y, np.full(4, z)]) for z in (-5.0, 0.0, above)]
     sides = [[i, (i + 1) % 4, 4 + (i + 1) % 4, 4 + i] for i in range(4)]
     mesh = PanelMesh(np.vstack(rings), np.array([*sides, [3, 2, 1, 0], [8, 9, 10, 11]]), name="a box")
-    made = importing.without_lid(mesh)
-    assert len(made) == left and made.points[:, 2].max() == (0.0 if left == 5 else above)
+    made = importing.below_water(mesh)
+    assert len(made) == left and made.points[:, 2].max() == 0.0
     said = capsys.readouterr().err
-    assert ("a box: 1 panels up to 0.04 m above the water are left out" in said) == (left == 5)
+    assert (f"a box: 1 panels up to {above:.3g} m above the water are left out" in said) == (left == 5)
+    with pytest.raises(ValueError, match="nothing of the hull lies below z = 0, its lowest point is at 1 m"):
+        importing.below_water(mesh.moved(dz=6.0))
+
+
+def test_walls_that_cross_the_surface_are_cut_there():
+    """A closed box of 5 m draft and 3 m freeboard floats on 10 × 4 × 5 m and has its waterplane of 40 m²"""
+    x, y = np.array([-5.0, 5, 5, -5]), np.array([-2.0, -2, 2, 2])
+    rings = [np.column_stack([x, y, np.full(4, z)]) for z in (-5.0, 3.0)]
+    sides = [[i, (i + 1) % 4, 4 + (i + 1) % 4, 4 + i] for i in range(4)]
+    made = importing.below_water(PanelMesh(np.vstack(rings), np.array([*sides, [3, 2, 1, 0], [4, 5, 6, 7]])))
+    still = hydrostatics(made, center_of_mass=np.zeros(3), density=1000.0, gravity=10.0)
+    assert still.volume == pytest.approx(200.0) and still.stiffness[2, 2] == pytest.approx(4e5)

@@ -249,3 +249,50 @@ def test_hawsers_end_beside_the_attachment_which_is_measured_from_the_centre_of_
                                  (two, [middle + [0, 2.5], middle - [0, 2.5]], [30.0, 30.0])):  # fmt: skip
         found = studies._hawsers(study, np.array(center))
         assert found[0] == pytest.approx(np.array(ends)) and found[1].tolist() == lengths
+
+
+# ------------------------------------------------------------------ round hulls
+
+ROUND = {"hull__length": 20.0, "hull__beam": 20.0, "hull__draft": 8.0, "current__coefficients": None,
+         "current__sway_damping": 0.0, "current__yaw_damping": 0.0, "wind__coefficients": None}  # fmt: skip
+
+
+def test_a_round_hull_is_pulled_along_the_stream_as_a_cylinder():
+    """½ρ 1.05 D d of the current and ½ρ_a 0.5 D f of the wind from any side, without a moment"""
+    study = make_study(raw(**ROUND))
+    load, told = loads.loads_of(study, None, RHO, np.zeros(2), np.eye(3), is_round=True)
+    at = loads.angles()
+    along = np.stack([np.cos(at), np.sin(at), 0 * at], axis=1)
+    assert load.water.table[:, 0] == pytest.approx(0.5 * RHO * 1.05 * 20 * 8 * along, abs=1e-9)
+    assert load.wind.table == pytest.approx(0.5 * 1.226 * 0.5 * 20 * study.hull.freeboard * along, rel=1e-3, abs=1e-9)
+    assert load.water.at_rest == pytest.approx(0.5 / 1.05)
+    assert len(told) == 1 and told[0].startswith("current force: C_D 1.05 of a rough cylinder on the round hull")
+
+
+def test_a_round_hull_in_water_at_rest_needs_no_turning_tests():
+    study = make_study(raw(**ROUND, current=None))
+    load, _ = loads.loads_of(study, None, RHO, np.zeros(2), np.eye(3), is_round=True)
+    assert not load.water.turning and load.water.speed == 0
+    assert load.water.force(0.3, 0.0, 0.0) == pytest.approx([-0.5 * RHO * 0.5 * 20 * 8 * 0.09, 0, 0], abs=1e-6)
+    with pytest.raises(StudyError, match=r"give current.turning"):
+        loads.loads_of(study, None, RHO, np.zeros(2), np.eye(3))
+
+
+def test_the_mass_of_a_round_hull_is_that_of_a_cylinder_and_its_length_its_beam():
+    made = studies.make(make_study(raw(**ROUND, attachment__x=10.0)), is_round=True)
+    own = RHO * math.pi * 100 * 8
+    assert np.diag(made.point.mass) == pytest.approx([1.1 * own, 1.6 * own, 1.4 * own * 50.0])
+    longer = raw(**ROUND | {"hull__length": 20.5}, attachment__x=10.0)
+    with pytest.raises(StudyError, match=r"hull.length is 20.5 m and hull.beam 20 m, but the hull of the database is"):
+        studies.make(make_study(longer), is_round=True)
+
+
+@pytest.mark.parametrize("beam, good", [(20.0, True), (19.9, False)])
+def test_a_round_hull_has_the_diameter_of_its_scene(beam, good):
+    db = SimpleNamespace(dimensions={"radius": 10.0, "draft": 8.0}, water_depth=50.0)
+    study = make_study(raw(**ROUND | {"hull__beam": beam}))
+    if good:
+        studies.check_database(study, db)
+        return
+    with pytest.raises(StudyError, match=r"hull.beam is 19.9 m, but the database is for 20 m"):
+        studies.check_database(study, db)

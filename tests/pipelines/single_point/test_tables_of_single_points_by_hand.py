@@ -532,11 +532,11 @@ def test_a_study_is_checked_with_its_database_as_far_as_it_is_known(monkeypatch)
     monkeypatch.setattr(checked, "check_database", lambda *given: said.append("database"))
     monkeypatch.setattr(checked, "check_headings", lambda body, seas: said.append(("headings", body, seas)))
     monkeypatch.setattr(checked, "sea_with_swell", lambda *given: given)
-    monkeypatch.setattr(checked, "make", lambda known: said.append(known))
+    monkeypatch.setattr(checked, "make", lambda known, is_round: said.append(known))
     monkeypatch.setattr(checked, "check", lambda *given: said.append(("slewing", *given)))
     hull, waves = HullTable(length=100.0, beam=20.0, draft=8.0), WavesTable(height=2.0, period=8.0)
     study = Known(hull, SimpleNamespace(depth=30.0), None, waves)
-    body = SimpleNamespace(rotation_center=(3.0, 0.0, 0.0))
+    body = SimpleNamespace(rotation_center=(3.0, 0.0, 0.0), ring=None)
     checked.checked(study, body)
     assert said[:2] == ["database", ("headings", body, [("waves", waves, 30.0)])] and len(said) == 3
     assert said[2].waves is None and said[2].hull.center == 3.0 and said[2].mass is not None and study.mass is None
