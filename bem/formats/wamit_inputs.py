@@ -194,8 +194,6 @@ def _kind_listed(place, given):
     """The kind with which the first column of NAME.1 gives the periods of the listing, "period" if none does"""
     periods = [m[1] for line in lines_of(beside(place, ".out")) if (m := PERIOD.search(line)) and m[1][0].isdigit()]
     heads = {numbers[0] for line in lines_of(beside(place, ".1")) if len(numbers := numbers_of(line)) == 5}
-    if not periods or not heads:
-        return "period"
     listed = np.unique(2 * np.pi / np.array(periods, float))
     for kind in PERIOD_KINDS.values():
         found = np.unique(omega_of(sorted(heads), kind, given.depth, given.gravity, given.wave_length))

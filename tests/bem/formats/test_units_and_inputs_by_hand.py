@@ -278,6 +278,8 @@ def test_the_kind_of_the_first_column_is_that_which_gives_the_periods_of_the_lis
     assert wamit_inputs._kind_listed(tmp_path / "a.1", given) == kind
     (tmp_path / "a.1").write_text("\n".join(rows[:4]) + "\n")  # one frequency less
     assert wamit_inputs._kind_listed(tmp_path / "a.1", given) == "period"
+    (tmp_path / "a.1").write_text("")
+    assert wamit_inputs._kind_listed(tmp_path / "a.1", given) == "period"
 
 
 @pytest.mark.parametrize("column", ["period", "frequency", "wavenumber"])

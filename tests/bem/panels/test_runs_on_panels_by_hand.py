@@ -165,6 +165,22 @@ def test_motions_whose_flux_is_rounding_of_the_area_have_finite_added_mass(net, 
     assert np.isfinite(frequency_limits.added_mass_of(prepared, potentials, "zero")).all()
 
 
+def test_a_limit_of_which_one_potential_is_not_finite_is_refused(monkeypatch):
+    """One number of one class among finite ones"""
+    v = [np.ones((3, 1)), np.ones((3, 2))]
+    g = SimpleNamespace(sectors=0, classes=((1, 1), (-1, 1)))
+    found = SimpleNamespace(matrices=[None, None], sides=v)
+    potentials = [np.ones((1, 3)), np.ones((2, 3))]
+    monkeypatch.setattr(frequency_limits, "given_at_limit", lambda prepared, which: (g, v, None, -1.0))
+    monkeypatch.setattr(frequency_limits, "assembled", lambda *given: found)
+    monkeypatch.setattr(frequency_limits, "solved_systems", lambda matrices, sides: [p.T for p in potentials])
+    monkeypatch.setattr(frequency_limits, "added_mass_of", lambda prepared, potentials, which: which)
+    assert frequency_limits.added_mass_limit(None, "infinity") == "infinity"
+    potentials[1][1, 2] = np.nan
+    with pytest.raises(FloatingPointError, match="added mass at infinity frequency: the solution is not finite"):
+        frequency_limits.added_mass_limit(None, "infinity")
+
+
 def test_a_frequency_that_its_band_does_not_suit_is_that_of_the_whole_equations(monkeypatch):
     """Potentials, residual and integrals over the hull; of one that it suits, those of the reduced equations"""
     for name in ("potentials", "residual", "pressure_integrals", "haskind_integrals"):

@@ -101,6 +101,25 @@ def test_the_water_is_met_at_a_degree_or_more(degrees, taken):
             raised.wetted(3.0)
 
 
+@pytest.mark.parametrize("degrees, taken", [(0.95, False), (1.05, True)])
+@pytest.mark.parametrize("mirrored", [False, True])
+def test_a_round_bilge_meets_the_water_at_its_own_end(degrees, taken, mirrored):
+    """A sixth of a circle of 3 m flattens from the keel to the water, where its tangent rises by about a degree"""
+    beyond, turn = np.radians(0.3), np.pi / 3
+    at = lambda rise: 3 * np.exp(1j * (np.pi / 2 + rise)) - 3 * np.exp(1j * (np.pi / 2 + np.radians(degrees)))  # noqa: E731
+    start, end = at(np.radians(degrees) + turn), at(np.radians(degrees) - beyond)
+    corners = np.array([-5 + 1j * start.imag, start, end, 0.5 + 2j, -5 + 2j])
+    bulges = [0, -np.tan((turn + beyond) / 4), 0, 0, 0]
+    if mirrored:
+        corners, bulges = -corners[::-1].conjugate(), [0, 0, bulges[1], 0, 0]
+    made = closed(corners, bulges)
+    if taken:
+        assert made.wetted(-start.imag).draft == pytest.approx(-start.imag)
+    else:
+        with pytest.raises(OutlineError, match="the section touches the water at an angle below 1°"):
+            made.wetted(-start.imag)
+
+
 @pytest.mark.parametrize(
     "make, words",
     [
