@@ -12,6 +12,8 @@ import numpy as np
 
 from .resonances import by_motion, free_modes, positive, zeros
 
+GIVE_GYRATION = "give --gyration kxx,kyy,kzz and solve again; if its files were imported, give it by `hakobune body`"
+
 
 @dataclass(frozen=True)
 class NaturalPeriods:
@@ -44,7 +46,7 @@ def natural_periods(body, coupled=True) -> NaturalPeriods:
     raises : ValueError where inertia, stiffness or added mass are not stored
     """
     if body.inertia is None or body.stiffness is None:
-        raise ValueError("natural periods need the inertia of the body; give --gyration kxx,kyy,kzz and solve again")
+        raise ValueError(f"natural periods need the inertia of the body; {GIVE_GYRATION}")
     kept = 1 if coupled else np.eye(len(body.inertia))
     scale = float(np.sqrt(body.inertia[5, 5] / body.inertia[0, 0]))
     lengths = np.where(body.turning, scale, 1.0)

@@ -35,6 +35,7 @@ from .between_frequencies import DRIFT, FORCES, KOCHIN, RADIATION, Between, Betw
 from .between_frequencies import between as of_database
 from .between_headings import at_headings, is_turned, ring, whole_mirrors
 from .deviations import carried, interpolated
+from .natural_periods import GIVE_GYRATION
 
 NEEDED = {"rao": (*RADIATION, "excitation_force"), "drift_force_fixed": KOCHIN}
 NEEDED["drift_force"] = (*KOCHIN, *NEEDED["rao"])
@@ -438,7 +439,7 @@ class Reader:
 
     def _check_inertia(self):
         if self.inertia is None or self.stiffness is None:
-            raise BetweenError("the database has no inertia of the body; give --gyration kxx,kyy,kzz and solve again")
+            raise BetweenError(f"the database has no inertia of the body; {GIVE_GYRATION}")
 
 
 class Stored(NamedTuple):

@@ -21,6 +21,7 @@ from .values import FormatError, Values, body_of, lines_of
 NUMBER = re.compile(r"[-+]?\d*\.?\d+(?:[EeDd][-+]?\d+)?")
 DEEP = 1e4  # m, depth that is written for deep water
 SIDES = ("X", "Y", "Z", "RX", "RY", "RZ")
+RADIATION = {"added_mass": "ADDEDMASS", "radiation_damping": "DAMPING"}
 LIMITS = {"ADDEDMASS_LF": "added_mass_zero", "ADDEDMASS_HF": "added_mass_infinity"}
 
 
@@ -73,11 +74,6 @@ def _numbers(place, known):
         rows = sections.get(name)
         return None if rows is None else np.array(rows).reshape(count, -1)[which, -size:]
 
-    def coupled(name):
-        rows = np.array(sections[name]).reshape(-1, 39)
-        rows = rows[(rows[:, 0] == which + 1) & (rows[:, 1] == which + 1)]
-        return rows[np.argsort(rows[:, 2]), 3:].reshape(-1, 6, 6)
-
     water = own_water(sections["GENERAL"])
     center = own("COG", 3)
     body = {}
@@ -91,19 +87,51 @@ def _numbers(place, known):
         found = own(key, size)
         if found is not None:
             body[name] = float(found[0]) if size == 1 else found
-    quantities = {"added_mass": coupled("ADDEDMASS"), "radiation_damping": coupled("DAMPING")}
+    quantities = {name: _blocks(sections, key, count)[:, which, :, which] for name, key in RADIATION.items()}
     if "FORCERAO" in sections:
         rows = np.array(sections["FORCERAO"]).reshape(-1, 15)
         rows = rows[rows[:, 0] == which + 1]
         X = np.zeros((frequencies, headings, 6), complex)
         X[rows[:, 2].astype(int) - 1, rows[:, 1].astype(int) - 1] = rows[:, 3:9] * np.exp(1j * np.radians(rows[:, 9:]))
         quantities["excitation_force"] = X
-    limits = {}
-    for key, name in LIMITS.items():
-        if key in sections:
-            rows = np.array(sections[key]).reshape(-1, 38)
-            limits[name] = rows[(rows[:, 0] == which + 1) & (rows[:, 1] == which + 1)][0, 2:].reshape(6, 6)
+    limits = {
+        name: _blocks(sections, key, count)[0, which, :, which] for key, name in LIMITS.items() if key in sections
+    }
     return _values(place, water, center, omega, beta, quantities, body, limits, count - 1)
+
+
+def coupled(place, known, count):
+    """{quantity: array} of added mass, damping and limits of `count` structures together, (…, 6 count, 6 count), about
+    the centre of gravity of each; known : as in `read`.  Raises FormatError.
+    """
+    place, side = Path(place), 6 * count
+    if place.suffix.lower() == ".lis":
+        raise FormatError(f"{place} is read one structure at a time; allowed with --bodies: the .AH1 of the same run")
+    head, sections = _sections(place)
+    headings, frequencies = (int(x) for x in head[1:3])
+    order = np.argsort(head[3 + headings : 3 + headings + frequencies])
+    found = {name: _blocks(sections, key, count).reshape(-1, side, side)[order] for name, key in RADIATION.items()}
+    found |= {
+        name: _blocks(sections, key, count).reshape(side, side) for key, name in LIMITS.items() if key in sections
+    }
+    for name, data in found.items():
+        if np.isnan(data).any():
+            raise FormatError(
+                f"{place} lacks {name.replace('_', ' ')} between structures; allowed with --bodies: a run with "
+                "interaction of its structures; for one of them give --body"
+            )
+    return found
+
+
+def _blocks(sections, key, count):
+    """(f, count, 6, count, 6) of a section: on each structure by motions of each; NaN where missing"""
+    limit = key in LIMITS
+    rows = np.array(sections[key]).reshape(-1, 38 if limit else 39)
+    on, by, at = (rows[:, column].astype(int) - 1 for column in range(3))
+    at = 0 * at if limit else at
+    out = np.full((at.max() + 1, count, 6, count, 6), np.nan)
+    out[at, on, :, by] = rows[:, -36:].reshape(-1, 6, 6)
+    return out
 
 
 def own_water(numbers):
@@ -131,7 +159,7 @@ def _sections(place):
 
 def _listing(place, known):
     lines = lines_of(place)
-    blocks = _blocks(lines)
+    blocks = _listed(lines)
     count = max(blocks, default=1)
     which = body_of(place, count, known)
     own = blocks.get(which + 1, [])
@@ -190,7 +218,7 @@ def _numbers_after(word, text):
     return [float(x) for x in NUMBER.findall(text.split(word, 1)[1])]
 
 
-def _blocks(lines):
+def _listed(lines):
     """{number of the structure: lines of its hydrodynamic parameters and still water}"""
     out, now = {}, None
     for line in lines:

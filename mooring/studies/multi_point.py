@@ -24,7 +24,7 @@ from functools import cached_property
 import numpy as np
 
 from hakobune.bem import DOFS
-from hakobune.bem.database.natural_periods import NaturalPeriods, natural_periods
+from hakobune.bem.database.natural_periods import GIVE_GYRATION, NaturalPeriods, natural_periods
 from hakobune.bem.hinges import driven
 
 from ..lines.system.bodies import rotation
@@ -345,7 +345,7 @@ def _check(db, system, hulls, allowable):
     if not 0 < allowable <= 1:
         raise ValueError(f"allowable fraction is {allowable:g}; allowed: above 0, at most 1")
     if db.inertia_matrix is None or db.hydrostatic_stiffness is None:
-        raise ValueError("the database has no inertia of the body; give --gyration kxx,kyy,kzz and solve again")
+        raise ValueError(f"the database has no inertia of the body; {GIVE_GYRATION}")
     _check_bodies(system, hulls)
     check_places(system, hulls)
 

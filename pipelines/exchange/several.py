@@ -42,7 +42,7 @@ def import_several(place, kind_name, names, meshes, known, weights, output, fres
     module = import_module(f"hakobune.bem.formats.{kind.module}")
     if not hasattr(module, "coupled"):
         able = ", ".join(
-            n for n, one in FORMATS.items() if one.module in ("wamit", "bemio", "nemoh", "hams", "capytaine")
+            name for name, one in FORMATS.items() if one.module not in ("orcaflex", "diodore", "hydrostar")
         )
         raise ValueError(
             f"--bodies is given with --from {kind_name}; allowed with {able}; for one body of several give --body"

@@ -115,7 +115,7 @@ def test_drift_that_does_not_change_with_frequency_is_the_same_between_in_the_or
 @pytest.mark.parametrize(
     "ask, words",
     [
-        (lambda: made(inertia=None).motions([0.5]), "the database has no inertia of the body; give --gyration"),
+        (lambda: made(inertia=None).motions([0.5]), "if its files were imported, give it by `hakobune body`"),
         (lambda: made(stiffness=None).floating(), "the database has no inertia of the body"),
         (lambda: natural_periods(made(inertia=None)), "natural periods need the inertia of the body; give --gyration"),
         (lambda: natural_periods(made(stiffness=None)), "natural periods need the inertia of the body; give --gyr"),

@@ -117,6 +117,9 @@ def test_a_deck_in_the_surface_is_told_by_the_water_that_it_lifts():
     assert "deck" not in said(replace(lifted(0.95), body={}))
     steep = changed(lifted(0.95), radiation_damping=lambda B: B * np.diag([9, 1, 1, 1, 1, 1]))
     assert "B_11 is 9 times" in said(steep) and "deck" in said(steep)
+    below = np.where(np.arange(len(omega)) % 5, 1.0, -1.0)[:, None, None]
+    assert "energy: B_" in said(changed(lifted(0.3), radiation_damping=lambda B: B * below))
+    assert "energy: B_" not in said(changed(lifted(0.95), radiation_damping=lambda B: B * below))
 
 
 def test_beside_other_bodies_one_mode_tells_no_channel_and_two_do():

@@ -124,10 +124,21 @@ def test_numbers_of_aqwa_are_about_the_centre_of_gravity_with_its_phases(tmp_pat
     two = aqwa.read(place, {"body": 2})
     assert two.get("added_mass")[0] == pytest.approx(matrix(2200.0)) and two.get("mass") == 8.0
     assert two.get("radiation_damping")[0] == pytest.approx(matrix(4400.0))
+    for name, start in (("added_mass", 100.0), ("radiation_damping", 200.0)):
+        both = aqwa.coupled(place, {}, 2)[name]
+        assert both.shape == (1, 12, 12)
+        for i, j in ((1, 1), (1, 2), (2, 1), (2, 2)):  # on structure i by motions of structure j
+            block = both[0, 6 * i - 6 : 6 * i, 6 * j - 6 : 6 * j]
+            assert block == pytest.approx(matrix(start * (10 * i + j)))
     assert (two.water_depth, two.density, two.others) == (np.inf, 1025.0, 1)
     assert two.rotation_center.tolist() == [-2, 0, -1]
     assert two.get("excitation_force")[0, 0] == pytest.approx(5j * np.exp(-2j / 9.81))
     assert two.get("excitation_force")[0, 1] == pytest.approx(5j)
+    place.write_text(text.replace("\n  1 2 1 ", "\n  1 1 1 "))
+    with pytest.raises(FormatError, match=r"a.AH1 lacks added mass between structures; allowed with --bodies: a run"):
+        aqwa.coupled(place, {}, 2)
+    with pytest.raises(FormatError, match=r"a.LIS is read one structure at a time; allowed with --bodies: the .AH1"):
+        aqwa.coupled(tmp_path / "a.LIS", {}, 2)
     place.write_text("GENERAL\n 1 20.0 1025.0 32.2\nCOG\n 1 0 0 0\n")
     with pytest.raises(FormatError, match=r"a.AH1 is no file of AQWA|gravity"):
         aqwa.read(place, {})
