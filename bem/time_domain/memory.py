@@ -129,12 +129,13 @@ class _Goal(NamedTuple):
     damping: np.ndarray
 
 
-def memory_of_database(db, tolerance=1e-3, motions=None):
+def memory_of_database(db, tolerance=1e-3, motions=None, goal=None):
     """`Memory` of a `bem.database.Database` or `Reader`, with the fewest states found within tolerance.
 
     tolerance : tolerance of the transform, relative to the largest of each motion, 1e-5 to 0.1; WORTH of the deviation
         of coupled motions if that is more
     motions : indices of those of a study, None for all; the others are neither read nor fitted
+    goal : `goal_of_database` of the same, for several tolerances; None to find it
     raises : ValueError if damping or added mass are unknown for these, at too few frequencies, or contradict
     each other because the band is too short; `fewest_states.FitError` if the tolerance is not reached
     """
@@ -143,22 +144,30 @@ def memory_of_database(db, tolerance=1e-3, motions=None):
             f"tolerance of the memory of the water (retardation functions) is {tolerance:g}; allowed: 1e-5 to 0.1"
         )
     body = db if isinstance(db, Reader) else reader(db)
+    goal = goal_of_database(body, motions) if goal is None else goal
+    with blas_threads(1):  # many small matrices; and the same bits for any number of threads
+        return _memory(body, tolerance, goal)
+
+
+def goal_of_database(body, motions=None):
+    """What the memory of the `motions` of a `Reader` is fitted to, at any tolerance
+
+    raises : ValueError at too few frequencies
+    """
     motions = range(len(body.words)) if motions is None else motions
     if len(body.omega) < FEWEST:
         raise ValueError(
             f"the memory of the water needs radiation at {FEWEST} or more frequencies, and {len(body.omega)} are "
             "stored; solve a band, such as --omega auto:0.1:2"
         )
-    with blas_threads(1):  # many small matrices; and the same bits for any number of threads
-        return _memory(body, tolerance, motions)
+    with blas_threads(1):
+        goal = _goal(body, body.between.span, motions)
+        if goal.deviation.max() > CLOSE[0]:
+            goal = _shorter(body, goal, motions)
+        return _by_causality(body, goal, motions) if goal.deviation.max() > CLOSE[1] else goal
 
 
-def _memory(body, tolerance, motions):
-    goal = _goal(body, body.between.span, motions)
-    if goal.deviation.max() > CLOSE[0]:
-        goal = _shorter(body, goal, motions)
-    if goal.deviation.max() > CLOSE[1]:
-        goal = _by_causality(body, goal, motions)
+def _memory(body, tolerance, goal):
     band, axis, at, wanted, size, scale, deviation, damping = goal
     _check_deviation(deviation, band, damping, size, body.words, _ringing(body))
     groups = _groups(_relative(np.abs(wanted).max(axis=0), scale) > 0.1 * tolerance)

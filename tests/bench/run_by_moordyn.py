@@ -7,7 +7,7 @@ file, are those of the run.  Positions of the body between samples are a cubic s
 last element, ours the pull at the fairlead, with half the weight of this element: on RM3's lines 0.38 % of the mean.
 
 RM3 in the first 1000 s of WEC-Sim's example record (`import --uncoupled`), from 300 s on, rms of the difference without
-means: 1.42, 1.29, 1.29 % of σ (12.63, 6.40, 6.40 kN); in regular waves of 2.5 m and 8 s 1.93, 2.06, 2.06 %.
+means: 1.42, 1.29, 1.29 % of σ (12.61, 6.39, 6.39 kN); in regular waves of 2.5 m and 8 s 1.93, 2.06, 2.06 %.
 """
 
 import argparse

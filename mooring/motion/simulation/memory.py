@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from hakobune.bem.time_domain.memory import memory_of_database
+from hakobune.bem.time_domain.memory import goal_of_database, memory_of_database
 
 TOLERANCES = (3e-4, 1e-3, 3e-3, 1e-2, 3e-2)
 COUPLED, ONE_PLANE = 1e-6, 12  # share of added mass, and how many entries beside the diagonal a body with one plane of
@@ -23,12 +23,12 @@ def fitted_memory(body, motions=None):
     A = A if motions is None else A[np.ix_(motions, motions)]
     size = np.sqrt(np.diag(A))
     coupled = np.count_nonzero(np.abs(A) > COUPLED * np.outer(size, size)) - len(A)
-    within = 0.0
+    goal, within = goal_of_database(body, motions), 0.0
     for tolerance in TOLERANCES[2 * (coupled > ONE_PLANE) :]:
         if tolerance < within:
             continue
         try:
-            memory = memory_of_database(body, tolerance, motions)
+            memory = memory_of_database(body, tolerance, motions, goal)
         except ValueError as error:
             refused, within = error, getattr(error, "within", 0.0)
             continue

@@ -10,6 +10,7 @@ from hakobune.bem.time_domain import memory as module
 BODY = SimpleNamespace(
     words=("surge", "sway", "heave", "roll", "pitch", "yaw"),
     rigid=6,
+    omega=np.linspace(0.5, 2.0, 8),
     between=SimpleNamespace(span=(0.5, 2.0), ringing=()),
 )
 
@@ -62,7 +63,7 @@ def test_a_band_is_cut_where_one_motion_deviates_and_the_stored_limit_goes_where
     monkeypatch.setattr(module, "_goal", begun)
     monkeypatch.setattr(module, "_shorter", step("shorter", "first"))
     monkeypatch.setattr(module, "_by_causality", step("causality", "shorter"))
-    found = module._memory(BODY, 1e-3, range(6))
+    found = module._memory(BODY, 1e-3, module.goal_of_database(BODY))
     last = goals[[*["first"], *steps][-1]]
     assert taken == steps and found.band == last.band and found.deviation is last.deviation
     assert asked["check"] == (last.deviation, last.band, None, last.size, BODY.words, "")
@@ -75,10 +76,7 @@ def test_a_fit_has_its_groups_tolerances_and_answers_and_tells_the_largest_error
     wanted[1, 0, 4] = wanted[1, 4, 0] = 1.01e-4 * scale[0, 4]
     wanted[1, 1, 3] = wanted[1, 3, 1] = 0.99e-4 * scale[1, 3]
     one = goal(0.06, wanted=wanted, scale=scale)
-    monkeypatch.setattr(module, "_goal", lambda *_: one)
-    for name in ("_shorter", "_by_causality"):
-        monkeypatch.setattr(module, name, lambda body, found, motions: found)
-    found = module._memory(BODY, 1e-3, range(6))
+    found = module._memory(BODY, 1e-3, one)
     groups = ((0, 4), (1,), (2,), (3,), (5,))
     at, given, size, told, near, answered, words = asked["parts"]
     assert told == groups and words is BODY.words and given is wanted and at is one.at and size is one.size
@@ -94,8 +92,7 @@ def test_a_fit_has_its_groups_tolerances_and_answers_and_tells_the_largest_error
 
 def test_ends_of_the_band_are_inside_it(monkeypatch, asked):
     one = goal(0.0, at=(0.5, 0.6, 1.9, 2.0))
-    monkeypatch.setattr(module, "_goal", lambda *_: one)
-    module._memory(BODY, 1e-3, range(6))
+    module._memory(BODY, 1e-3, one)
     assert asked["parts"][5].all()
 
 

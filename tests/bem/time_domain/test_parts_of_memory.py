@@ -85,9 +85,6 @@ def test_motions_are_fitted_as_near_as_their_own_data_agree(monkeypatch):
     )
     goal = module._Goal((0.5, 2.0), *goal[1:], deviation, None)
     asked, body = [], SimpleNamespace(words=(), rigid=(), between=SimpleNamespace(span=(0.5, 2.0)))
-    monkeypatch.setattr(module, "_goal", lambda *_: goal)
-    for name in ("_shorter", "_by_causality"):
-        monkeypatch.setattr(module, name, lambda body, goal, motions: goal)
     monkeypatch.setattr(module, "_check_deviation", lambda *_: None)
     monkeypatch.setattr(module, "_ringing", lambda body: "")
     monkeypatch.setattr(module, "sensitivity", lambda *_: np.ones((5, 6)))
@@ -95,7 +92,7 @@ def test_motions_are_fitted_as_near_as_their_own_data_agree(monkeypatch):
     monkeypatch.setattr(module, "_parts", lambda at, wanted, size, groups, near, *_: asked.extend(near))
     monkeypatch.setattr(module, "_joined", lambda *_: (None, None, None))
     monkeypatch.setattr(module, "_transfer", lambda arrays, at: np.ones((5, 6, 6)))
-    module._memory(body, 3e-4, None)
+    module._memory(body, 3e-4, goal)
     assert asked == pytest.approx([0.002, 3e-4])
 
 

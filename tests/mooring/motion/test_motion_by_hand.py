@@ -553,13 +553,16 @@ def test_a_memory_is_fitted_to_the_smallest_tolerance_it_allows(monkeypatch):
     """Tried from 3e-4 on, a body without planes of symmetry from 3e-3 on; beyond 1e-3 it is told"""
     tried = []
 
-    def fit(body, tolerance, motions):
+    def fit(body, tolerance, motions, goal):
+        assert goal == ("of", body, motions)
         tried.append(tolerance)
         if tolerance < body.allows:
             raise ValueError(f"not to {tolerance:g}")
         return SimpleNamespace(error=np.array([0.5, 0.9]) * tolerance)
 
-    monkeypatch.setattr("hakobune.mooring.motion.simulation.memory.memory_of_database", fit)
+    room = "hakobune.mooring.motion.simulation.memory"
+    monkeypatch.setattr(f"{room}.memory_of_database", fit)
+    monkeypatch.setattr(f"{room}.goal_of_database", lambda body, motions: ("of", body, motions))
     plain = SimpleNamespace(held_added_mass=lambda omega: np.eye(6)[None], allows=1e-3)
     assert fitted_memory(plain)[1] == () and tried == [3e-4, 1e-3]
     plain.allows = 2.5e-3
@@ -588,13 +591,15 @@ def test_tolerances_that_the_best_system_is_far_from_are_not_tried(monkeypatch):
     tried = []
     plain = SimpleNamespace(held_added_mass=lambda omega: np.eye(6)[None])
 
-    def fit(body, tolerance, motions):
+    def fit(body, tolerance, motions, goal):
         tried.append(tolerance)
         if tolerance < 0.02:
             raise FitError(f"not to {tolerance:g}", min(0.01, 7 * tolerance))
         return SimpleNamespace(error=np.array([0.02]))
 
-    monkeypatch.setattr("hakobune.mooring.motion.simulation.memory.memory_of_database", fit)
+    room = "hakobune.mooring.motion.simulation.memory"
+    monkeypatch.setattr(f"{room}.memory_of_database", fit)
+    monkeypatch.setattr(f"{room}.goal_of_database", lambda body, motions: ("of", body, motions))
     (said,) = fitted_memory(plain)[1]
     assert tried == [3e-4, 3e-3, 1e-2, 3e-2] and "fitted to 0.02 of its largest value" in said
 
