@@ -10,6 +10,8 @@ from hakobune.bem.contour import one_frequency
 from hakobune.bem.contour.accuracy import Accuracy, accuracy, finer
 from hakobune.bem.contour.body import ContourBody
 from hakobune.bem.contour.modal_sums import ChebyshevNodes
+from hakobune.bem.contour.plan import potentials
+from hakobune.bem.contour.plan.rectangle import Rectangle
 from hakobune.bem.contour.several.bodies import SeveralBodies, beside, near, prepare_several
 from hakobune.bem.contour.several.exterior import Place
 from hakobune.bem.contour.solver import prepare_box, prepare_cylinder
@@ -211,3 +213,13 @@ def test_bodies_are_as_near_as_a_two_hundredth_of_half_their_width():
     ):
         prepare_several(shapes, [Place(0, 0, 0), Place(6.0145, 0, 0)], 10.0, 1e-2)
     assert prepare_several(shapes, [Place(0, 0, 0), Place(6.0155, 0, 0)], 10.0, 1e-2).gaps[0] == pytest.approx(0.0155)
+
+
+def test_the_pieces_of_a_table_go_down_to_three_decays_of_its_largest_wavenumber(monkeypatch):
+    """3/κ of the last node: at a tolerance of 1e-2 values change by 5e-4 if pieces end at 3 m"""
+    body, seen = prepare_box(100.0, 50.0, 10.0, 20.0, 1e-2), []
+    degree = tuple(int(d) + 2 for d in body.plan.degree(0.0, 1.0))
+    made = Rectangle.layers
+    monkeypatch.setattr(Rectangle, "layers", lambda *given: seen.append(given[-1]) or made(*given))
+    potentials._tables(body, degree)
+    assert seen == [pytest.approx(3 / body.nodes(degree).kappa.max())]

@@ -547,7 +547,7 @@ def test_limits_closer_than_a_tenth_tell_nothing():
 
 def test_added_mass_with_a_peak_of_a_tenth_of_its_range_is_not_resolved():
     a = np.where(np.arange(30) < 20, 0.0, 1.0)
-    for size, even in ((0.09, True), (0.12, False)):
+    for size, even in ((0.099, True), (0.101, False)):
         assert bool(laws._even(a + size * (np.arange(30) == 10))) is even
         assert bool(laws._even(a - size * (np.arange(30) == 27))) is even
     assert laws._even(a + 0.5 * (np.arange(30) == 1))  # the two at each end have no five neighbours
