@@ -42,7 +42,7 @@ class Crossings:
     def highest(self, part):
         """Mean height (m) and period (s) of the highest `part` of the waves, 0 < part ≤ 1, of at least one wave"""
         if not 0 < part <= 1:
-            raise ValueError(f"the fraction of the waves is {part:g}; allowed: above 0, at most 1")
+            raise ValueError(f"the fraction of the highest waves to average is {part:g}; allowed: above 0, at most 1")
         chosen = np.argsort(self.heights)[-max(1, round(part * len(self))) :]
         return float(self.heights[chosen].mean()), float(self.periods[chosen].mean())
 
@@ -105,7 +105,7 @@ def zero_crossings(record, step, direction="up"):
 def rayleigh_height(m0, part):
     """Mean height (m) of the highest `part` of the waves of a narrow spectrum with variance m0 (m²); 0 < part ≤ 1."""
     if not 0 < part <= 1:
-        raise ValueError(f"the fraction of the waves is {part:g}; allowed: above 0, at most 1")
+        raise ValueError(f"the fraction of the highest waves to average is {part:g}; allowed: above 0, at most 1")
     root = math.sqrt(-math.log(part))
     return math.sqrt(8 * m0) * (root + 0.5 * math.sqrt(math.pi) / part * math.erfc(root))
 

@@ -2,8 +2,8 @@
 
 Columns are separated by ; , tab, : or blanks, as in the first row of numbers.  If the comma does not separate columns,
 it is the decimal mark, and a point stands between thousands.
-Lines of words above the numbers are headers. The last header with as many columns as the numbers has the names, and a
-line of units below it has the units.
+Lines of words above the numbers are headers. The names stand in the last header that has as many columns as the
+numbers; the units stand in a line below it.
 Dates, 2026-01-02 03:04:05.6 or 02.01.2026 03:04:05, are seconds from the first.  An empty place, NaN or "-" is a gap,
 which counts only in a column that is used.  In a table every row counts: one row of names at most, then numbers only.
 Lines that begin with # are comments.

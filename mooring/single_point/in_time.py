@@ -25,7 +25,7 @@ class Run(NamedTuple):
     cycle : cycle of its last part; settled : s, nan if the heading does not come to rest; radius : m of the watch
     circle
     drifts : whether the run includes slow drift; findings : one line each
-    full_waves : s, time from which the waves have their full height, inf without
+    full_waves : s, time from which the waves have their full height; inf if there are no waves
     """
 
     record: Record

@@ -147,7 +147,7 @@ def hull_of(place, kind, module, mesh, known):
         near = f" ({near}, beside the files)" if near.is_file() else ""
         near = f" ({path} does not exist)" if path else near
         raise ValueError(
-            f"the hull is missing; give its mesh by --mesh{near}, a file of panels, or a .toml of parts that draws it"
+            f"the hull is missing; give its mesh by --mesh{near}: a file of panels, or a .toml of parts"
         )
     try:
         panels = read_mesh(path.resolve())

@@ -76,7 +76,7 @@ def test_moments_beside_a_year_of_ndbc_are_its_directions(tmp_path, ending):
     )
     assert read_sea(path).spreading is None  # without an x axis directions have none
     with pytest.raises(
-        TableError, match=r"has directions or moments; give the file of densities that belongs to it, w… or \.data_spec"
+        TableError, match=r"contains directions or moments; give the file of spectral densities of the same buoy, w… or \.data_spec"
     ):
         read_sea(tmp_path / f"41010d2026{ending}")
     (tmp_path / f"41010k2026{ending}").unlink()
@@ -98,7 +98,7 @@ def test_moments_beside_the_last_days_of_ndbc_are_its_directions(tmp_path):
     assert abs(mean(sea, HZ * 0.2)) == pytest.approx(math.pi, abs=1e-6)  # from where x heads
     assert sea.spreading.density(np.array([0.3]), HZ * 0.4) == pytest.approx(1 / HZ, rel=1e-6)  # 999: all alike
     for ending in (".swdir", ".swr1"):
-        with pytest.raises(TableError, match="has directions or moments"):
+        with pytest.raises(TableError, match="contains directions or moments"):
             read_sea(tmp_path / f"a{ending}")
     (tmp_path / "b.txt").write_text("#YY  MM DD hh mm WVHT  DPD  APD MWD\n2026 01 02 03 00 1.1 8 6 200\n")
     with pytest.raises(TableError, match=r"no densities by frequency but heights and periods \(WVHT, DPD, APD, MWD\)"):
