@@ -226,7 +226,8 @@ def _row(path, text, time, of_density=True):
     paired = "(" in lines[-1]
     if of_density and (re.search(r"alpha[12]_|r[12]_1", lines[0]) or re.fullmatch(r".{5}[dijk]\d{4}.*", path.name)):
         raise TableError(
-            f"{path} contains directions or moments; give the file of spectral densities of the same buoy, w… or .data_spec"
+            f"{path} contains directions or moments; give the file of spectral densities of the same buoy, w… or "
+            ".data_spec"
         )
     if not paired and len(head) < 3:
         named = ", ".join(word for word in lines[0].lstrip("#").split() if word in ("WVHT", "DPD", "APD", "MWD"))

@@ -146,9 +146,7 @@ def hull_of(place, kind, module, mesh, known):
         near = Path(place).with_name(f"{Path(place).stem}_pan.dat")
         near = f" ({near}, beside the files)" if near.is_file() else ""
         near = f" ({path} does not exist)" if path else near
-        raise ValueError(
-            f"the hull is missing; give its mesh by --mesh{near}: a file of panels, or a .toml of parts"
-        )
+        raise ValueError(f"the hull is missing; give its mesh by --mesh{near}: a file of panels, or a .toml of parts")
     try:
         panels = read_mesh(path.resolve())
     except ValueError as error:

@@ -105,7 +105,7 @@ def test_the_highest_of_a_thousand_amplitudes_is_the_factor_of_the_report():
         (lambda: zero_crossings([1.0, np.inf, 2.0], 0.1), "record is inf at index 1"),
         (lambda: zero_crossings(np.sin(np.arange(100)), 0.0), "step is 0 s"),
         (lambda: zero_crossings(np.sin(np.arange(100)), 1.0, "left"), "allowed: up, down"),
-        (lambda: zero_crossings(np.sin(np.arange(100)), 1.0).highest(0), "the fraction of the highest waves to average is 0"),
+        (lambda: zero_crossings(np.sin(np.arange(100)), 1.0).highest(0), "highest waves to average is 0"),
         (lambda: rayleigh_height(1.0, 2), "the fraction of the highest waves to average is 2"),
         (lambda: expected_maximum_height(1.0, 3), "number of waves is 3; allowed: at least 10"),
     ],
