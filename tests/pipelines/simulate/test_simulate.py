@@ -263,7 +263,11 @@ def test_a_force_of_a_file_beside_the_study_is_part_of_what_results_depend_on(fo
     Path("study.toml").write_text(Path("study.toml").read_text() + "\n[[simulation.force]]\nfile = 'tug.csv'\n")
     with pytest.raises(ValueError, match=r"tug\.csv"):
         simulate()
-    Path("tug.csv").write_text("t,Fx,Fy,Fz,Mx,My,Mz\n0,0,0,0,0,0,0\n700,1e5,0,0,0,0,0\n")
+    short = "t,Fx,Fy,Fz,Mx,My,Mz\n0,0,0,0,0,0,0\n1,1e5,0,0,0,0,0\n"
+    Path("tug.csv").write_text(short)
+    with pytest.raises(ValueError, match=r"tug\.csv: a force is given from 0 to 1 s; .*begins and ends with zeros"):
+        simulate()
+    Path("tug.csv").write_text(short + "2,0,0,0,0,0,0\n")
     assert simulate().made == 3
     Path("tug.csv").write_text("t,Fx,Fy,Fz,Mx,My,Mz\n0,0,0,0,0,0,0\n700,2e5,0,0,0,0,0\n")
     with pytest.raises(DatabaseError, match="another study"):
