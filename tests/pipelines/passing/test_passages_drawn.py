@@ -47,7 +47,7 @@ def test_forces_are_drawn_over_the_place_of_the_other_ship_in_kilonewtons(pictur
     ("opposite", "first"), [(False, "2.5,1500,3000,0,0,0,60000"), (True, "2.5,3000,1500,0,0,0,-75000")]
 )
 def test_the_table_has_the_forces_in_the_order_of_their_times(tmp_path, opposite, first):
-    """40 m at 2 m/s take 20 s, and an eighth more before and after from zero and to it; a ship that comes from ahead passes the places the other way round"""
+    """40 m at 2 m/s take 20 s, an eighth more at either end from zero; a ship from ahead passes the other way"""
     command._table(SimpleNamespace(detail=passage(opposite)), tmp_path / "f.csv")
     lines = (tmp_path / "f.csv").read_text().splitlines()
     assert lines[0] == "t,Fx,Fy,Fz,Mx,My,Mz" and lines[3] == first
