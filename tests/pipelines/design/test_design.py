@@ -404,7 +404,10 @@ def test_changes_are_of_pretension_number_ropes_and_sizes():
             lambda p: p.update(rules=[{"rule": "PIANC", "subject": "oil tanker; loading arms", "confirmed": True}]),
             r"the study has lines \(types\), but no chosen criterion judges them; .* 'tension / breaking load'",
         ),
-        (lambda p: p["rules"].pop(), r"\[wear\] is given, but no chosen criterion limits 'tension / .* load, worn'"),
+        (
+            lambda p: p["rules"].pop(),
+            r"\[wear\] is given, but no chosen criterion limits 'tension / .* load, worn'; .* \(port facility II\)",
+        ),
         (lambda p: p.update(anchors={"holding_kN": 1e4}), r"\[anchors\] is given, .* 'holding capacity"),
         (
             lambda p: p.update(limits=[{"quantity": "swai", "at_most": 5.0, "source": "owner"}]),

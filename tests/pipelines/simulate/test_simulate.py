@@ -541,7 +541,7 @@ def test_a_single_run_tells_what_was_simulated_and_asks_for_seeds(folder):
     simulate(1)
     with opened("run.h5") as file:
         (told,) = over_runs.notes(file)
-        assert "up to 90 % of such runs exceed it" in told and "run 5 seeds" in told
+        assert "with 90 % confidence, no more than 90 % of further runs exceed it" in told and "run 5 seeds" in told
     assert np.isnan(read_run("run.h5")["surge.extreme_median"])
 
 
