@@ -24,6 +24,8 @@ class NaturalPeriods:
     shapes : (n, n), rows are modes, largest component 1 after rotations are multiplied by `scale` m
     inside : (n,) False where the added mass had to be held at the end of the stored frequencies, and where the
     water of a gap or a moonpool resonates
+    water : (m,) rad/s, lowest stored frequency at which water in a gap or a moonpool, above its resonance, makes the
+        inertia of each motion of the body negative; nan without
     """
 
     names: tuple[str, ...]
@@ -31,6 +33,7 @@ class NaturalPeriods:
     shapes: np.ndarray
     inside: np.ndarray
     scale: float
+    water: np.ndarray | float = np.nan
 
     def __repr__(self):
         return (
@@ -61,6 +64,8 @@ def natural_periods(body, coupled=True) -> NaturalPeriods:
 
     M = body.inertia + body.held_added_mass(body.omega)
     gaps = np.linalg.eigvalsh(0.5 * (M + M.swapaxes(1, 2)))[:, 0].min() <= 0
+    negative = np.diagonal(M, axis1=1, axis2=2) <= 0
+    water = np.where(negative.any(axis=0), body.omega[negative.argmax(axis=0)], np.nan)
     frequencies = _own_frequencies(lambda w: modes(w)[0], body.omega if gaps else ())
     own = np.arange(len(frequencies))
     _, vectors, M = modes(np.abs(frequencies))
@@ -78,7 +83,7 @@ def natural_periods(body, coupled=True) -> NaturalPeriods:
     free = np.abs(frequencies) <= 1e-6 * np.abs(frequencies).max()
     with np.errstate(divide="ignore"):
         period = np.where(free, np.inf, np.where(frequencies < 0, np.nan, 2 * np.pi / np.abs(frequencies)))
-    return NaturalPeriods(names, period, shapes, known, scale)
+    return NaturalPeriods(names, period, shapes, known, scale, water)
 
 
 def _own_frequencies(eigenvalues, places=()):

@@ -7,6 +7,9 @@ from contextvars import ContextVar
 WAVES, MATRICES, FACTORS = "waves", "matrices", "factors"
 FINER = "finer"  # a frequency starts again on more panels: in place of a count (prepared problem, ω in rad/s)
 OWN = "own"  # a solution to compare another program's with begins: in place of a count (prepared problem, ω in rad/s)
+LONG = (
+    "long"  # forces of a long wave begin: in place of a count (prepared problem, ω in rad/s, its number, their count)
+)
 _callback = ContextVar("progress callback", default=None)
 
 

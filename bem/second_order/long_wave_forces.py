@@ -16,6 +16,7 @@ from functools import cached_property
 import numpy as np
 
 from .. import DOFS
+from ..kernels.progress import LONG, report_progress
 from ..panels.one_frequency import PanelRun
 from ..time_domain.kept_fits import kept_array
 from ..waves import depth_factor, depth_factor_slope
@@ -33,10 +34,15 @@ def kept_forces(problem, omega, number):
     of = mesh.points, mesh.corners, mesh.symmetry, () if mesh.body is None else mesh.body, problem.transform
     water = problem.depth, problem.density, problem.gravity
     way = problem.nodes_per_panel, np.nan if problem.wall is None else problem.wall, problem.zero_draft
-    return kept_array(
-        __file__, lambda: np.array([body.forces(*one) for one in zip(omega, number, strict=True)]),
-        *of, water, way, omega, number,
-    )  # fmt: skip
+
+    def computed():
+        out = []
+        for place, one in enumerate(zip(omega, number, strict=True)):
+            report_progress(LONG, (body.prepared, one[0], place, len(omega)))
+            out.append(body.forces(*one))
+        return np.array(out)
+
+    return kept_array(__file__, computed, *of, water, way, omega, number)
 
 
 @dataclass(frozen=True, eq=False)

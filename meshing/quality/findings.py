@@ -363,10 +363,12 @@ def _clearance(mesh, depth, edges):
     gaps = depth + mesh.centroids[:, 2]
     wide = low & (mesh.sizes > gaps)
     if wide.any():
+        enough = f"{mesh.total * float((mesh.sizes / gaps)[wide].max()) ** 2 * 1.05:.2g}"
         yield Finding(
             "warning",
             f"{_count(wide)} on the bottom longer than the depth of water under them: up to "
-            f"{mesh.sizes[wide].max():.3g} m over {gaps[wide].min():.3g} m; give more panels",
+            f"{mesh.sizes[wide].max():.3g} m over {gaps[wide].min():.3g} m; give more panels: "
+            f"about {float(enough):.0f} on the whole hull are enough",
         )
 
 

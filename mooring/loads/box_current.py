@@ -203,9 +203,12 @@ def _suspects(slender, wide, relative):
         tests = _rows(name, slender)
         beams, depths = {key[0] for key in tests}, {_column(slender, *key) for key in tests}
         if _next_to(wide, b, beams) and _next_to(_column(slender, wide, relative), _column(slender, b, h), depths):
+            angle = int(r["suspect"])
+            beside = [f"{r[str(a)]} at {a}°" for a in (angle - 15, angle + 15) if a <= 90]
             yield (
                 f"current force: {name} = {r[r['suspect']]} at L/B = {slender:g}, B/d = {b:g}, H/d = {h:g}, "
-                f"{r['suspect']}° of the report deviates from its neighbours; it is used as printed"
+                f"{angle}° of the report deviates from its neighbours ({', '.join(beside)}); it is used as printed, "
+                f"and {name} of this hull follows it around {angle}°; current coefficients of your own replace it"
             )
 
 

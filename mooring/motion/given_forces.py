@@ -1,13 +1,13 @@
 """Forces given as tables in time, in the axes that turn with the body.
 
 Between the rows they follow monotone cubics (Fritsch and Carlson 1980; `scipy.interpolate.PchipInterpolator`), which do
-not overshoot, or cubic splines where they are smooth.  Before the first row the forces of the first row act; the ramp
-applies to them as to every load.
+not overshoot, or cubic splines where they are smooth.  Before the first row the forces of the first row act, after the
+last row those of the last: a table of a passage begins and ends with zeros.  The ramp applies to them as to every load.
 
 Drift by half waves (`mooring.response.slow_drift.half_wave_drift`; SR179 report (1982), eq. 3.7.1.5) is such a force.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from warnings import warn
 
 import numpy as np
@@ -105,6 +105,26 @@ def drift_of_half_waves(reader, components, heading, ramp, duration):
     return GivenForce(np.concatenate([[0.0], times, t[-1:]]) - ramp, force[[0, *range(len(force)), -1]])
 
 
+def faded(force, time):
+    """The GivenForce from 0 s on, with half a cosine of `time` s from zero before it, and one to zero after it"""
+    t, own = force.times - force.times[0], force.force
+    count = 2 + int(np.ceil(time / np.diff(t).max()))
+    share = np.linspace(0.0, 1.0, count)[:-1, None]
+    grown = 0.5 - 0.5 * np.cos(np.pi * share)
+    times = np.concatenate([time * share[:, 0], time + t, time + t[-1] + time * (1.0 - share[::-1, 0])])
+    return replace(force, times=times, force=np.concatenate([grown * own[0], own, grown[::-1] * own[-1]]))
+
+
+def check_lasts(force, duration):
+    """Raises ValueError for a GivenForce that is not zero where it begins after 0 s or ends before the duration, s"""
+    start, end = force.times[[0, -1]]
+    if (start > 0 and force.force[0].any()) or (end < duration and force.force[-1].any()):
+        raise ValueError(
+            f"a force is given from {start:g} to {end:g} s; allowed: from 0 or before to {duration:g} s or later, or a "
+            "table that begins and ends with zeros, outside which no force acts"
+        )
+
+
 def sampled(forces, ramp, duration, bodies=1):
     """Sum of GivenForces at equal steps from −ramp to the duration, shape (6N, m), and the step, s; one column without
     forces
@@ -116,11 +136,7 @@ def sampled(forces, ramp, duration, bodies=1):
     from scipy.interpolate import CubicSpline, PchipInterpolator
 
     for one in forces:
-        if one.times[0] > 0 or one.times[-1] < duration:
-            raise ValueError(
-                f"a force is given from {one.times[0]:g} to {one.times[-1]:g} s; allowed: from 0 or before to "
-                f"{duration:g} s or later"
-            )
+        check_lasts(one, duration)
     step = min(float(np.diff(one.times).min()) for one in forces) / FINE
     step = max(min(step, (ramp + duration) / 8), (ramp + duration) / MOST)
     t = step * np.arange(int(np.ceil((ramp + duration) / step)) + 4) - ramp

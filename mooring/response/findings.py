@@ -14,6 +14,7 @@ from .seas import directions, energy_outside
 
 LINES_NAMED = 12  # names listed in one warning; beyond that only their number
 MISSED = 0.01  # share of the energy beyond the stored frequencies that is reported
+GROWS = 0.5  # the drift per energy grows beyond the stored band, so that half of the limit is aimed at
 WAVES_MISSED = 0.05  # share of the far field that sources in the hull do not reproduce
 UNSURE = 0.05  # estimated error of a result between stored waves above which a warning is given
 LEVER = 0.05  # shortest lever arm of a drift moment that is considered, over the radius of the hull
@@ -31,7 +32,8 @@ def waves_outside(body, spectrum):
         if share > MISSED:
             yield (
                 f"{100 * share:.1f} % of the wave energy is in waves {words} than the stored "
-                f"{2 * np.pi / body.omega[end]:.3g} s; limit {100 * MISSED:g} %; {_solve_to(spectrum, end, MISSED)}"
+                f"{2 * np.pi / body.omega[end]:.3g} s; limit {100 * MISSED:g} %; "
+                f"{_solve_to(spectrum, end, MISSED / 2)}"
             )
 
 
@@ -165,7 +167,7 @@ def drift_outside(body, spectrum, inside, beyond):
         yield (
             f"{100 * share:.1f} % of the mean drift force is due to waves beyond the stored frequencies, for which "
             f"the drift at {body.omega[end]:.3g} rad/s is used; limit {100 * MISSED:g} %; "
-            f"{_solve_to(spectrum, end, energy_outside(body.omega, spectrum)[end] * MISSED / share)}"
+            f"{_solve_to(spectrum, end, energy_outside(body.omega, spectrum)[end] * GROWS * MISSED / share)}"
         )
 
 

@@ -9,6 +9,8 @@ import sys
 import time
 from pathlib import Path
 
+from hakobune.bem.kernels.progress import LONG
+
 from .progress import duration
 
 LONGEST = 30 * 86400.0  # s
@@ -43,6 +45,33 @@ def told(what, seconds, say=None, memory=0.0):
         (say or _to_stderr)(
             f"{what} about {duration(seconds)}" + (f", {memory / 1e9:.2g} GB" if memory >= MUCH else "")
         )
+
+
+class LongWaves:
+    """Callback of `bem.kernels.progress`: says what the forces of bound long waves on panels take, and the time left
+
+    say : called with each line, by default to stderr
+    """
+
+    EVERY = 10.0  # s
+
+    def __init__(self, say=None):
+        self.say, self.started, self.told = say or _to_stderr, 0.0, 0.0
+
+    def __call__(self, stage, what):
+        if stage != LONG:
+            return
+        prepared, omega, done, count = what
+        if done == 0:
+            from hakobune.bem.panels.band.cost import memory_alone, seconds_alone
+
+            panels, seconds = prepared.problem.mesh.total, seconds_alone(prepared, max(omega, 1e-3))
+            what = f"forces of bound long waves, {count} frequencies on {panels} panels:"
+            told(what, count * seconds, self.say, memory_alone(prepared, dense=True))
+            self.started = self.told = time.perf_counter()
+        elif (now := time.perf_counter()) - self.told >= self.EVERY:
+            self.told, left = now, (now - self.started) / done * (count - done)
+            self.say(f"forces of bound long waves: {done} of {count} frequencies, {duration(left)} left")
 
 
 def check_count(key, count, least=1, most=MOST, error=TooMuchError):

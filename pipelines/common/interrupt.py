@@ -15,7 +15,6 @@ STORING = (
     "compare",
     "simulate",
     "design",
-    "downtime",
 )  # commands that complete their own interrupted file
 
 
@@ -23,6 +22,8 @@ def interrupted(command, arguments):
     """Message about a command that Ctrl-C ended at once"""
     if command in STORING and "--mesh-only" not in arguments:
         return "interrupted; solved frequencies are stored, and the same command continues"
+    if command == "downtime":
+        return "interrupted; finished states are stored, and the same command continues with the others"
     if command == "sweep":
         return "interrupted; finished cases are stored, and the same command continues with the others"
     if command == "qtf":

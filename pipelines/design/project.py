@@ -92,6 +92,10 @@ def read_project(path):
     kind = kind_of(folder / own.study)
     study, study_text = kind.read(folder / own.study)
     check_tables(project, study, kind)
+    if project.simulation is not None and project.simulation.force:
+        from ..simulate.study import check_forces
+
+        check_forces(project.simulation)
     criteria = _criteria(project, folder)
     check_criteria(project, study, kind, criteria, folder)
     read = Read(project, raw, text, study, study_text, criteria, folder, kind)
@@ -137,7 +141,7 @@ def _with_files(raw, path):
     if isinstance(states, list):
         made["states"] = [_of_state(i, one, path) for i, one in enumerate(states)]
     if isinstance(simulation, dict):
-        made["simulation"] = _placed(simulation, path.parent)
+        made["simulation"] = _placed(simulation, path.parent.resolve())
     return made
 
 

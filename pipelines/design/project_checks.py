@@ -247,9 +247,10 @@ def _check_used(project, criteria):
     asked = {one.quantity for one in criteria}
     for table, quantity in USED.items():
         if getattr(project, table) is not None and quantity not in asked:
+            rules = dict.fromkeys(one.rule for one in read_rules(None) if one.quantity == quantity)
             raise StudyError(
-                f"[{table}] is given, but no chosen criterion limits {quantity!r}; give a rule set or [[limits]] "
-                f"that does, or leave out [{table}]"
+                f"[{table}] is given, but no chosen criterion limits {quantity!r}; give a rule set that does "
+                f"({', '.join(rules)}) or [[limits]], or leave out [{table}]"
             )
 
 

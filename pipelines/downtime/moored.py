@@ -11,11 +11,13 @@ from typing import TYPE_CHECKING, NamedTuple
 import msgspec
 import numpy as np
 
+from hakobune.bem.kernels.progress import progress_callback
 from hakobune.mooring.criteria.failing import fails
 from hakobune.mooring.downtime.hindcast import Hindcast
 from hakobune.mooring.downtime.largest import whole_years
 from hakobune.mooring.downtime.representative import features
 
+from ..common.bounds import LongWaves
 from ..common.quantities import StudyError
 from ..executors.choice import executor_of
 from ..results.heard import heard
@@ -101,9 +103,10 @@ def _states(read, folder, db, path, workers, say):
     from .simulated import prepared_of, simulated
 
     record = record_with_passages(read, folder, db.water_depth)
-    ready = prepared_of(read.simulation, folder, db)
-    limits = limits_of(read, [], {}, {name: UNITS[name] for name in ready.names})
-    return record, limits, simulated(read, record, limits, ready, path, workers, say)
+    with progress_callback(LongWaves(say)):
+        ready = prepared_of(read.simulation, folder, db)
+        limits = limits_of(read, [], {}, {name: UNITS[name] for name in ready.names})
+        return record, limits, simulated(read, record, limits, ready, path, workers, say)
 
 
 def _notes(read, hindcast, found):

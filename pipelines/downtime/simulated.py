@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+import time
 import tomllib
 from typing import NamedTuple
 
@@ -13,6 +14,7 @@ from hakobune.mooring.downtime.representative import features, most_dissimilar
 from hakobune.mooring.motion.simulation import Overload
 
 from ..common.interrupt import ctrl_c
+from ..common.progress import duration as spoken
 from ..common.quantities import StudyError
 from ..executors.choice import in_order_until
 from ..moor.study import make_study
@@ -24,6 +26,7 @@ from .one_state import names_of, state
 from .study import STREAMS
 from .tables import WavesColumns
 
+AFTER = 10.0  # s between lines of progress
 QUIET = 0.05  # m, height of a calm hour in a simulation
 OVERLOADED = 1.5  # at least, utilisation of a state whose fender or line gives way: beyond every limit
 REALISED = 19  # seed of the random course of stopped hours whose windows are counted
@@ -204,20 +207,30 @@ def _run(read, record, ready, path, executor, say, there, rows):
         (state, ready.task, ready.raw, _weather(read, record, row), [row * seeds + k for k in range(seeds)])
         for row in todo
     )
+    started = last = time.perf_counter()
     with ctrl_c() as stop:
-        for place, result in in_order_until(stop, executor, calls):
-            row = {"hour": todo[place]}
-            if isinstance(result, Exception):
-                row["failed"] = " ".join(str(result).split())[:300] or type(result).__name__
-                row["overload"] = isinstance(result, Overload)
-            else:
-                row["seeds"] = result
-            states_file.append(path, row)
-            there[todo[place]] = row
-            if (place + 1) % 10 == 0 or place + 1 == len(todo):
-                say(f"{place + 1} of {len(todo)} states")
+        try:
+            for place, result in in_order_until(stop, executor, calls):
+                row = {"hour": todo[place]}
+                if isinstance(result, Exception):
+                    row["failed"] = " ".join(str(result).split())[:300] or type(result).__name__
+                    row["overload"] = isinstance(result, Overload)
+                else:
+                    row["seeds"] = result
+                states_file.append(path, row)
+                there[todo[place]] = row
+                done, now = place + 1, time.perf_counter()
+                if now - last >= AFTER or done % 10 == 0 or done == len(todo):
+                    last, left = now, (now - started) / done * (len(todo) - done)
+                    say(f"{done} of {len(todo)} states" + (f", {spoken(left)} left" if done < len(todo) else ""))
+        except KeyboardInterrupt:  # from an interrupted state
+            stop.asked = True
     if stop.asked:
-        raise KeyboardInterrupt
+        stored = sum(int(row) in there for row in rows)
+        raise KeyboardInterrupt(
+            f"interrupted; {stored} of {len(rows)} states are stored in {path}, and the same command continues with "
+            "the others"
+        )
 
 
 def _used(limits, there, rows, seeds):

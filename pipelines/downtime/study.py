@@ -84,10 +84,14 @@ def make_downtime(raw):
 
 
 def _check_states(table):
-    for key, least, most in (("states", 8, MOST_STATES), ("most_states", table.states, MOST_STATES), ("batch", 1, 1000),
-                             ("seeds", 2, MOST_SEEDS)):  # fmt: skip
-        if not least <= getattr(table, key) <= most:
-            raise StudyError(f"simulation.{key} is {getattr(table, key)}; allowed: {least} to {most}")
+    wrong = [
+        f"simulation.{key} is {getattr(table, key)}; allowed: {least} to {most}"
+        for key, least, most in (("states", 8, MOST_STATES), ("most_states", table.states, MOST_STATES),
+                                 ("batch", 1, 1000), ("seeds", 2, MOST_SEEDS))
+        if not least <= getattr(table, key) <= most
+    ]  # fmt: skip
+    if wrong:
+        raise StudyError("; ".join(wrong))
     positive("simulation.duration_hours", table.duration_hours)
     positive("simulation.tolerance_hours", table.tolerance_hours)
 

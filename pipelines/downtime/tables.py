@@ -161,10 +161,10 @@ class StatesTable(Table):
 
     study : file of a mooring study beside this one; its waves are replaced by those of each hour, and its wind where
         the hindcast has one
-    states : number of states at the start, selected by maximum dissimilarity
+    states : number of states at the start, 8 or more, selected by maximum dissimilarity
     most_states : largest number of states
     batch : number of states added at a time, where verdicts may change
-    seeds : number of simulations of each state
+    seeds : number of simulations of each state, 2 or more
     duration_hours : duration of a simulation
     tolerance_hours : tolerated error of the interpolation, in h a year of downtime of each operation
     alternatives : other moorings, each simulated in selected states of its own, stored in a file beside that of the

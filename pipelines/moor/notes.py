@@ -21,7 +21,7 @@ def notes(made):
         f"{_used(made, worst)}"
     )
     if any(NO_DAMPING in line for line in made.warnings):
-        largest += "; the motions are at a resonance that only waves damp, so they are far larger than in simulations"
+        largest += "; a motion is at a resonance that only waves damp; viscous damping makes it smaller"
     return (*_waves(made), largest)
 
 

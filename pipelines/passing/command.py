@@ -7,6 +7,8 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
+FADE = 0.125  # duration of the transition to zero before and after the passage, over that of the passage
+
 
 def passing(
     study: Annotated[Path, Parameter(help="water, moored and passing ship, track (TOML)")],
@@ -38,14 +40,15 @@ def passing(
 
 
 def _table(result, path):
-    """A CSV file that `[[simulation.force]]` reads"""
+    """A CSV file that `[[simulation.force]]` reads: it begins and ends with zeros, so that the run may last longer"""
     import numpy as np
 
     from hakobune.meshing.whole_files import write_whole
-    from hakobune.mooring.motion.given_forces import COLUMNS
+    from hakobune.mooring.motion.given_forces import COLUMNS, faded
 
     given = result.detail.in_time
-    rows = np.column_stack([given.times, given.force])
+    given = faded(given, FADE * float(np.ptp(given.times)))
+    rows = np.column_stack([given.times, given.force]) + 0.0  # no zeros below zero
     lines = [",".join(COLUMNS), *(",".join(f"{value:.10g}" for value in row) for row in rows)]
     write_whole(path, ("\n".join(lines) + "\n").encode())
 

@@ -106,7 +106,8 @@ def on_anchors(file):
 def notes(file):
     """Notes on the meaning of the largest values"""
     runs = int(whole_rows(file).sum())
-    further = f"up to {100 * share_beyond(runs):.2g} % of such runs exceed it (confidence {100 * CONFIDENCE:.0f} %)"
+    share, sure = 100 * share_beyond(runs), 100 * CONFIDENCE
+    further = f"with {sure:.0f} % confidence, no more than {share:.2g} % of further runs exceed it"
     if not differ(file):
         yield (
             "seeds do not differ, since there are no random waves or gusts: every run has the same largest "

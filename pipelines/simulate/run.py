@@ -5,6 +5,7 @@ import json
 import os
 import time
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
@@ -12,9 +13,11 @@ import numpy as np
 
 from hakobune.bem.database.integrity import DatabaseError
 from hakobune.bem.hinges import told_of
+from hakobune.bem.kernels.progress import progress_callback
 from hakobune.mooring.motion.extremes import median_extreme
 from hakobune.mooring.motion.statistics import over_runs
 
+from ..common.bounds import LongWaves
 from ..common.interrupt import ctrl_c
 from ..common.outputs import DATABASE, check_output
 from ..common.picture import loaded_meanwhile
@@ -49,6 +52,7 @@ IDENTITY = "2"  # first word of an identity; it changes when a default of a stud
 ASKED = ("seeds", "keep_series", "duration", "duration_hours")
 OF_MOVING_LINES = ("dynamic_lines", "dynamic_elements")
 SPREADS = ("sigma", "slow", "wave")
+PLAIN = {"highlight": False, "markup": False, "soft_wrap": True}
 AFTER = 10.0  # s between lines of a long run
 
 
@@ -114,7 +118,8 @@ def simulate(asked, database, output, console, executor, seeds=None, duration=No
     if todo or not summary_is_of_today(output):
         remarks = tuple(study.remarks(study.hulls_of(db), db))  # refuses before anything is made
         moving, before = (None, ()) if fresh else _of_lines(output)
-        body, ready, warned = prepared(replace(task, moving=moving), db)
+        with progress_callback(LongWaves(partial(console.print, **PLAIN)) if console else None):
+            body, ready, warned = prepared(replace(task, moving=moving), db)
         task = replace(task, memory=body.memory, moving=ready.settings.dynamic_lines)  # for all processes
         ready = replace(ready, told=first_what_is_left_out((*before, *ready.told)))
         beside = simplified(study, db)

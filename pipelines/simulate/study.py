@@ -100,7 +100,8 @@ def plan_of(study, omega, seeds=None, duration=None, folder=None, words=ONE_BODY
     if table.record is not None:
         components, said = _record(study, table, settings, omega, folder)
         findings += said
-    forces, said = _forces(table, folder, words[: len(words) - len(shapes)])
+    bodies = [word.removesuffix("surge").strip() for word in words[: len(words) - len(shapes) : 6]]
+    forces, said = _forces(table, folder, bodies, settings.duration)
     findings += said
     streams = conditions.wind, gusts_of(study.wind), conditions.current
     weather = Weather(seas, waves, *streams, forces, components=components)
@@ -294,19 +295,41 @@ def _by_motion(key, values, words, least=0.0, unit=1e3):
     return out
 
 
-def _forces(table, folder, words):
-    """`GivenForce` of each file, and findings.  Raises StudyError for an unknown body."""
-    from hakobune.mooring.motion.given_forces import read_force
+def check_forces(table):
+    """Raises StudyError or TableError for a file of a SimulationTable whose forces a run cannot take"""
+    _forces(table, "", [one.body for one in table.force], _duration(table, None))
 
-    bodies = [word.removesuffix("surge").strip() for word in words[::6]]
+
+def _forces(table, folder, bodies, duration):
+    """`GivenForce` of each file, and findings, for a run of `duration` s.  Raises StudyError for an unknown body or a
+    table that does not last.
+    """
+    from hakobune.mooring.motion.given_forces import check_lasts, read_force
+
     for i, one in enumerate(table.force):
         if one.body not in bodies:
             raise StudyError(f"simulation.force[{i}].body is {one.body!r}; allowed: {', '.join(bodies) or 'none'}")
     with heard() as caught:
         forces = () if folder is None else tuple(
-            replace(read_force(Path(folder) / one.file), body=bodies.index(one.body)) for one in table.force
+            _placed(read_force(Path(folder) / one.file), one.at, bodies.index(one.body)) for one in table.force
         )  # fmt: skip
-    return forces, tuple(caught)
+    found = list(caught)
+    for one, force in zip(table.force, forces, strict=False):
+        try:
+            check_lasts(force, duration)
+        except ValueError as error:
+            raise StudyError(f"{one.file}: {error}") from None
+        if force.times[0] >= duration:
+            found.append(
+                f"{one.file}: the force begins at {force.times[0]:g} s, after the end of the run of {duration:g} s"
+            )
+    return forces, tuple(found)
+
+
+def _placed(force, at, body):
+    if not math.isfinite(at):
+        raise StudyError(f"simulation.force.at is {at}; allowed: a finite time, s")
+    return replace(force, times=force.times + at, body=body)
 
 
 def _duration(table, duration):

@@ -1,5 +1,6 @@
 """Tables at the end of a run and of `hakobune check`, on the terminal."""
 
+import tomllib
 from dataclasses import dataclass
 
 import numpy as np
@@ -87,8 +88,16 @@ def missed_tolerance(db):
     return (
         f"the estimated error is {error.largest:.2g} at ω = {error.omega:.4g} rad/s, above the tolerance "
         f"{error.limit:g} at {error.exceeding} of {len(db.omega)} frequencies; give --panels, another --method or a "
-        "coarser --tolerance"
+        f"coarser --tolerance{_of_gaps(db)}"
     )
+
+
+def _of_gaps(db):
+    """What else helps a body before a wall or among others, whose water between may resonate"""
+    scene = tomllib.loads(db.header.scene)
+    if "damping_lids" in scene or not ("wall" in scene or len(scene.get("bodies", ())) > 1):
+        return ""
+    return "; where the water of a gap resonates there, [[damping_lids]] in the scene damps it"
 
 
 def way_out(law):
@@ -172,7 +181,11 @@ def print_outcome(console, outcome, db, own_panels):
     console.print(body_table(db))
     if outcome.stored:
         console.print(checks_table(checked(db)))
-    status = tell([*outcome.remarks, *resonances_of(db), *failures(outcome, db, own_panels)], console, "note: ")
+    status = tell(
+        [*outcome.remarks, *beyond_gap_water(db), *resonances_of(db), *failures(outcome, db, own_panels)],
+        console,
+        "note: ",
+    )
     stored = f"{outcome.stored} of {outcome.total} frequencies stored in {outcome.path}"
     go_on = "" if outcome.exit_status == 0 else "; run the same command to continue"
     by = f"{outcome.solved} by this run" if outcome.jobs else "nothing was left to compute"
@@ -223,6 +236,23 @@ def _free_periods(db):
         period, known = periods.period[mode], periods.inside[mode]
         if np.isfinite(period):
             yield f"natural period, {periods.names[mode].lower()}", f"{'' if known else '~'}{period:.4g}", "s"
+
+
+def beyond_gap_water(db):
+    """A line on natural periods of heave, roll and pitch that lie beyond the resonance of water in a gap or moonpool"""
+    try:
+        if db.bodies or db.modes or db.reader.inertia is None:
+            return ()
+        found = natural_periods(db.reader)
+    except (BetweenError, np.linalg.LinAlgError, ValueError):
+        return ()
+    beyond = [m for m in (2, 3, 4) if np.isfinite(found.period[m]) and 2 * np.pi / found.period[m] > found.water[m]]
+    said = ", ".join(f"{found.names[m].lower()} {found.period[m]:.4g} s" for m in beyond)
+    return () if not said else (
+        f"natural periods of {said} lie beyond the resonance of the water in a gap, which makes their added mass "
+        f"negative from {found.water[beyond].min():.3g} rad/s on: at longer periods that water moves with the body and "
+        "adds so much that these motions have no natural period there; in open water they have others",
+    )  # fmt: skip
 
 
 def _point(point):

@@ -71,6 +71,8 @@ def test_bottom_panels_as_long_as_the_water_under_them_is_deep():
     hull = plain(100, 50, 10, (10, 5, 5))
     line = both("on the bottom", {"mesh": hull, "depth": 15.1}, {"mesh": hull, "depth": 14.9})
     assert "50 of 125 panels on the bottom longer than the depth of water under them: up to 5 m over 4.9 m" in line
+    more = int(line.split("about ")[1].split()[0])  # (5/4.9)² of four quarters, and a twentieth: 5 m become 4.8 m
+    assert more == 550 and 5.0 * np.sqrt(500 / more) < 4.9
 
 
 def test_a_side_that_slopes_by_thirty_degrees_is_bottom():

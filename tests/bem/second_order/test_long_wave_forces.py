@@ -8,6 +8,7 @@ from exact import maccamy_fuchs
 from exact.second_order_cylinder import free_surface_force, long_wave_force, quadratic_force
 
 from hakobune.bem import DOFS
+from hakobune.bem.kernels.progress import LONG, progress_callback
 from hakobune.bem.methods.panel_problem import PanelProblem
 from hakobune.bem.second_order.bound_waves import bound_waves
 from hakobune.bem.second_order.long_wave_forces import LongWaveBody, kept_forces
@@ -72,6 +73,9 @@ def test_forces_that_are_kept_are_those_of_the_body_in_its_own_water(tmp_path, m
     omega, number = np.array([0.2, 0.35]), np.array([[[0.03, 0.01]], [[0.05, 0.0]]])
     for asked in (problem, replace(problem, density=1.5 * problem.density), replace(problem, depth=1.2 * DEPTH)):
         made = [LongWaveBody(asked).forces(*one) for one in zip(omega, number, strict=True)]
+        heard = []
         for _ in range(2):
-            assert np.array_equal(kept_forces(asked, omega, number), made)
+            with progress_callback(lambda *one: heard.append(one)):  # noqa: B023
+                assert np.array_equal(kept_forces(asked, omega, number), made)
+        assert [(stage, *what[1:]) for stage, what in heard if stage == LONG] == [(LONG, 0.2, 0, 2), (LONG, 0.35, 1, 2)]
     assert len([*(tmp_path / "fits").iterdir()]) == 3

@@ -150,7 +150,8 @@ def test_moment_vanishes_towards_a_square_and_is_the_printed_law_at_two():
     [((2.0, 15.0, 1.6), "0.32"), ((2.0, 13.0, 1.7), "0.32"), ((2.0, 12.0, 5.0), "0.25"), ((1.2, 10.0, 1.15), "1.67")],
 )
 def test_printed_values_out_of_line_are_named_where_they_are_used(sizes, value):
-    assert any(f"C_y = {value}" in note for note in table(*sizes).notes)
+    beside = {"0.32": "0.00 at 0°, 1.20 at 30°", "0.25": "0.13 at 15°, 0.55 at 45°", "1.67": "1.61 at 75°"}[value]
+    assert any(f"C_y = {value}" in note and f"neighbours ({beside})" in note for note in table(*sizes).notes)
     b, h = (s * DRAFT for s in sizes[1:])
     with warnings.catch_warnings(record=True) as told:
         warnings.simplefilter("always")

@@ -19,7 +19,7 @@ from hakobune.mooring.motion import integrator, slow_damping
 from hakobune.mooring.motion.contact_loads import DEPTH
 from hakobune.mooring.motion.equation import BLOCK
 from hakobune.mooring.motion.extremes import beyond, median_extreme, rare, share_beyond
-from hakobune.mooring.motion.given_forces import GivenForce, read_force, sampled
+from hakobune.mooring.motion.given_forces import GivenForce, faded, read_force, sampled
 from hakobune.mooring.motion.line_loads import REACH
 from hakobune.mooring.motion.simulation.expected import expected_motion
 from hakobune.mooring.motion.simulation.failures import Overload, stopped
@@ -387,12 +387,28 @@ def test_given_forces_add_up_at_a_quarter_of_their_shortest_step():
     assert total == pytest.approx(np.outer(np.arange(6.0), own) + 1.0, abs=1e-12)
     assert sampled([], 8.0, 10.0)[0].tolist() == [[0.0]] * 6
     for wrong, says in (
-        (GivenForce([0.1, 12.0], np.zeros((2, 6))), "given from 0.1 to 12 s"),
-        (GivenForce([0.0, 9.9], np.zeros((2, 6))), "from 0 to 9.9 s; allowed: from 0 or before to 10 s"),
+        (GivenForce([0.1, 12.0], np.eye(6)[:2]), "given from 0.1 to 12 s"),
+        (GivenForce([0.0, 9.9], np.eye(6)[:2]), "from 0 to 9.9 s; allowed: from 0 or before to 10 s"),
     ):
         with pytest.raises(ValueError, match=says):
             sampled([wrong], 8.0, 10.0)
     assert sampled([GivenForce([0.0, 100.0], np.zeros((2, 6)))], 0.0, 100.0)[1] == pytest.approx(12.5)
+
+
+def test_a_passage_acts_within_its_table_alone_and_begins_and_ends_smoothly():
+    """A row at either end that is not zero is refused there only; half a cosine leads to zero on both sides"""
+    force = np.outer([0.0, 2.0, 0.0], np.arange(6.0))
+    total, step = sampled([GivenForce([3.0, 5.0, 7.0], force)], 8.0, 20.0)
+    t = step * np.arange(total.shape[1]) - 8.0
+    assert total[5].max() == pytest.approx(10.0, abs=1e-9) and not total[:, (t <= 3.0) | (t >= 7.0)].any()
+    for row, where in ((0, [3.0, 5.0, 30.0]), (2, [-10.0, 5.0, 7.0])):
+        force[row, 4] = 1e-3
+        with pytest.raises(ValueError, match="a table that begins and ends with zeros"):
+            sampled([GivenForce(where, force)], 8.0, 20.0)
+        force[row, 4] = 0.0
+    made = faded(GivenForce([2.0, 3.0, 4.0], np.outer([1.0, 5.0, -2.0], np.ones(6))), 2.0)
+    assert made.times == pytest.approx([0, 2 / 3, 4 / 3, 2, 3, 4, 4 + 2 / 3, 4 + 4 / 3, 6])
+    assert made.force[:, 3] == pytest.approx([0, 0.25, 0.75, 1, 5, -2, -1.5, -0.5, 0])
 
 
 @pytest.mark.parametrize("gap, told", [(9.9, False), (10.1, True)])

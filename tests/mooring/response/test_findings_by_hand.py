@@ -83,10 +83,12 @@ def test_a_hundredth_of_the_drift_force_from_waves_beyond_is_told(beyond, told):
     assert len(said) == told and (
         not told or (said[0].startswith("1.0 % of the mean drift force") and "1.25 rad/s" in said[0])
     )
-    if told:  # nearly all of what is beyond: the same share of the energy above 1.25 rad/s is beyond that frequency
+    if told:  # nearly all of what is beyond: half of the limit, for short waves drift a body more than those at the end
         to = float(said[0].split("solve to ")[1].split(" ")[0])
         kept = beyond / (99 + beyond)
-        assert spectrum.moment(0, to, np.inf) == pytest.approx(0.01 / kept * spectrum.moment(0, 1.25, np.inf), rel=0.02)
+        assert spectrum.moment(0, to, np.inf) == pytest.approx(
+            0.005 / kept * spectrum.moment(0, 1.25, np.inf), rel=0.02
+        )
 
 
 @pytest.mark.parametrize("degrees, told", [(1.1, False), (1.2, True)])

@@ -10,6 +10,7 @@ from hakobune.pipelines.common import interrupt
 from hakobune.pipelines.common.interrupt import ctrl_c
 
 BOX = ["box", "--length", "10", "--beam", "5", "--draft", "1", "--depth", "5", "--omega", "1"]
+STATES = "; finished states are stored, and the same command continues with the others"
 KEPT = "; solved frequencies are stored, and the same command continues"
 
 
@@ -21,6 +22,7 @@ KEPT = "; solved frequencies are stored, and the same command continues"
         (["sections"], "hakobune.pipelines.sections.result.tables", ""),
         ([*BOX, "--mesh-only"], "hakobune.pipelines.solve.hull.make_hull", ""),
         (BOX, "hakobune.pipelines.solve.run.solve", KEPT),
+        (["downtime", "d.toml"], "hakobune.pipelines.downtime.study.read_downtime", STATES),
         (["compare", "sections"], "hakobune.pipelines.validation.comparisons.sets.solved", KEPT),
     ],
 )

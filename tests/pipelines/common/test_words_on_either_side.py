@@ -67,7 +67,7 @@ def test_laws_are_broken_beyond_the_tolerance_or_a_quarter_with_panels_of_ones_o
 def test_an_estimated_error_above_the_tolerance_says_where(exceeding, told, monkeypatch):
     one = check("estimated_error", 0.034, exceeding=exceeding)
     monkeypatch.setattr(of_solve, "stored_checks", lambda db: [check("energy", 1.0), one])
-    said = of_solve.missed_tolerance(SimpleNamespace(omega=np.arange(7)))
+    said = of_solve.missed_tolerance(SimpleNamespace(omega=np.arange(7), header=SimpleNamespace(scene="")))
     words = (
         "the estimated error is 0.034 at ω = 0.8 rad/s, above the tolerance 0.01 at 2 of 7 frequencies; give --panels"
     )

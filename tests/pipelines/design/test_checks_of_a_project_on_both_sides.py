@@ -277,7 +277,12 @@ VALUE = {"quantity": "gust factor", "value": 1.0, "source": "a tunnel"}
         ({"wear": {"mm_per_year": 0.1}}, [WORN], (), None),
         ({"wear": {"mm_per_year": 0.1}}, [HOLDING], (), f"[wear] is given, but no chosen criterion limits {WORN!r};"),
         ({"anchors": {"holding_kN": 1.0}}, [HOLDING], (), None),
-        ({"anchors": {"holding_kN": 1.0}}, [WORN], (), "that does, or leave out [anchors]"),
+        (
+            {"anchors": {"holding_kN": 1.0}},
+            [WORN],
+            (),
+            "a rule set that does (UFC 4-159-03) or [[limits]], or leave out [anchors]",
+        ),
         ({"values": [VALUE]}, ["gust factor"], (), None),
         (
             {"values": [VALUE]},

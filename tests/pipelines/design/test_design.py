@@ -3,6 +3,7 @@
 import re
 import tomllib
 from html.parser import HTMLParser
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -403,7 +404,10 @@ def test_changes_are_of_pretension_number_ropes_and_sizes():
             lambda p: p.update(rules=[{"rule": "PIANC", "subject": "oil tanker; loading arms", "confirmed": True}]),
             r"the study has lines \(types\), but no chosen criterion judges them; .* 'tension / breaking load'",
         ),
-        (lambda p: p["rules"].pop(), r"\[wear\] is given, but no chosen criterion limits 'tension / .* load, worn'"),
+        (
+            lambda p: p["rules"].pop(),
+            r"\[wear\] is given, but no chosen criterion limits 'tension / .* load, worn'; .* \(port facility II\)",
+        ),
         (lambda p: p.update(anchors={"holding_kN": 1e4}), r"\[anchors\] is given, .* 'holding capacity"),
         (
             lambda p: p.update(limits=[{"quantity": "swai", "at_most": 5.0, "source": "owner"}]),
@@ -427,6 +431,22 @@ def test_a_wrong_project_is_told_in_one_line(folder, change, message):
     with pytest.raises(ValueError, match=message) as fault:
         read_project(folder / "wrong.toml")
     assert "\n" not in str(fault.value)
+
+
+def test_a_table_of_force_lies_beside_the_project_and_is_looked_at_before_a_case_is_run(folder, monkeypatch):
+    """Two passages: one is over before the run ends, the other never ends"""
+    monkeypatch.chdir(folder)
+    force = {"file": "passage.csv", "at": 500.0}
+    project = {**PROJECT, "simulation": {"duration": 600.0, "force": [force]}}
+    Path("forced.toml").write_text(tomli_w.dumps(project))
+    with pytest.raises(ValueError, match=r"passage\.csv"):
+        read_project("forced.toml")
+    rows = ["t,Fx,Fy,Fz,Mx,My,Mz", "0,0,0,0,0,0,0", "1,5,0,0,0,0,0"]
+    Path("passage.csv").write_text("\n".join(rows))
+    with pytest.raises(ValueError, match=r"passage\.csv: a force is given from 500 to 501 s"):
+        read_project("forced.toml")
+    Path("passage.csv").write_text("\n".join([*rows, "2,0,0,0,0,0,0"]))
+    assert read_project("forced.toml").raw["simulation"]["force"][0]["file"] == str(Path.cwd() / "passage.csv")
 
 
 def test_quantities_that_one_kind_of_study_knows_have_their_units():

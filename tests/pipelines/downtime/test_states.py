@@ -1,5 +1,6 @@
 """States of a record, simulated by a stand-in: chosen, kept line by line, taken up again after a kill anywhere."""
 
+from contextlib import nullcontext
 from dataclasses import dataclass
 from types import SimpleNamespace
 
@@ -86,12 +87,12 @@ def straight(x, height, used):
     return Interpolant(Straight(), np.polyfit(np.log(height), np.log(used).mean(axis=1), 1)[::-1], 0.1)
 
 
-def run(made, path, monkeypatch, fit=straight, **words):
+def run(made, path, monkeypatch, fit=straight, say=lambda line: None, **words):
     stand_in = StandIn(**words)
     monkeypatch.setattr(room, "state", stand_in)
     monkeypatch.setattr(room, "fitted", fit)
     study, record, limits, ready = made
-    return room.simulated(study, record, limits, ready, path, Here(), lambda line: None), stand_in.calls
+    return room.simulated(study, record, limits, ready, path, Here(), say), stand_in.calls
 
 
 def test_hours_of_states_are_those_of_every_hour(made, tmp_path, monkeypatch):
@@ -111,7 +112,7 @@ def test_hours_of_states_are_those_of_every_hour(made, tmp_path, monkeypatch):
 def test_states_go_on_after_a_kill_and_the_file_is_the_same(call, made, tmp_path, monkeypatch):
     whole, broken = tmp_path / "whole.jsonl", tmp_path / "broken.jsonl"
     first, _ = run(made, whole, monkeypatch)
-    with pytest.raises(KeyboardInterrupt):
+    with pytest.raises(KeyboardInterrupt, match=rf"{call - 1} of \d+ states are stored in .*broken\.jsonl"):
         run(made, broken, monkeypatch, ends=call)
     with broken.open("ab") as file:  # a line that was being written
         file.write(whole.read_bytes().splitlines()[call][:40])
@@ -179,3 +180,33 @@ def test_a_result_is_asked_for_once_it_is_there_and_without_a_time_limit():
     future = SimpleNamespace(done=lambda: next(looks), result=lambda: 7)
     executor = SimpleNamespace(submit=lambda function: future)
     assert list(in_order_until(SimpleNamespace(asked=False), executor, [(len,)])) == [(0, 7)]
+
+
+@pytest.mark.parametrize(
+    ("keys", "says"),
+    [
+        ({"states": 8, "seeds": 2}, ""),
+        (
+            {"states": 7, "seeds": 1},
+            "simulation.states is 7; allowed: 8 to 10000; simulation.seeds is 1; allowed: 2 to",
+        ),
+    ],
+)
+def test_too_few_states_and_seeds_are_refused_together(keys, says):
+    tables = {
+        "hindcast": {"file": "h.csv", "x_axis_compass_deg": 0.0, "waves": [WAVES]},
+        "simulation": {"study": "moor.toml", **keys}, "operations": OPERATIONS[1:],
+    }  # fmt: skip
+    with pytest.raises(StudyError, match=says) if says else nullcontext():
+        make_downtime(tables)
+
+
+@pytest.mark.parametrize(("after", "counts"), [(0.0, [*range(1, 17), *range(1, 5)]), (1e6, [10, 16, 4])])
+def test_states_are_told_at_intervals_with_the_time_left(after, counts, made, tmp_path, monkeypatch):
+    """16 states and 4 more: each one, or every tenth and the last"""
+    said = []
+    monkeypatch.setattr(room, "AFTER", after)
+    run(made, tmp_path / "s.jsonl", monkeypatch, say=said.append)
+    told = [line for line in said if " of " in line]
+    assert [int(line.split()[0]) for line in told] == counts
+    assert all(line.endswith(" left") != (line in ("16 of 16 states", "4 of 4 states")) for line in told)

@@ -45,5 +45,5 @@ def test_a_tension_by_motions_that_nothing_damps_says_so_in_its_own_line():
     (line,) = said(warnings=("period: its amplitude 0.5 rad has no viscous damping; …",))
     assert (
         line.startswith("largest tension: 912 kN")
-        and ("the motions are at a resonance that only waves damp, so they are far larger than in simulations") in line
+        and ("a motion is at a resonance that only waves damp; viscous damping makes it smaller") in line
     )

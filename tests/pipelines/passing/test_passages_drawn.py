@@ -44,14 +44,15 @@ def test_forces_are_drawn_over_the_place_of_the_other_ship_in_kilonewtons(pictur
 
 
 @pytest.mark.parametrize(
-    ("opposite", "first"), [(False, "0,1500,3000,0,0,0,60000"), (True, "0,3000,1500,0,0,0,-75000")]
+    ("opposite", "first"), [(False, "2.5,1500,3000,0,0,0,60000"), (True, "2.5,3000,1500,0,0,0,-75000")]
 )
 def test_the_table_has_the_forces_in_the_order_of_their_times(tmp_path, opposite, first):
-    """40 m at 2 m/s take 20 s; a ship that comes from ahead passes the places the other way round"""
+    """40 m at 2 m/s take 20 s, an eighth more at either end from zero; a ship from ahead passes the other way"""
     command._table(SimpleNamespace(detail=passage(opposite)), tmp_path / "f.csv")
     lines = (tmp_path / "f.csv").read_text().splitlines()
-    assert lines[0] == "t,Fx,Fy,Fz,Mx,My,Mz" and lines[1] == first
-    assert lines[2] == "10,-4500,12000,7.5,9,10.5,0" and lines[3].startswith("20,") and len(lines) == 4
+    assert lines[0] == "t,Fx,Fy,Fz,Mx,My,Mz" and lines[3] == first
+    assert lines[4] == "12.5,-4500,12000,7.5,9,10.5,0" and lines[5].startswith("22.5,") and len(lines) == 8
+    assert lines[1] == "0,0,0,0,0,0,0" and lines[7] == "25,0,0,0,0,0,0"
 
 
 @pytest.mark.parametrize(("given", "says"), [

@@ -207,7 +207,8 @@ def test_durations_in_hours_are_seconds_and_seeds_count_from_one():
 
 
 @pytest.mark.parametrize("runs, words", [
-    (4, "the largest is the largest value in 4 runs; up to 44 % of such runs exceed it (confidence 90 %); run "
+    (4, "the largest is the largest value in 4 runs; "
+        "with 90 % confidence, no more than 44 % of further runs exceed it; run "
         "5 seeds for a"),
     (5, "the median extreme is exceeded by half of such runs, and its interval holds for any distribution of "
         "the largest"),
@@ -218,7 +219,7 @@ def test_five_runs_have_a_median_extreme(folder, runs, words):  # noqa: F811
     with opened("run.h5") as file:
         said = " ".join(over_runs.notes(file))
     assert words in said
-    assert f"{100 * (1 - 0.1 ** (1 / runs)):.2g} % of such runs" in said
+    assert f"{100 * (1 - 0.1 ** (1 / runs)):.2g} % of further runs" in said
 
 
 def test_records_and_offsets_are_drawn_in_the_units_of_their_axes(folder, pictures):  # noqa: F811

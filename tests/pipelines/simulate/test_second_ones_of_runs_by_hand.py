@@ -105,10 +105,16 @@ def test_the_line_with_the_largest_share_of_its_load_is_told_not_that_with_the_l
         (
             1,
             True,
-            "the largest is the largest value in 1 run; up to 90 % of such runs exceed it (confidence 90 %); "
+            "the largest is the largest value in 1 run; "
+            "with 90 % confidence, no more than 90 % of further runs exceed it; "
             "run 5 seeds for",
         ),
-        (4, True, "the largest is the largest value in 4 runs; up to 44 % of such runs exceed it"),
+        (
+            4,
+            True,
+            "the largest is the largest value in 4 runs; "
+            "with 90 % confidence, no more than 44 % of further runs exceed it",
+        ),
         (
             5,
             True,
@@ -126,7 +132,9 @@ def test_what_the_largest_of_runs_means_is_told_with_how_many_exceed_it(monkeypa
     (said,) = over_runs.notes(file)
     assert said.startswith(says)
     if runs == 5 and differ:
-        assert said.endswith("the largest value in 5 runs; up to 37 % of such runs exceed it (confidence 90 %)")
+        assert said.endswith(
+            "the largest value in 5 runs; with 90 % confidence, no more than 37 % of further runs exceed it"
+        )
 
 
 def test_every_station_of_a_beam_has_its_deflection_and_loads_beside_each_other(monkeypatch):

@@ -263,7 +263,11 @@ def test_a_force_of_a_file_beside_the_study_is_part_of_what_results_depend_on(fo
     Path("study.toml").write_text(Path("study.toml").read_text() + "\n[[simulation.force]]\nfile = 'tug.csv'\n")
     with pytest.raises(ValueError, match=r"tug\.csv"):
         simulate()
-    Path("tug.csv").write_text("t,Fx,Fy,Fz,Mx,My,Mz\n0,0,0,0,0,0,0\n700,1e5,0,0,0,0,0\n")
+    short = "t,Fx,Fy,Fz,Mx,My,Mz\n0,0,0,0,0,0,0\n1,1e5,0,0,0,0,0\n"
+    Path("tug.csv").write_text(short)
+    with pytest.raises(ValueError, match=r"tug\.csv: a force is given from 0 to 1 s; .*begins and ends with zeros"):
+        simulate()
+    Path("tug.csv").write_text(short + "2,0,0,0,0,0,0\n")
     assert simulate().made == 3
     Path("tug.csv").write_text("t,Fx,Fy,Fz,Mx,My,Mz\n0,0,0,0,0,0,0\n700,2e5,0,0,0,0,0\n")
     with pytest.raises(DatabaseError, match="another study"):
@@ -537,7 +541,7 @@ def test_a_single_run_tells_what_was_simulated_and_asks_for_seeds(folder):
     simulate(1)
     with opened("run.h5") as file:
         (told,) = over_runs.notes(file)
-        assert "up to 90 % of such runs exceed it" in told and "run 5 seeds" in told
+        assert "with 90 % confidence, no more than 90 % of further runs exceed it" in told and "run 5 seeds" in told
     assert np.isnan(read_run("run.h5")["surge.extreme_median"])
 
 

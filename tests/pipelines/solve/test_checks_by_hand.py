@@ -13,9 +13,10 @@ from hakobune.pipelines.solve import adaptive, checking, report
 OMEGA = np.array([0.4, 0.5, 0.6])
 
 
-def database(tolerance=0.01, **checks):
+def database(tolerance=0.01, scene="", **checks):
     return SimpleNamespace(checks=lambda: {name: np.array(values) for name, values in checks.items()}, omega=OMEGA,
-                           attributes={"tolerance": tolerance}, names=())  # fmt: skip
+                           attributes={"tolerance": tolerance}, names=(),
+                           header=SimpleNamespace(scene=scene))  # fmt: skip
 
 
 def test_a_check_tells_its_largest_value_and_how_many_lie_above_its_limit():
@@ -53,6 +54,15 @@ def test_an_estimated_error_is_held_to_the_tolerance_that_was_asked_for(value, t
     )
     assert report.missed_tolerance(database(energy=[9.0])) == ""
     assert report.failed_laws(database(estimated_error=[9.0, 9.0, 9.0]), False) == ""  # an estimate is no law
+
+
+@pytest.mark.parametrize(("scene", "told"), [
+    ("wall = 17.0", True), ("[[bodies]]\n[[bodies]]", True), ("[[bodies]]", False),
+    ("wall = 17.0\n[[damping_lids]]", False),
+])  # fmt: skip
+def test_an_error_beside_water_that_may_resonate_names_damping_lids(scene, told):
+    said = report.missed_tolerance(database(scene=scene, estimated_error=[0.0, 0.15, 0.0]))
+    assert ("[[damping_lids]]" in said) is told and "coarser --tolerance" in said
 
 
 def test_what_fails_of_a_run_has_frequencies_laws_and_tolerance():
