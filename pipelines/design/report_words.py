@@ -185,8 +185,7 @@ def line_rows(read, verdict):
 def _used_of(used, breaking, allowable):
     if allowable is None:
         return percent(used)
-    of_study = f"WLL {allowable * breaking / 1e3:.4g} kN (the study's allowable)"
-    return f"{percent(used)}, {percent(used / allowable)} of {of_study}"
+    return f"{percent(used)}, {percent(used / allowable)} of WLL {allowable * breaking / 1e3:.4g} kN"
 
 
 def part_table(read, verdict):

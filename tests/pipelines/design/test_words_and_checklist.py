@@ -230,7 +230,7 @@ def test_a_line_is_told_in_metres_and_kilonewtons():
         "2442", "50 %",
     )  # fmt: skip
     (row,) = report_words.line_rows(SimpleNamespace(study=study | {"allowable": 0.4}), verdict)
-    assert row[-1] == "50 %, 125 % of WLL 1954 kN (the study's allowable)"
+    assert row[-1] == "50 %, 125 % of WLL 1954 kN"
     numbers.breaking = np.array([np.inf])
     assert next(report_words.line_rows(SimpleNamespace(study=study), verdict))[-3:] == ("not given", "2442", "")
 
