@@ -6,6 +6,7 @@ from ..response.findings import LINES_NAMED, some
 from .failing import fails
 
 HELP = "give a stronger type, a longer line or less pretension"
+OF_STUDY = "; the limit is the study's own key allowable, not that of a rule set"
 
 
 def overused(names, used, allowable, where, help=HELP):
@@ -24,7 +25,8 @@ def overused(names, used, allowable, where, help=HELP):
         if np.any(chosen):
             named = shares(names, np.where(chosen, used, np.nan))
             more = "more " if chosen is not parted and np.any(parted) else ""
-            yield fails(f"{chosen.sum()} {more}of {len(used)} lines {where} {text}: {named}; {help}")
+            whose = "" if chosen is parted else OF_STUDY
+            yield fails(f"{chosen.sum()} {more}of {len(used)} lines {where} {text}: {named}; {help}{whose}")
 
 
 def shares(names, values):

@@ -10,7 +10,8 @@ A table has a row for each criterion:
     lines              intact, one lost (at rest after it), transient (just after it), any
     analysis           quasi-static, dynamic, any
     subject            what it is about: chain, hawser, ship and cargo
-    statistic          largest, amplitude, peak to peak: a limit without it is none
+    statistic          largest and amplitude, of motions from the mean; peak to peak, largest less smallest of a record:
+                       a limit without it is none
     motion_factor      by which the largest motion is multiplied before the tension is taken
     source, status     read: quoted in a source that was read; secondary; unverified: to be confirmed in the book
 

@@ -54,6 +54,7 @@ class Case(NamedTuple):
     others : {quantity: value} of the whole case
     parts : {quantity: {part: value}}, such as strains of fenders, or None
     partial : whether it is judged only by its available quantities, such as an earthquake, which has no ropes
+    ranges : like motions, largest less smallest of a record; None for motions about their mean, twice the amplitude
     """
 
     name: str
@@ -65,6 +66,7 @@ class Case(NamedTuple):
     others: dict
     parts: dict | None = None
     partial: bool = False
+    ranges: dict | None = None
 
 
 class Use(NamedTuple):
@@ -147,9 +149,9 @@ def _use(criterion, case):
         ]
         return max(uses, key=lambda use: use.utilisation)
     if isinstance(case.motions.get(criterion.quantity), dict):
-        return _of_bodies(criterion, case, case.motions[criterion.quantity])
+        return _of_bodies(criterion, case)
     if criterion.quantity in case.motions:
-        value = case.motions[criterion.quantity] * _times(criterion)
+        value = _moved(criterion, case)
     elif criterion.quantity in case.others:
         value = case.others[criterion.quantity]
     else:
@@ -157,17 +159,20 @@ def _use(criterion, case):
     return Use(case.name, criterion.quantity, float(value), criterion.utilisation(float(value)))
 
 
-def _of_bodies(criterion, case, amplitudes):
-    """The largest Use of {body: amplitude}; of one body alone where that is the subject of the criterion"""
-    about = [criterion.subject] if criterion.subject in amplitudes else amplitudes
-    values = {name: float(amplitudes[name] * _times(criterion)) for name in about}
+def _of_bodies(criterion, case):
+    """The largest Use of all bodies; of one body alone where that is the subject of the criterion"""
+    bodies = case.motions[criterion.quantity]
+    about = [criterion.subject] if criterion.subject in bodies else bodies
+    values = {name: float(_moved(criterion, case, name)) for name in about}
     uses = [Use(case.name, f"{name} {criterion.quantity}", x, criterion.utilisation(x)) for name, x in values.items()]
     return max(uses, key=lambda use: use.utilisation)
 
 
-def _times(criterion):
-    """Value of the statistic of a criterion over the amplitude of a motion"""
-    return 2.0 if criterion.statistic == "peak to peak" else 1.0
+def _moved(criterion, case, body=None):
+    """The statistic of a criterion on a motion, of one of several bodies, m or degrees"""
+    whole = criterion.statistic == "peak to peak"
+    found = (case.ranges if whole and case.ranges is not None else case.motions)[criterion.quantity]
+    return (found if body is None else found[body]) * (2.0 if whole and case.ranges is None else 1.0)
 
 
 def _spoken_of(criterion, t, values):

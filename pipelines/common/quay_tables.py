@@ -77,7 +77,7 @@ class RopeTable(Table, kw_only=True):
     bollard : m, x, y, z of the bollard in space
     breaking_load : breaking load of the new rope
     break_strain : strain at the breaking load, 0.1 for 10 %
-    pretension : tension at rest; by default 0
+    pretension : tension with the body where it is drawn; at rest fenders and other ropes have moved it; by default 0
     exponent : exponent n of T ∝ εⁿ
     hardening : factor on the stiffness of a used rope
     tail_length : m, length of the tail, 0 without one

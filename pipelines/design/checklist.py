@@ -4,8 +4,11 @@ The list follows the report's comparison of rules. It has a hull in three dimens
 complete characteristics, directional spectra, gusts, a steady current, slow drift in finite depth, and earthquakes.
 """
 
+import re
 import tomllib
 from typing import NamedTuple
+
+CHOSEN = re.compile(r'qtf = "auto" uses ([a-z-]+)')  # in a finding of a simulation
 
 
 class Requirement(NamedTuple):
@@ -17,36 +20,53 @@ class Requirement(NamedTuple):
     how: str
 
 
-def checklist(read):
-    """[Requirement] for a Read project; [] for a kind of study that the project does not simulate"""
+def checklist(read, ran=()):
+    """[Requirement] for a Read project and its Ran cases; [] for a kind of study that the project does not simulate"""
     if not read.kind.MOVED:
         return []
     in_time = read.project.simulation is not None
     weather, pairs = read.project.states, read.project.simulation.qtf if in_time else ""
+    beyond, said = _pairs(pairs, ran)
     return [
         Requirement("the hull in three dimensions", True, "potential theory in three dimensions and finite depth"),
-        Requirement("lines with their full tension–distance curve", True, "static shape of every line at every "
-        "position"),
+        Requirement("lines with their full tension–distance curve", True, IN_MOTION if in_time else STATIC),
         _fenders(read),
         _directions(weather, in_time),
         _gusts(weather, in_time),
         Requirement("the current is steady", True, "uniform and steady, with the drag of the depth"),
         Requirement(
             "slowly varying drift for the water depth", in_time,
-            "Newman's approximation with the drift for this water "
-            "depth" if in_time else "the simplified method includes the mean drift only",
+            "Newman's approximation with the drift for this water depth"
+            f"{', with forces of wave pairs beside it in the next row' * beyond}"
+            if in_time else "the simplified method includes the mean drift only",
         ),
         Requirement(
-            "long bound waves in shallow water", in_time and pairs != "newman",
-            _pairs_words(pairs) if in_time else "not in the simplified method",
+            "long bound waves in shallow water", in_time and beyond, said if in_time else "not in the simplified method"
         ),
         _earthquakes(read),
     ]  # fmt: skip
 
 
-def _pairs_words(pairs):
-    more = '; give "bound-wave" or "body" where second-order forces matter' if pairs == "newman" else ""
-    return f'simulation.qtf is "{pairs}"{more}'
+STATIC = "static shape of every line at every position"
+IN_MOTION = f"{STATIC}, or a motion of its own where dynamic_lines or its trial requires it"
+
+
+def _pairs(pairs, ran):
+    """Whether forces of wave pairs beyond Newman's approximation are in all cases, and words on them
+
+    With "auto" the findings of the runs have what was used.
+    """
+    if pairs != "auto":
+        more = '; give "bound-wave" or "body" where second-order forces matter' if pairs == "newman" else ""
+        return pairs != "newman", f'simulation.qtf is "{pairs}"{more}'
+    texts = ["\n".join(one.numbers.warnings) for one in ran if one.numbers is not None and not one.case.apart]
+    used = [set(CHOSEN.findall(text)) or {"newman"} for text in texts]
+    newman = sum("newman" in one for one in used)
+    named = ", ".join(sorted(set().union(*used))) or "newman"
+    more = f" in {newman} of {len(used)} cases" if 0 < newman < len(used) else ""
+    return bool(used) and not newman, f'simulation.qtf is "auto", which used {named}' + (
+        f" (newman{more}); section 7 has the reason" if more else "; section 7 has the reason" * bool(newman)
+    )
 
 
 def _earthquakes(read):
@@ -55,7 +75,7 @@ def _earthquakes(read):
         return Requirement(text, None, "lines leave the hull with long natural periods")
     given = [table.name for table in read.project.earthquakes]
     if not given:
-        return Requirement(text, False, "earthquakes are not a load case; give [[earthquakes]]")
+        return Requirement(text, None, "no earthquake is a load case; give [[earthquakes]] where the site has them")
     timed = [table.name for table in read.project.earthquakes if "record" in _raw(read.folder / table.study)]
     if not timed:
         return Requirement(text, False, f"earthquake {', '.join(given)} has no time record; give [record] in its study")

@@ -2,9 +2,10 @@
 
     D = Σ_cases p t_life / t_record  Σ nᵢ / N(sᵢ)       rainflow cycles of the kept records, Miner's sum
 
-Only intact lines count.  The `share` of the time of a state is divided equally among its directions and levels.  The
-criterion is factor · D ≤ 1.  The record is taken at the fairlead, with the reference strength of the curve for the
-section of each type.
+Lines that wear have half of their wear, which is their mean diameter over the time of wear, and the breaking load of
+that diameter.  Only intact lines count.  The `share` of the time of a state is divided equally among its directions
+and levels.  The criterion is factor · D ≤ 1.  The record is taken at the fairlead, with the reference strength of the
+curve for the section of each type.
 
 No 90 % interval is computed if fewer cycles than `mooring.motion.extremes.FEWEST` cause the damage, as in a run with
 few slow oscillations. The same holds for a regular wave, whose cycles are not those of a sea.
@@ -13,10 +14,12 @@ few slow oscillations. The same holds for a regular wave, whose cycles are not t
 import numpy as np
 
 from hakobune.mooring.criteria.fatigue import YEAR, Curve, curves, miner
-from hakobune.mooring.criteria.rules import OWN, Criterion
-from hakobune.mooring.criteria.strength import kind_and_size
+from hakobune.mooring.criteria.rules import Criterion
+from hakobune.mooring.criteria.strength import kind_and_size, worn_breaking_load
 from hakobune.mooring.criteria.verdict import Judged, Use
 from hakobune.mooring.motion.extremes import FEWEST
+
+from .project import worn_diameters
 
 QUANTITY = "factor x fatigue damage over the service life"
 
@@ -27,9 +30,10 @@ def fatigue(read, ran):
         return None
     own = read.project.fatigue
     curve = curve_of(own)
+    words = f"{wear_words(read)}; the share of a state is divided equally among its directions and levels"
     criterion = Criterion(
-        OWN, "", QUANTITY, "at most", 1.0, None, "-", "any", "intact", "dynamic", curve.name, "", 1.0,
-        f"rainflow and Miner's sum, curve {curve.name} ({curve.source}), factor {own.factor:g}", "read",
+        "fatigue", "", QUANTITY, "at most", 1.0, None, "-", "any", "intact", "dynamic", curve.name, "", 1.0,
+        f"rainflow and Miner's sum, curve {curve.name} ({curve.source}), factor {own.factor:g}; {words}", "read",
     )  # fmt: skip
     total, squares, parts = 0.0, 0.0, []
     for state in read.project.states:
@@ -56,7 +60,26 @@ def fatigue(read, ran):
             f"more seeds",
         )  # fmt: skip
     name = max(parts, key=lambda part: part[1][worst])[0]
+    if total[worst] > 0:
+        years = own.factor * read.project.project.service_life / total[worst]
+        criterion = criterion._replace(source=f"life {years:.3g} years without the factor; {criterion.source}")
     return Judged(criterion, (Use(name, one.numbers.names[worst], float(total[worst]), float(total[worst])),))
+
+
+def wear_words(read):
+    """The diameters that fatigue is computed with, in words"""
+    lost = {name: wear_of(read, name) for name in read.study.get("types", {})}
+    if not any(lost.values()):
+        return "diameters of new lines, as no wear is given"
+    sizes = {name: kind_and_size(read.study["types"][name]["catalogue"])[1] for name, loss in lost.items() if loss}
+    worn = ", ".join(f"{name} {size - lost[name] / 2:.4g} of {size:g} mm" for name, size in sizes.items())
+    return f"mean diameter over the wear, less half of it: {worn}"
+
+
+def wear_of(read, name):
+    """mm of its diameter that a type loses by [wear] or its corrosion_mm, 0 without"""
+    worn = worn_diameters(read.project, read.study)
+    return worn[name][1] if name in worn else read.study["types"][name].get("corrosion_mm") or 0.0
 
 
 def curve_of(table):
@@ -87,6 +110,7 @@ def _damage(read, one, curve):
 def _rate(cycles, read, name, curve, breaking_load):
     """Damage per second of (duration s, Cycles), and the sum of its squares over cycles"""
     duration, found = cycles
-    diameter = kind_and_size(read.study["types"][name]["catalogue"])[1]
-    damage, squares = miner(found, curve, diameter, breaking_load)
+    diameter, half = kind_and_size(read.study["types"][name]["catalogue"])[1], 0.5 * wear_of(read, name)
+    left = worn_breaking_load(breaking_load, diameter, half, 1.0)
+    damage, squares = miner(found, curve, diameter - half, left)
     return damage / duration, squares / duration**2

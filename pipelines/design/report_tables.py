@@ -9,7 +9,7 @@ from hakobune.meshing.seals import write_sealed
 from hakobune.mooring.criteria import verdict as of
 
 from .fatigue import QUANTITY as FATIGUE
-from .kinds.needs import SCOPE
+from .kinds.needs import ANCHOR, SCOPE
 from .running import worst_of
 
 H5 = {of.PRETENSION: "tension.at_rest", of.HOLDING: "anchor.largest_horizontal"}
@@ -118,6 +118,10 @@ def origin(read, ran, criterion):
     """Return the place of a criterion's value in a load case, a Ran: path of a file, None for a value given in the
     project, and its key there"""
     quantity, path = criterion.quantity, ran.path
+    if quantity == ANCHOR:
+        return (
+            (path, "anchor") if ran.runs is None else (beside_of(path, "_runs_extremes"), "values.horizontal, uplift")
+        )
     if quantity in OF_PROJECT:
         return None, OF_PROJECT[quantity]
     if any(one.quantity == quantity for one in read.project.values):
@@ -125,9 +129,7 @@ def origin(read, ran, criterion):
     if ran.case.apart:
         return path, f"values.parts.{quantity}"
     tension = quantity in of.OF_TENSIONS
-    beside = {
-        name: path.with_name(f"{path.stem}{name}.json") for name in ("_numbers", "_runs_numbers", "_runs_extremes")
-    }
+    beside = {name: beside_of(path, name) for name in ("_numbers", "_runs_numbers", "_runs_extremes")}
     if not read.kind.MOVED:
         return beside["_numbers"], _kept(quantity, tension)
     if ran.runs is None:
@@ -140,7 +142,13 @@ def origin(read, ran, criterion):
         return beside["_runs_numbers"], _kept(quantity, tension)
     if quantity == FATIGUE:
         return beside["_runs_extremes"], "values.cycles"
-    return beside["_runs_extremes"], _kept(quantity, True) if tension else "values.motions"
+    moved = "values.ranges" if criterion.statistic == "peak to peak" else "values.motions"
+    return beside["_runs_extremes"], _kept(quantity, True) if tension else moved
+
+
+def beside_of(path, name):
+    """Path of the JSON file `name` of a load case, beside the path of its result"""
+    return path.with_name(f"{path.stem}{name}.json")
 
 
 def _kept(quantity, tension):

@@ -4,11 +4,13 @@ from pathlib import Path
 
 import numpy as np
 
+from hakobune.bem import DOFS
 from hakobune.mooring.criteria.failing import FAILS as MARKED
 from hakobune.mooring.criteria.rules import read_rules
 
 from ..common.weather.seas import period_of
 from ..printing.number import fixed
+from .fatigue import QUANTITY as FATIGUE
 from .kinds.numbers import Numbers
 from .report_tables import CASE_HEAD, OF_PROJECT, WORDS, case_row, farthest
 from .verdict import FAILS, NUMBER, OPEN
@@ -16,6 +18,7 @@ from .verdict import FAILS, NUMBER, OPEN
 COUNTED = ("stable headings",)  # a count without a utilisation: if the criterion is met its use is 0
 THE_PROJECT = "the project"  # origin of values that belong to no load case
 WAYS = {"size": "larger sizes", "number": "more lines"}  # words for ways that differ from their names
+MOTIONS = tuple(dof.lower() for dof in DOFS)
 MARK = {True: "passes", False: "fails", None: "open"}
 
 
@@ -36,6 +39,13 @@ def summary(verdict):
         f": {percent(use.utilisation)} of {criterion.name}, {criterion.quantity} {criterion.sense} "
         f"{criterion.limit:.4g}, is used by {_used_by(use, criterion)}"
     )
+
+
+def method_words(verdict):
+    """Words on where the tensions of the load cases come from, "" for studies with one method only"""
+    if any(one.runs is not None for one in verdict.ran):
+        return ", in time"
+    return ", simplified method" if any(len(one.numbers.motions) for one in verdict.ran if one.numbers) else ""
 
 
 def _used_by(use, criterion):
@@ -79,6 +89,13 @@ def _tried_words(one):
     return f"Not enough alone: {one.words}, the best change of its kind, still uses {used}."
 
 
+def fatigue_words(verdict):
+    """The life of the line that governs fatigue, one line of text; nothing where it is not judged"""
+    for one in verdict.judged:
+        if one.criterion.quantity == FATIGUE and one.governing is not None:
+            yield f"fatigue of {one.governing.item}: {one.criterion.source}"
+
+
 def _worst(verdict):
     found = [one for one in verdict.judged if one.governing is not None]
     found = [one for one in found if not one.met or one.criterion.quantity not in COUNTED] or found
@@ -110,7 +127,7 @@ def _system(waves):
     if waves.file is not None:
         return Path(waves.file).name
     ((kind, value),) = period_of("waves", waves).items()
-    return f"{waves.height:g} m, {value:g} s" + ("" if kind == "mean_period" else f" ({kind.replace('_', ' ')})")
+    return f"{waves.height:g} m, {value:g} s ({kind.replace('_', ' ')})"
 
 
 def issue(own):
@@ -200,7 +217,7 @@ def criterion(one, found_in):
     factors = f"{c.limit:.4g}" if c.second is None else f"{c.limit:.4g}, {c.second:.4g}"
     for_ = ", ".join(
         word
-        for word, skip in ((c.state, "any"), (f"lines {c.lines}", "lines any"), (c.statistic, ""), (c.subject, ""))
+        for word, skip in ((c.state, "any"), (f"lines {c.lines}", "lines any"), (_statistic(c), ""), (c.subject, ""))
         if word != skip
     )
     unverified = "" if c.status == "read" else f" ({c.status})"
@@ -227,6 +244,13 @@ def criterion(one, found_in):
         }
         found["link"], found["key"] = found_in(use.case, c)
     return found
+
+
+def _statistic(c):
+    """Words on the statistic of a criterion; of motions with what it is measured from"""
+    if c.quantity not in MOTIONS or not c.statistic:
+        return c.statistic
+    return c.statistic if c.statistic == "peak to peak" else f"{c.statistic} from the mean"
 
 
 def rule_set(one):

@@ -18,7 +18,7 @@ from ..results.quantity import Quantity
 from ..results.result import Result, labels
 from .project import read_project
 from .report_tables import WORDS
-from .report_words import advice_words, percent, summary
+from .report_words import advice_words, fatigue_words, method_words, percent, summary
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -121,12 +121,13 @@ def result_of(verdict, change, names, origin, told=()):
         name: Quantity(_array([value(one) for one in judged]), ("criterion",), "", words, table, share=words == "used")
         for name, (value, words, table) in OF_CRITERIA.items()
     }
-    largest = [_largest_tension(one.numbers) for one in ran]
-    made["load_case.largest_tension"] = Quantity(_array(largest), ("load_case",), "N", "largest tension", CASES)
+    largest = [_largest_tension(one) for one in ran]
+    words = f"largest tension{method_words(verdict)}"
+    made["load_case.largest_tension"] = Quantity(_array(largest), ("load_case",), "N", words, CASES)
     made["verdict"] = Quantity(verdict.word, (), "", "verdict")
     failed = [_fails(one) for one in judged if not one.met]
     failed += [fails(f"{one.case.name} could not be run: {one.fault}") for one in ran if one.numbers is None]
-    notes = (f"the mooring {verdict.word}{summary(verdict)}", *advice_words(change, verdict))
+    notes = (f"the mooring {verdict.word}{summary(verdict)}", *fatigue_words(verdict), *advice_words(change, verdict))
     axes = labels("criterion", rules) | labels("load_case", [one.case.name for one in ran])
     return Result("design", made, axes, (*failed, *verdict.broken), notes, told, origin, (verdict, names))
 
@@ -147,9 +148,9 @@ OF_CRITERIA = {  # quantities of each criterion: value of a Judged, words, table
 }
 
 
-def _largest_tension(numbers):
-    """N, nan for a case that was not run or has no lines"""
-    return np.max(numbers.largest) if numbers is not None and np.size(numbers.largest) > 0 else np.nan
+def _largest_tension(one):
+    """N, the value that criteria use, nan for a case that was not run or has no lines"""
+    return np.max(one.largest) if one.numbers is not None and np.size(one.numbers.largest) > 0 else np.nan
 
 
 def _array(values):

@@ -18,7 +18,7 @@ from ..common.quantities import StudyError
 from ..common.typed import read_toml
 from ..moor.study import make_study
 from .cases import LoadCase, file_name, intact_cases, without_line
-from .kinds.needs import SCOPE
+from .kinds.needs import ANCHOR, SCOPE
 from .kinds.numbers import Numbers
 from .project import MEAN, scenes, worn_diameters
 
@@ -127,12 +127,13 @@ def judged_case(read, ran, others):
     """
     case, one = ran[1.0].case, ran[1.0]
     motions = _motions(one.numbers.bodies, one.numbers.motions if one.runs is None else one.runs["motions"])
+    ranges = None if one.runs is None else _motions(one.numbers.bodies, one.runs["ranges"])
     if one.runs is None:
         tensions = {factor: _tensions(read, each, each.largest) for factor, each in ran.items() if each.numbers}
     else:
         tensions = {factor: _tensions(read, one, largest) for factor, largest in one.runs["largest"].items()}
-    parts = given_parts(read, case, one.numbers) | one.numbers.parts
-    return Case(case.name, case.kind, case.lines, "quasi-static", tensions, motions, others, parts, case.apart)
+    parts = given_parts(read, case, one.numbers) | one.numbers.parts | anchors_used(one)
+    return Case(case.name, case.kind, case.lines, "quasi-static", tensions, motions, others, parts, case.apart, ranges)
 
 
 def _motions(bodies, amplitudes):
@@ -254,13 +255,27 @@ def _holding(read, ran):
     anchors, names = read.project.anchors, ran.numbers.names
     if anchors is not None:
         return np.array([1e3 * anchors.lines.get(name, anchors.holding_kN) for name in names])
-    if not isinstance(ran.case.study.get("anchors"), list):
+    own, up = _own_anchors(ran), ran.at_anchors[1]
+    if not own:
         return None
-    lines = [name for name, types in zip(names, ran.numbers.types, strict=True) if types != ("rope",)]
-    own = dict(zip(lines, make_study(ran.case.study).anchors_on(lines), strict=True))
-    up = ran.at_anchors[1]
     held = np.array([own[name].capacity(up[i]) if own.get(name) else np.inf for i, name in enumerate(names)])
     return None if np.isnan(held).any() else held
+
+
+def _own_anchors(ran):
+    """{line: Anchor, or None without one} of the study's own [[anchors]]; empty without that table"""
+    if not isinstance(ran.case.study.get("anchors"), list):
+        return {}
+    lines = [name for name, types in zip(ran.numbers.names, ran.numbers.types, strict=True) if types != ("rope",)]
+    return dict(zip(lines, make_study(ran.case.study).anchors_on(lines), strict=True))
+
+
+def anchors_used(ran):
+    """{ANCHOR: {line: pull times safety over capacity}} of the study's own anchors of known capacity; empty without"""
+    pulls = dict(zip(ran.numbers.names, ran.at_anchors.T, strict=True))
+    used = {name: float(one.used(*pulls[name])) for name, one in _own_anchors(ran).items() if one}
+    used = {name: value for name, value in used.items() if not np.isnan(value)}
+    return {ANCHOR: used} if used else {}
 
 
 def _worn_loads(read, numbers):

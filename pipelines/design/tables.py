@@ -56,7 +56,7 @@ class StateTable(Table):
     lines : conditions of the lines: "intact", "one lost"; a rope of a berth counts as a line
     lost : which line is lost: the "worst" of the intact case, or "each" in turn
     weather : name of a state of the site, for wind, current and waves that are not given here
-    share : fraction of the service life with this weather, for fatigue
+    share : fraction of the service life with this weather, for fatigue; divided equally among directions and levels
     """
 
     name: str
@@ -100,7 +100,8 @@ class LimitTable(Table):
     lines : conditions of the lines it applies to: intact, one lost or any
     subject : "hawser" for the tensions of hawsers; by default those of all other lines; or the name of a body for
         its motions, by default those of all bodies
-    statistic : statistic that is limited: largest, or for motions amplitude or peak to peak
+    statistic : statistic that is limited: largest, or for motions amplitude or peak to peak; largest and amplitude of a
+        motion are from its mean, peak to peak is the largest less the smallest of a run
     source : origin of the limit, as "the owner"
     """
 

@@ -5,15 +5,20 @@ from typing import NamedTuple
 
 from hakobune.bem import DOFS
 from hakobune.mooring.criteria.failing import failing
-from hakobune.mooring.criteria.rules import OWN, read_rules
+from hakobune.mooring.criteria.rules import OWN, Criterion, read_rules
 from hakobune.mooring.criteria.verdict import judge
 from hakobune.mooring.lines.catalogue import FIBRE
 from hakobune.mooring.response.return_period import return_period
 
 from .fatigue import fatigue
+from .kinds.needs import ANCHOR
 from .running import grouped, judged_case
 
 NUMBER = re.compile(r"-?\d+(\.\d+)?(e[-+]?\d+)?")
+OF_ANCHORS = Criterion(
+    "the study's anchors", "", ANCHOR, "at most", 1.0, None, "-", "any", "any", "any", "", "largest", 1.0,
+    "capacity and safety of the study's [[anchors]]", "read",
+)  # fmt: skip
 PASSES, FAILS, OPEN = "passes", "fails", "cannot be signed"
 
 
@@ -58,7 +63,9 @@ def judged_project(read, ran, of_databases=()):
     others = project_quantities(read)
     cases = [judged_case(read, group, others) for group in groups.values() if group[1.0].numbers is not None]
     worn_out = fatigue(read, ran)
-    judged = (*judge(read.criteria, cases), *(() if worn_out is None else (worn_out,)))
+    anchored = [case for case in cases if ANCHOR in case.parts]
+    criteria = (*judge(read.criteria, cases), *judge((OF_ANCHORS,) if anchored else (), anchored))
+    judged = (*criteria, *(() if worn_out is None else (worn_out,)))
     unknown = any(one.numbers is None for one in ran) or any(one.met is None for one in judged)
     broken = (*of_databases, *broken_in(ran))
     word = FAILS if broken or any(one.met is False for one in judged) else OPEN if unknown else PASSES

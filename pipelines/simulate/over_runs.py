@@ -7,7 +7,7 @@ import numpy as np
 
 from hakobune.mooring.criteria.anchors import anchor_findings, stored_anchor
 from hakobune.mooring.criteria.failing import fails
-from hakobune.mooring.criteria.overuse import HELP
+from hakobune.mooring.criteria.overuse import HELP, OF_STUDY
 from hakobune.mooring.motion.extremes import CONFIDENCE, FEWEST, RARE, beyond, rare, share_beyond
 from hakobune.mooring.response.findings import LINES_NAMED, some
 
@@ -58,7 +58,8 @@ def overloads(file, allowable=None):
             more = " more" if limit < 1 and (most > 1).any() else ""
             way = SOFTER if names[order[0]] in ropes_of(file) else _way_out(file, HELP)
             share = f"{len(named)}{more} of {len(names)}"
-            yield fails(f"{share} lines in the runs {text}: {some(named, LINES_NAMED)}; {way}")
+            whose = OF_STUDY if limit < 1 else ""
+            yield fails(f"{share} lines in the runs {text}: {some(named, LINES_NAMED)}; {way}{whose}")
 
 
 def most_loaded(file):

@@ -466,14 +466,15 @@ def pairs(gap):
 
 def designed(*warnings):
     """A project of one case whose study says this, judged by no criterion"""
+    from hakobune.pipelines.design.running import Ran
     from hakobune.pipelines.design.verdict import FAILS as FAILING
     from hakobune.pipelines.design.verdict import PASSES, Verdict, broken_in
 
     gale, numbers = (
         SimpleNamespace(name="gale", factor=1.0),
-        SimpleNamespace(warnings=warnings, largest=np.array([1e6])),
+        SimpleNamespace(warnings=warnings, largest=np.array([1e6]), motions=()),
     )
-    case = SimpleNamespace(case=gale, numbers=numbers, fault="")
+    case = Ran(gale, None, numbers)
     broken = tuple(broken_in([case]))
     verdict = Verdict([case], broken, (), None, FAILING if broken else PASSES, ())
     return lambda patch: patch.setattr("hakobune.pipelines.design.result.made", lambda *_: (verdict, (), None))
@@ -587,7 +588,8 @@ def test_lines_that_part_come_before_those_above_what_is_allowable_with_names_an
     assert found == [
         "FAILS: 1 of 3 lines in the runs beyond the breaking load, limit 100 %, at which they break: fore 119 "
         "%; way out",
-        "FAILS: 1 more of 3 lines in the runs above the allowable 40 % of the breaking load: aft 50 %; way out",
+        "FAILS: 1 more of 3 lines in the runs above the allowable 40 % of the breaking load: aft 50 %; way out; "
+        "the limit is the study's own key allowable, not that of a rule set",
     ]
     assert not list(overused(["fore"], [0.4], 0.4, "in the runs"))
 

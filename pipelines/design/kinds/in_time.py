@@ -27,7 +27,8 @@ def simulated(study, database, path, factors):
     factors : factors of the dynamic displacement
     returns : {"mean", "breaking" (n,) N of the lines and ropes, "largest": {factor: (n,) N}, "horizontal", "uplift":
         (n,) N at the anchor at the same time, "cycles": of `cycles_of`, "motions": (6N,) m, rad, largest from their
-        means, "excursion": m, largest horizontal distance from rest, "parts": of gaps and hinges, "findings"}
+        means, "ranges": (6N,) m, rad, largest less smallest of a run, "excursion": m, largest horizontal distance
+        from rest, "parts": of gaps and hinges, "findings"}
     raises : ValueError, with a message of one line, for a case that cannot be run
     """
     texts = study.read_text(encoding="utf-8"), repr(factors), "excursion, parts"
@@ -68,7 +69,7 @@ def _simulated(study, database, path, factors):
         rows = [summary_of(file, f"tension {name}") for name in file["line"].asstr()[()]]
         motion, tension = file["motion"][()].astype(float), file["tension"][()].astype(float)
         excursion, parts = _largest_excursion(file, motion), _between(file)
-        motions, step = _largest_motions(file), float(np.diff(file["time"][:2])[0])
+        motions, ranges, step = _largest_motions(file), _largest_ranges(file), float(np.diff(file["time"][:2])[0])
         found = (*told(file), *stored_findings(file), *overloads(file, 1.0), *on_anchors(file),
                  *rare_findings(file))  # fmt: skip
         load, used = np.asarray(file.attrs["breaking_load"], float), used_in_runs(file).max(axis=0)
@@ -87,6 +88,7 @@ def _simulated(study, database, path, factors):
         "uplift": up * more,
         "cycles": cycles_of(tension, step),
         "motions": motions,
+        "ranges": ranges,
         "excursion": excursion,
         "parts": parts,
         "findings": tuple(dict.fromkeys(found)),
@@ -123,6 +125,15 @@ def _largest_motions(file):
 
     rows = [summary_of(file, name) for name in words_of(file)]
     return np.array([max(row["largest"] - row["mean"], row["mean"] - row["smallest"]) for row in rows])
+
+
+def _largest_ranges(file):
+    """Largest less smallest motion of a run, the most of all runs, m, rad; shape (6N,)"""
+    from ...simulate.file import STATISTICS, whole_rows
+
+    rows = file["statistics"][()][whole_rows(file), : len(file["dof"])]
+    ends = [rows[..., STATISTICS.index(name)] for name in ("largest", "smallest")]
+    return (ends[0] - ends[1]).max(axis=0)
 
 
 def _between(file):

@@ -48,7 +48,8 @@ IN_TIME = (
 AT_BERTH = (
     "Tensions, strains and motions are the largest of all simulations in time. Forces at anchors and bollards are "
     "static, at the place of the body with the largest tension. A steady strain is the largest ten-minute mean. Ropes "
-    "are tended to their pretension at every water level."
+    "have their pretension at every water level with the body where it is drawn. Their tension at rest differs, since "
+    "at rest the ropes have moved and heeled the body against the fenders."
 )
 SOURCES = (
     "In its file, tensions are tension.largest, offsets are pose.x, pose.y, pose.yaw, and motions are motion.amplitude."

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from hakobune.mooring.criteria.fatigue import Curve, Cycles, curves, miner, rainflow_cycles
-from hakobune.mooring.criteria.overuse import overused, shares
+from hakobune.mooring.criteria.overuse import OF_STUDY, overused, shares
 from hakobune.mooring.criteria.strength import (
     equipment_number,
     equipment_of_box,
@@ -74,6 +74,7 @@ def test_lines_that_part_and_lines_above_what_is_allowable_are_told_apart():
         "FAILS: 1 of 5 lines in the storm beyond the breaking load, limit 100 %, at which they break: d 100.1 %"
     )
     assert "2 more of 5 lines in the storm above the allowable 40 % of the breaking load: c 100 %, b 40.1 %;" in above
+    assert above.endswith(OF_STUDY) and "the study's own key allowable, not that of a rule set" in OF_STUDY
     (alone,) = overused(names[:2], [0.4, 0.401], 0.4, "at rest")
     assert "1 of 2 lines at rest above" in alone
     assert list(overused(names[:1], [0.4], 0.4, "")) == [] and len(list(overused(names[:1], [1.2], 1.0, ""))) == 1

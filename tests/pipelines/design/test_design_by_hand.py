@@ -15,7 +15,14 @@ LIFE = 25.0  # years
 
 
 def project(**more):
-    base = {"values": [], "levels": {}, "project": SimpleNamespace(service_life=LIFE), "fatigue": None, "states": []}
+    base = {
+        "values": [],
+        "levels": {},
+        "project": SimpleNamespace(service_life=LIFE),
+        "fatigue": None,
+        "states": [],
+        "wear": None,
+    }
     return SimpleNamespace(**base | more)
 
 

@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from hakobune.mooring.criteria.fatigue import Cycles as fatigue_cycles
 from hakobune.pipelines.design import fatigue
 
 YEAR = fatigue.YEAR
@@ -28,7 +29,8 @@ def judged(monkeypatch):
 
     def call(states, cases, factor=10.0, study=None, table=True):
         own = SimpleNamespace(factor=factor) if table else None
-        read = SimpleNamespace(project=SimpleNamespace(fatigue=own, states=states), study=study or {})
+        own = SimpleNamespace(fatigue=own, states=states, wear=None, project=SimpleNamespace(service_life=20.0))
+        read = SimpleNamespace(project=own, study=study or {})
         return fatigue.fatigue(read, cases)
 
     return call
@@ -52,7 +54,9 @@ def test_damage_is_that_of_each_state_by_its_share_evenly_over_its_cases_times_t
         1.0,
         "intact",
     )
-    assert "curve chain (rules), factor 10" in criterion.source and criterion.rule == fatigue.OWN
+    assert "curve chain (rules), factor 10" in criterion.source and criterion.rule == "fatigue"
+    life = 10.0 * 20.0 / 0.35  # years, without the factor
+    assert criterion.source.startswith(f"life {life:.3g} years without the factor; rainflow")
     assert judged([], [], table=False) is None
 
 
@@ -110,10 +114,30 @@ def test_each_line_has_the_worst_of_its_types_over_the_service_life(monkeypatch)
 def test_a_rate_is_miners_sum_over_the_time_of_the_runs(monkeypatch):
     asked = []
     monkeypatch.setattr(fatigue, "miner", lambda *of: asked.append(of) or (0.5, 0.25))
-    monkeypatch.setattr(fatigue, "kind_and_size", lambda name: (name, 0.084))
-    read = SimpleNamespace(study={"types": {"thick": {"catalogue": "R3 84 mm"}}})
+    own = SimpleNamespace(wear=None)
+    read = SimpleNamespace(study={"types": {"thick": {"catalogue": "R3 studless 84 mm"}}}, project=own)
     assert fatigue._rate((200.0, "cycles"), read, "thick", "curve", 5e6) == (0.5 / 200, 0.25 / 200**2)
-    assert asked == [("cycles", "curve", 0.084, 5e6)]
+    assert asked == [("cycles", "curve", 84.0, 5e6)]
+    assert "diameters of new lines, as no wear is given" in fatigue.wear_words(read)
+
+
+@pytest.mark.parametrize("in_project", [True, False])
+def test_a_line_that_wears_tires_at_its_mean_diameter(in_project):
+    """A chain of 32 mm that loses 0.2 mm in each of 15 years is 30.5 mm on the mean; by N = 6e10 s⁻³ of the nominal
+    area of both legs, damage is 1/d⁶ of it: (32/30.5)⁶ times that of the new chain"""
+    chain = {"catalogue": "R3 studless 32 mm"} | ({} if in_project else {"corrosion_mm": 3.0})
+    wear = SimpleNamespace(mm_per_year=0.2, years=15.0) if in_project else None
+    read = SimpleNamespace(study={"types": {"chain": chain}}, project=SimpleNamespace(wear=wear))
+    new = SimpleNamespace(study={"types": {"chain": {"catalogue": "R3 studless 32 mm"}}},
+                          project=SimpleNamespace(wear=None))  # fmt: skip
+    curve = fatigue.curves()["DNV studless chain"]
+    ranges = np.array([5e4, 9e4])
+    cycles = 600.0, fatigue_cycles(ranges, 0 * ranges, np.ones(2))
+    area = 2 * np.pi / 4 * 30.5**2
+    by_hand = sum((ranges / area) ** 3) / 6e10 / 600.0
+    assert fatigue._rate(cycles, read, "chain", curve, 9e5)[0] == pytest.approx(by_hand, rel=1e-9)
+    assert fatigue._rate(cycles, new, "chain", curve, 9e5)[0] == pytest.approx(by_hand * (30.5 / 32) ** 6, rel=1e-9)
+    assert "chain 30.5 of 32 mm" in fatigue.wear_words(read) and "mm" not in fatigue.wear_words(new)
 
 
 def test_a_curve_is_that_of_the_table_or_of_the_numbers_that_are_given(monkeypatch):

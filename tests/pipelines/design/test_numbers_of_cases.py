@@ -11,7 +11,7 @@ from hakobune.mooring.fenders.fender import fender_of_points
 from hakobune.pipelines.design.kinds import berth, breakwater, in_time, mooring
 from hakobune.pipelines.design.kinds.needs import DOLPHIN, OF_ALLOWABLE, OF_ENERGY, SLOW, TOTAL
 from hakobune.pipelines.design.running import Ran, _holding, factors_of, given_parts, repeated
-from hakobune.pipelines.simulate.file import SUMMARY
+from hakobune.pipelines.simulate.file import STATISTICS, SUMMARY
 
 K = 1e6  # N/m of a linear fender of 2 m, its table to 1 m, rated at 0.8, allowed to 0.9 m
 
@@ -106,6 +106,17 @@ def test_motions_are_the_larger_side_from_their_means():
     file = {"quantity": {()}, "summary": SimpleArray(rows), "dof": names}
     file["quantity"] = SimpleNamespace(asstr=lambda: np.array(names))
     assert in_time._largest_motions(file) == pytest.approx([max(2.0 + i, 3.0 + 3 * i) for i in range(6)])
+
+
+def test_ranges_are_largest_less_smallest_of_one_run(monkeypatch):
+    """A push to one side: −0.6 to 1.4 m, mean 0.03 m; the other run from 1 to 2.5 m; the third is not whole"""
+    monkeypatch.setattr("hakobune.pipelines.simulate.file.whole_rows", lambda file: np.array([True, True, False]))
+    rows = np.zeros((3, 8, len(STATISTICS)))
+    for run, ends in enumerate([(1.4, -0.6), (2.5, 1.0), (99.0, -99.0)]):
+        for name, value in zip(("largest", "smallest"), ends, strict=True):
+            rows[run, 0, STATISTICS.index(name)] = value
+    found = in_time._largest_ranges({"statistics": SimpleArray(rows), "dof": range(6)})
+    assert found == pytest.approx([2.0, 0, 0, 0, 0, 0])  # not 3.1, the largest of all less the smallest of all
 
 
 def test_values_of_the_project_go_to_the_cases_they_are_for():

@@ -44,7 +44,7 @@ def page(monkeypatch):
     monkeypatch.setattr(report, "words", words)
     monkeypatch.setattr(report, "CSS", {"holds": "good"})
     monkeypatch.setattr(report, "WORDS", {True: "met", False: "not met"})
-    monkeypatch.setattr(report, "checklist", lambda read: points)
+    monkeypatch.setattr(report, "checklist", lambda read, ran: points)
     monkeypatch.setattr(report, "versions", lambda: {"hakobune": "1.0", "numpy": "2.4"})
     monkeypatch.setattr(report, "_found_in", lambda *given: ("found in", *given))
     monkeypatch.setattr(report, "_of_body", lambda *given: {"body": ("body", *given)})

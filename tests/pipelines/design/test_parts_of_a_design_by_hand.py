@@ -9,10 +9,11 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from hakobune.mooring.criteria.verdict import Case, judge
 from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.design import advice, running, verdict
 from hakobune.pipelines.design.kinds import berth, changes, earthquake, mooring, stored
-from hakobune.pipelines.design.kinds.needs import COEFFICIENT, DOLPHIN, OF_ALLOWABLE, TOTAL
+from hakobune.pipelines.design.kinds.needs import ANCHOR, COEFFICIENT, DOLPHIN, OF_ALLOWABLE, TOTAL
 
 
 def test_ways_of_a_study_are_series_of_growing_changes(monkeypatch):
@@ -262,19 +263,17 @@ def test_a_design_passes_where_every_criterion_is_met_and_nothing_is_unknown(
         )
         for i, one in enumerate(numbers)
     ]
-    judged = tuple(SimpleNamespace(met=one) for one in met)
+    judged, case = tuple(SimpleNamespace(met=one) for one in met), SimpleNamespace(parts={})
     asked = []
     monkeypatch.setattr(verdict, "grouped", lambda ran: {i: {1.0: one} for i, one in enumerate(ran)})
     monkeypatch.setattr(verdict, "project_quantities", lambda read: {"return period": 475.0})
-    monkeypatch.setattr(verdict, "judged_case", lambda read, group, others: asked.append(group) or "case")
+    monkeypatch.setattr(verdict, "judged_case", lambda read, group, others: asked.append(group) or case)
     monkeypatch.setattr(verdict, "fatigue", lambda read, ran: None if tired is None else SimpleNamespace(met=tired))
-    monkeypatch.setattr(verdict, "judge", lambda criteria, cases: asked.append(cases) or judged)
+    monkeypatch.setattr(verdict, "judge", lambda criteria, cases: asked.append(cases) or judged[: 9 * len(criteria)])
     monkeypatch.setattr(verdict, "side_by_side", lambda read, cases: "sets")
-    made = verdict.judged_project(SimpleNamespace(criteria=()), ran, databases)
+    made = verdict.judged_project(SimpleNamespace(criteria=("own",)), ran, databases)
     assert made.word == getattr(verdict, word) and made.return_period == 475.0 and made.rule_sets == "sets"
-    assert len(made.judged) == 2 + (tired is not None) and asked[-1] == ["case"] * sum(
-        one is not None for one in numbers
-    )
+    assert len(made.judged) == 2 + (tired is not None) and asked[-2] == [case] * sum(one is not None for one in numbers)
     assert made.broken[: len(databases)] == databases and len(made.broken) == len(databases) + (2 in numbers)
 
 
@@ -313,3 +312,28 @@ def test_fenders_of_runs_are_judged_one_by_one(monkeypatch):
     assert found[TOTAL] == {"F1": 0.25, "F2": 0.0} and found[berth.SLOW] == {"F1": 0.625 / 4, "F2": 0.375 / 4}
     assert found[OF_ALLOWABLE] == {"F1": 0.5, "F2": 0.0} and found[berth.OF_ENERGY] == {"F1": 0.25, "F2": 0.0}
     assert found[DOLPHIN] == {"F1": pytest.approx(3.0)}
+
+
+STEVIN = {"kind": "drag", "type": "Stevin", "soil": "sand", "mass": 2500, "safety": 1.5}
+
+
+@pytest.mark.parametrize("anchor, used", [
+    (STEVIN | {"mass": 4536.0}, [1.5 * 367.0 / 734.0, 1.5 * 1000.0 / 734.0]),  # UFC 4-159-03: 734 kN at 10 000 lb
+    ({"kind": "drag", "holding_kN": 500.0, "safety": 1.0}, [367.0 / 500.0, 2.0]),
+    ({"kind": "drag", "type": "Stevin", "soil": "sand"}, None),  # one whose mass is asked for
+    (None, None),
+])  # fmt: skip
+def test_anchors_of_known_capacity_are_judged_in_each_case_by_their_own_safety(anchor, used):
+    study = {"water": {"depth": 9.0}, "types": {"chain": {"catalogue": "R3 studless 32 mm"}}, "spreads": [
+        {"type": "chain", "length": 150.0, "corner_headings_deg": [30], "pretension_kN": 25.0}
+    ]} | ({"anchors": [anchor]} if anchor else {})  # fmt: skip
+    case = SimpleNamespace(study=study)
+    numbers = SimpleNamespace(names=("a", "b", "hawser"), types=(("chain",), ("chain",), ("rope",)))
+    pulls = {"horizontal": np.array([367e3, 1000e3, 9e9]), "uplift": np.zeros(3)}
+    found = running.anchors_used(running.Ran(case, None, numbers, pulls))
+    if used is None:
+        assert found == {}
+        return
+    assert found[ANCHOR] == pytest.approx(dict(zip("ab", used, strict=True)), rel=1e-3)
+    (judged,) = judge([verdict.OF_ANCHORS], [Case("c", "normal", "intact", "", {}, {}, {}, found)])
+    assert judged.met is False and judged.governing.item == "b"

@@ -8,6 +8,7 @@ import pytest
 from hakobune.mooring.criteria.rules import Criterion
 from hakobune.mooring.criteria.verdict import Judged, Use
 from hakobune.pipelines.design import result
+from hakobune.pipelines.design.running import Ran
 
 
 def criterion(rule, quantity, limit, unit="-"):
@@ -22,10 +23,10 @@ CRITERIA = [
 ]
 
 
-def ran(name, largest, fault=""):
-    numbers = None if largest is None else SimpleNamespace(largest=np.array(largest), warnings=())
-    case = SimpleNamespace(name=name)
-    return SimpleNamespace(case=case, numbers=numbers, fault=fault)
+def ran(name, largest, fault="", in_time=None):
+    numbers = None if largest is None else SimpleNamespace(largest=np.array(largest), warnings=(), motions=np.ones(6))
+    runs = None if in_time is None else {"largest": {1.0: np.array(in_time)}}
+    return Ran(SimpleNamespace(name=name), None, numbers, runs, fault)
 
 
 def verdict(**more):
@@ -59,8 +60,18 @@ def test_criteria_are_told_in_order_with_the_case_that_governs_and_blanks_where_
 
 def test_load_cases_have_their_largest_tension_in_newtons_where_they_have_lines(told):
     assert told["load_case.largest_tension"] == pytest.approx([3e5, np.nan, np.nan], nan_ok=True)
-    assert told.quantities["load_case.largest_tension"].unit == "N"
+    one = told.quantities["load_case.largest_tension"]
+    assert (one.unit, one.description) == ("N", "largest tension, simplified method")
     assert told.labels["load_case"].values.tolist() == ["storm", "calm", "tsunami"]
+
+
+def test_load_cases_in_time_have_the_tensions_of_their_runs(monkeypatch):
+    """not those of the simplified method, which gives them their place under steady forces alone"""
+    cases = [ran("storm", [1e5, 3e5], in_time=[2e5, 1.5e5]), ran("calm", [4e5, 5e5], in_time=[6e5, 5e5])]
+    monkeypatch.setattr(result, "summary", lambda verdict: "")
+    found = result.result_of(verdict(ran=cases), None, (), {})
+    assert found["load_case.largest_tension"].tolist() == [2e5, 6e5]
+    assert found.quantities["load_case.largest_tension"].description == "largest tension, in time"
 
 
 def test_findings_are_what_fails_is_not_judged_or_could_not_be_run_and_notes_the_verdict_and_advice(told):

@@ -63,6 +63,7 @@ def simulated(monkeypatch):
     monkeypatch.setattr(in_time, "_run", lambda *of: known.outcome if of == ("study", "base", "runs.h5") else None)
     monkeypatch.setattr(in_time, "_largest_excursion", lambda file, motion: 7.0)
     monkeypatch.setattr(in_time, "_largest_motions", lambda file: "motions")
+    monkeypatch.setattr(in_time, "_largest_ranges", lambda file: "ranges")
     monkeypatch.setattr(in_time, "_between", lambda file: {"gap": 1})
     monkeypatch.setattr(in_time, "cycles_of", lambda tension, step: ("cycles", step))
     monkeypatch.setattr(in_time, "strength", lambda *of: [one.tolist() for one in of])
@@ -78,8 +79,8 @@ def test_forces_of_runs_have_the_ratio_of_runs_to_statics_at_least_one(simulated
     assert largest == {1.0: [3e5, 1.5e5], 0.5: [1.5e5, 1e5], 2: [6e5, 4e5]}
     assert found["horizontal"].tolist() == [1.5e5, 6e4] and found["uplift"].tolist() == [2.1e4, 8e3]
     assert found["breaking"] == [[1e6, np.inf], [3e5, 1.5e5], [0.3, 0.4]]
-    assert (found["cycles"], found["motions"], found["excursion"], found["parts"]) == (
-        ("cycles", 0.5), "motions", 7.0, {"gap": 1},
+    assert (found["cycles"], found["motions"], found["ranges"], found["excursion"], found["parts"]) == (
+        ("cycles", 0.5), "motions", "ranges", 7.0, {"gap": 1},
     )  # fmt: skip
     assert found["findings"] == ("left out", "same", "stored", "over 1", "anchors", "rare")
     assert [one[3] for one in simulated.moved] == [1.0, 0.5, 2] and simulated.moved[0][:3] == (
@@ -183,6 +184,7 @@ def judged(monkeypatch):
     monkeypatch.setattr(running, "_tensions", lambda read, ran, largest: (ran.name, largest))
     monkeypatch.setattr(running, "_motions", lambda bodies, amplitudes: (bodies, amplitudes))
     monkeypatch.setattr(running, "given_parts", lambda read, case, numbers: {"given": 1, "own": 2})
+    monkeypatch.setattr(running, "anchors_used", lambda ran: {})
 
 
 def test_a_case_of_statics_has_the_tensions_of_each_factor_that_ran(judged):
@@ -193,6 +195,7 @@ def test_a_case_of_statics_has_the_tensions_of_each_factor_that_ran(judged):
     }
     found = running.judged_case("read", ran, "others")
     assert found.tensions == {1.0: ("x1.0", "L1.0"), 2.0: ("x2.0", "L2.0")} and found.motions == (("ship",), "m")
+    assert found.ranges is None
     assert found[:4] == ("storm", "abnormal", "intact", "quasi-static")
     assert found.others == "others" and found.partial is False
     assert found.parts == {"given": 1, "own": {"a": 1}}
@@ -200,9 +203,10 @@ def test_a_case_of_statics_has_the_tensions_of_each_factor_that_ran(judged):
 
 def test_a_case_in_time_has_the_tensions_and_motions_of_its_runs(judged):
     one = SimpleNamespace(name="x", case=case(apart=True), numbers=numbers(),
-                          runs={"motions": "in time", "largest": {1.0: "A", 1.5: "B"}})  # fmt: skip
+                          runs={"motions": "in time", "ranges": "whole", "largest": {1.0: "A", 1.5: "B"}})  # fmt: skip
     found = running.judged_case("read", {1.0: one}, "others")
     assert found.tensions == {1.0: ("x", "A"), 1.5: ("x", "B")} and found.motions == ((), "in time") and found.partial
+    assert found.ranges == ((), "whole")
 
 
 def value(quantity="v", **more):

@@ -13,7 +13,7 @@ from hakobune.pipelines.design import project, report_tables, running, verdict
 from hakobune.pipelines.design.cases import LoadCase
 from hakobune.pipelines.design.fatigue import QUANTITY as FATIGUE
 from hakobune.pipelines.design.kinds import breakwater, earthquake, in_time
-from hakobune.pipelines.design.kinds.needs import COEFFICIENT, DOLPHIN, OF_ALLOWABLE, SCOPE, TOTAL
+from hakobune.pipelines.design.kinds.needs import ANCHOR, COEFFICIENT, DOLPHIN, OF_ALLOWABLE, SCOPE, TOTAL
 
 CASE = LoadCase("storm, 30 deg", "storm", "abnormal", "high", 30.0, 0.0, 0.0, "line 3", 1.5, {}, apart=False)
 
@@ -86,6 +86,9 @@ def test_a_case_without_lines_or_numbers_has_empty_cells():
         (FATIGUE, {"runs": {}}, "c_runs_extremes.json", "values.cycles"),
         ("tension / breaking load", {"runs": {}}, "c_runs_extremes.json", "values.largest"),
         ("surge", {"runs": {}}, "c_runs_extremes.json", "values.motions"),
+        ("surge", {"runs": {}, "statistic": "peak to peak"}, "c_runs_extremes.json", "values.ranges"),
+        (ANCHOR, {"runs": {}}, "c_runs_extremes.json", "values.horizontal, uplift"),
+        (ANCHOR, {}, "c.h5", "anchor"),
     ],
 )  # fmt: skip
 def test_the_file_and_the_key_of_a_number_are_those_that_have_it(tmp_path, quantity, kind, file, key):
@@ -99,7 +102,9 @@ def test_the_file_and_the_key_of_a_number_are_those_that_have_it(tmp_path, quant
         path=tmp_path / "c.h5", case=SimpleNamespace(apart=kind.get("apart", False)), runs=kind.get("runs"),
         numbers=SimpleNamespace(parts=kind.get("parts", {})),
     )  # fmt: skip
-    where, found = report_tables.origin(read, ran, SimpleNamespace(quantity=quantity))
+    where, found = report_tables.origin(
+        read, ran, SimpleNamespace(quantity=quantity, statistic=kind.get("statistic", ""))
+    )
     assert (where and Path(where).name, found) == (file, key)
 
 
@@ -282,6 +287,7 @@ def test_tensions_at_a_multiple_of_the_motions_grow_as_statics_says_and_never_be
     monkeypatch.setattr(in_time, "_moved", held)
     monkeypatch.setattr(in_time, "_largest_excursion", lambda file, motion: 7.0)
     monkeypatch.setattr(in_time, "_largest_motions", lambda file: np.arange(6.0))
+    monkeypatch.setattr(in_time, "_largest_ranges", lambda file: np.arange(6.0))
     monkeypatch.setattr(in_time, "_between", lambda file: {"gap between hulls": {"a b": 1.5}})
     monkeypatch.setattr(f"{where}file.opened", lambda path: nullcontext(file))
     monkeypatch.setattr(f"{where}file.summary_of", lambda file, name: rows[name])

@@ -71,6 +71,29 @@ def test_drift_and_bound_waves_are_those_of_the_simulation():
     assert said == 'simulation.qtf is "newman"; give "bound-wave" or "body" where second-order forces matter'
 
 
+NEWMAN, BOUND = (f'left out: the force (qtf = "auto" uses {one}): why' for one in ("newman at kh = 3.5", "bound-wave"))
+
+
+@pytest.mark.parametrize("findings, met, says", [
+    ([BOUND], True, 'simulation.qtf is "auto", which used bound-wave'),
+    ([NEWMAN], False, 'simulation.qtf is "auto", which used newman; section 7 has the reason'),
+    ([""], False, 'simulation.qtf is "auto", which used newman; section 7 has the reason'),
+    ([BOUND, NEWMAN], False, "used bound-wave, newman (newman in 1 of 2 cases); section 7 has the reason"),
+])  # fmt: skip
+def test_of_automatic_pairs_those_that_were_used_are_told(findings, met, says):
+    case = SimpleNamespace(apart=False)
+    ran = [SimpleNamespace(case=case, numbers=SimpleNamespace(warnings=(text, "another"))) for text in findings]
+    rows = {one.text: one for one in checklist(read([state()], qtf="auto"), [*ran, SimpleNamespace(numbers=None)])}
+    bound, drift = rows["long bound waves in shallow water"], rows["slowly varying drift for the water depth"]
+    assert bound.met is met and bound.how.endswith(says)
+    assert drift.met and ("forces of wave pairs beside it" in drift.how) is met
+
+
+def test_lines_of_a_simulation_may_move_and_those_of_the_simplified_method_do_not():
+    for qtf, moves in ((None, False), ("auto", True)):
+        assert ("a motion of its own" in asked("lines with", states=[state()], qtf=qtf).how) is moves
+
+
 def test_fenders_and_earthquakes_are_asked_for_where_there_are_fenders(tmp_path):
     (tmp_path / "timed.toml").write_text("[record]\nfile = 'a.csv'\n")
     (tmp_path / "rule.toml").write_text("coefficient = 0.2\n")
@@ -82,7 +105,7 @@ def test_fenders_and_earthquakes_are_asked_for_where_there_are_fenders(tmp_path)
     )
     for study, given, met, how in (
         ({}, (), None, "lines leave the hull with long natural periods"),
-        (fenders, (), False, "earthquakes are not a load case; give [[earthquakes]]"),
+        (fenders, (), None, "no earthquake is a load case; give [[earthquakes]] where the site has them"),
         (fenders, (rule,), False, "earthquake rule has no time record; give [record] in its study"),
         (fenders, (rule, timed), True, "records of timed"),
     ):
@@ -112,7 +135,7 @@ def test_a_state_is_told_with_its_streams_waves_angles_levels_and_lines():
     assert bare[2:] == (
         "none",
         "none",
-        "3 m, 9 s and 1 m, 14 s (peak period)",
+        "3 m, 9 s (mean period) and 1 m, 14 s (peak period)",
         "0, 45; current off by 15",
         "mean",
         "intact",

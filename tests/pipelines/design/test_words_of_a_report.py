@@ -3,6 +3,7 @@
 from types import SimpleNamespace
 
 import numpy as np
+import pytest
 
 from hakobune.pipelines.design.report import _body_words, _checks, _levels, _whole
 from hakobune.pipelines.design.report_words import _place, _place_words
@@ -22,6 +23,21 @@ def test_every_check_that_fails_is_told_with_its_number_and_limit(monkeypatch):
         "mean: residual is 0.002 at ω 1.25 rad/s; limit 0.001",
     ]
     assert told[-1]["css"] == "source"
+
+
+@pytest.mark.parametrize("scene, css", [
+    ("panels = 2500", "open"), ('[[bodies]]\nshape = "mesh"', "open"), ("tolerance = 0.01", "fails"), ("", "fails"),
+])  # fmt: skip
+@pytest.mark.parametrize("name", ["estimated_error", "damping", "energy"])
+def test_an_estimated_error_without_a_tolerance_that_was_asked_for_is_no_failure(monkeypatch, scene, css, name):
+    check = SimpleNamespace(name=name, passed=False, largest=0.017, omega=0.918, limit=0.01)
+    monkeypatch.setattr(
+        "hakobune.bem.database.open_database", lambda path: SimpleNamespace(attributes={"scene": scene})
+    )
+    monkeypatch.setattr("hakobune.pipelines.solve.report.checked", lambda db: [check])
+    told = next(iter(_checks({"mean": "a.h5"})))
+    assert told["css"] == (css if name != "energy" else "fails")  # a law holds with any number of panels
+    assert told["text"].endswith("no tolerance was asked for" if told["css"] == "open" else "rad/s; limit 0.01")
 
 
 def test_a_body_is_told_in_tonnes_metres_and_seconds():

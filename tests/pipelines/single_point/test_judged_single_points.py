@@ -94,7 +94,7 @@ def test_hawsers_and_lines_are_held_to_what_is_allowed_of_them():
     assert overloaded(one(hawser=(1e5, 3.99e5))) == []
     (said,) = overloaded(one(hawser=(1e5, 4.01e5)))
     assert "1 of 4 lines at rest above the allowable 40 % of the breaking load: hawser 2 40" in said
-    assert said.endswith("give a stronger type or more lines")
+    assert "; give a stronger type or more lines; the limit is the study's own key allowable" in said
     assert overloaded(one(used=(0.399, np.nan))) == []
     (said,) = overloaded(one(used=(0.41, np.nan)), load=None)
     assert "1 of 2 lines at rest above the allowable 40 %" in said and ": a 41 %" in said
