@@ -67,8 +67,8 @@ def single_point(study: File | Tables | Study, database: File | Database | None 
     for one in rest:
         check_buoy(made, one)
     best = preferred(rest)
+    run = None if read.slewing is None else running.run(read, best, db)  # first: it refuses what it cannot do
     cycle, none = _cycle_of(best)
-    run = None if read.slewing is None else running.run(read, best, db)
     maps = tuple(computed(raw, i, db) for i, _ in enumerate(read.maps))
     found = Found(read, made.point, rest, best, cycle, run, maps)
     lost = () if none is None else (none,)
