@@ -6,11 +6,12 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from hakobune.bem.kernels.progress import CYCLE
 from hakobune.mooring.loads.turning import FITTED
 from hakobune.mooring.single_point.equilibria import preferred
 from hakobune.mooring.single_point.history import Cycle, Record
 from hakobune.mooring.single_point.in_time import Run, largest_of
-from hakobune.pipelines.single_point import running
+from hakobune.pipelines.single_point import result, running
 from hakobune.pipelines.single_point.findings import findings, overloads
 from hakobune.pipelines.single_point.quantities import maps_of, rest_of, run_of
 from hakobune.pipelines.single_point.running import words
@@ -241,3 +242,36 @@ def test_a_run_in_time_is_taken_up_to_its_limits(good, bad, says):
     with pytest.raises(ValueError) as refused:
         running._check(SlewingTable(**bad))
     assert says in str(refused.value)
+
+
+@pytest.mark.parametrize(("seconds", "told"), [(9.0, 0), (11.0, 1), (21.0, 2)])
+def test_a_limit_cycle_is_told_of_every_ten_seconds(monkeypatch, capsys, seconds, told):
+    """Three periods in so many seconds"""
+    clock = iter([0.0, seconds / 3, 2 * seconds / 3, seconds, seconds, seconds, seconds])
+    monkeypatch.setattr(result, "time", SimpleNamespace(monotonic=lambda: next(clock)))
+    now = result._telling()
+    now("waves", 5)
+    for _ in range(3):
+        now(CYCLE, (math.radians(7.0), 0.02))
+    said = capsys.readouterr().err.splitlines()
+    assert len(said) == min(told, len(said)) and bool(said) is bool(told)
+    if told:
+        assert "swings 7° to either side, +2 % a period" in said[-1]
+
+
+def test_a_run_refuses_before_the_limit_cycle_is_computed(monkeypatch):
+    """It took minutes to find that the waves lie outside the database"""
+    made = SimpleNamespace(point="point", findings=())
+    study = SimpleNamespace(slewing="slewing", maps=())
+    for name, value in {"given": (study, ""), "make": made, "equilibria": [1], "preferred": 1, "check_maps": None,
+                        "check_buoy": None}.items():  # fmt: skip
+        monkeypatch.setattr(result, name, lambda *given, value=value: value)
+    monkeypatch.setattr(result, "_cycle_of", lambda one: pytest.fail("the limit cycle was computed"))
+    monkeypatch.setattr(running, "check", lambda study, db: None)
+
+    def refused(*given):
+        raise ValueError("waves outside")
+
+    monkeypatch.setattr(running, "run", refused)
+    with pytest.raises(ValueError, match="waves outside"):
+        result.single_point({})
