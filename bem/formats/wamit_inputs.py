@@ -12,7 +12,7 @@ in Fortran: text after the wanted numbers of a line is a remark.
 """
 
 import re
-from math import inf
+from math import inf, isclose
 from pathlib import Path
 from typing import NamedTuple
 
@@ -26,6 +26,7 @@ from .values import FormatError, body_of, lines_of, omega_of
 PERIOD = re.compile(r"Wave period(?: \(sec\))?\s*=\s*(\S+)")
 NUMBER = r"[-+]?\d*\.?\d+(?:[EeDd][-+]?\d+)?"
 SAME_PERIOD = 2e-3  # relative difference within which periods of a listing and of a file are equal
+SAME_DEPTH = 1e-3  # the same of depths
 PERIOD_KINDS = {1: "period", 2: "frequency", 3: "deep wavenumber", 4: "wavenumber"}  # IPEROUT
 
 
@@ -112,7 +113,10 @@ def inputs_of(place, known):
         length,
         tuple(about),
         wave_length=length,
-        said=tuple(words for name, (_, words) in found.items() if words and name not in known),
+        said=(
+            *(words for name, (_, words) in found.items() if words and name not in known),
+            *_other_depth(known, *found["water_depth"]),
+        ),
         depth=depth,
         gravity=known.get("gravity") or 9.80665,
         bodies=len(potential.bodies) if potential else listed.bodies if listed else 1,
@@ -124,6 +128,13 @@ def inputs_of(place, known):
     if cfg:
         return given._replace(period_kind=_period_kind(cfg))
     return given._replace(period_kind=_kind_listed(place, given)) if listed else given
+
+
+def _other_depth(known, written, words):
+    """Words on a given depth that is not the one of the files, `written` m or None"""
+    depth = known.get("water_depth")
+    if depth is not None and written is not None and not isclose(depth, written, rel_tol=SAME_DEPTH):
+        yield f"--depth {depth:g} m, and not the {words},"
 
 
 def _of_listing(place, listed):
@@ -153,7 +164,10 @@ def _listed(place, known):
     """`listed_inputs` of the listing beside NAME.1, None without one"""
     path = beside(place, ".out")
     lines, start = before_periods(path) if path else ((), None)
-    return None if start is None else listed_inputs(path, lines[:start], known | {"body": known.get("body") or 1})
+    if start is None:
+        return None
+    asked = {name: value for name, value in known.items() if name != "water_depth"}
+    return listed_inputs(path, lines[:start], asked | {"body": known.get("body") or 1})
 
 
 def listed_inputs(place, lines, known):
@@ -165,14 +179,15 @@ def listed_inputs(place, lines, known):
     gravity, *rest = (numbers_after(r"Gravity:.*", lines) or [[known.get("gravity") or 9.80665]])[0]
     scale = known.get("length_unit") or (rest[0] if rest else 1.0)
     text = "\n".join(lines)
-    depth = re.search(r"Water depth:\s*(\S+)", text)
-    depth = inf if depth is None or depth[1].lower().startswith("inf") else float(depth[1])
+    written = re.search(r"Water depth:\s*(\S+)", text)
+    depth = inf if written is None or written[1].lower().startswith("inf") else float(written[1])
+    said = _other_depth(known, depth, f"water depth {depth:g} m of {Path(place).name}") if written else ()
     about = known.get("rotation_center")
     about = tuple(places[which][:3]) if about is None else tuple(about)
     names = re.findall(r"N=\s*\d+\s+(\S+\.gdf)", text, re.I)
     hull = names[which] if which < len(names) and place.with_name(names[which]).is_file() else ""
     gdf = beside(place, ".gdf")
-    return Inputs(scale, about, "period", scale, (), known.get("water_depth") or depth, gravity, len(places),
+    return Inputs(scale, about, "period", scale, tuple(said), known.get("water_depth") or depth, gravity, len(places),
                   hull or (gdf.name if gdf else ""), True)  # fmt: skip
 
 

@@ -7,9 +7,9 @@ from contextvars import ContextVar
 WAVES, MATRICES, FACTORS = "waves", "matrices", "factors"
 FINER = "finer"  # a frequency starts again on more panels: in place of a count (prepared problem, ω in rad/s)
 OWN = "own"  # a solution to compare another program's with begins: in place of a count (prepared problem, ω in rad/s)
-LONG = (
-    "long"  # forces of a long wave begin: in place of a count (prepared problem, ω in rad/s, its number, their count)
-)
+# forces of a long wave begin: in place of a count (prepared problem, ω in rad/s, its number, their count)
+LONG = "long"
+CYCLE = "cycle"  # a period of a limit cycle is followed: in place of a count (amplitude in rad, its change a period)
 _callback = ContextVar("progress callback", default=None)
 
 

@@ -30,6 +30,7 @@ import numpy as np
 from .system.parts import LineDynamics, LineSystemError, LineType
 
 STEEL = 7850.0  # kg/m³
+FIBRE_BELOW = 2000.0  # kg/m³; polyester has 1380, steel 7850
 KGF = 9.80665e-3  # kN
 CHAIN_SIZES = (10.0, 220.0)  # mm, range of the formulas
 ROPE_SIZES = (1.0, 500.0)  # mm: no rope is made outside this range
@@ -94,6 +95,18 @@ FORMS = (
     "spiral strand 90 mm",
     "polyester|nylon|HMPE 160 mm",
 )
+
+
+def fibre_lines(system):
+    """Names of the lines of a System with a part of fibre rope: a material lighter than `FIBRE_BELOW`"""
+    for name, line in zip(system.line_names, system.lines, strict=True):
+        kinds = [line.type] if hasattr(line, "type") else [segment.kind for segment in line.segments]
+        if any(kind and kind.mass and kind.diameter and _material(kind) < FIBRE_BELOW for kind in kinds):
+            yield name
+
+
+def _material(kind):
+    return kind.mass / (0.25 * np.pi * kind.diameter**2)
 
 
 def unread(name):

@@ -23,6 +23,7 @@ from functools import cached_property, partial
 
 import numpy as np
 
+from hakobune.bem.database.between_frequencies import BetweenError
 from hakobune.bem.kernels.simd import WIDTH
 from hakobune.bem.kernels.threads import blas_threads
 from hakobune.bem.waves import wavenumber
@@ -74,8 +75,16 @@ def wave_forces(body, turned=False):
     turned : whether one body that turns out of the stored headings takes the forces of its nearest one along, as a
         round body does; otherwise the stored headings have to go all round
     """
-    with blas_threads(1):
-        return _wave_forces(body, turned)
+    try:
+        with blas_threads(1):
+            return _wave_forces(body, turned)
+    except BetweenError as error:
+        if not (who := _needs_all_round(body)):
+            raise
+        raise BetweenError(
+            f"{who} turns in time, so that forces of waves from all round it are needed, whatever the direction of the "
+            f"sea: {error}"
+        ) from None
 
 
 def _wave_forces(body, turned):
@@ -92,6 +101,15 @@ def _wave_forces(body, turned):
         if drift is not None:
             drift[rows] = body.ring_of("drift_force").turned(drifts, ring, "drift") if turned else drifts(ring)
     return WaveForces(omega, force, drift, _of_shapes(body, omega, ring))
+
+
+def _needs_all_round(body):
+    """Name of a body that turns out of the stored headings, "" if they go all round every one"""
+    ring = np.arange(HEADINGS) * (2 * np.pi / HEADINGS)
+    for one in body.bodies:
+        if not one.fixed and not body.ring.reached(ring + one.heading).all():
+            return one.name
+    return "" if body.bodies or body.ring.reached(ring).all() else "the body"
 
 
 def _of_shapes(body, omega, ring):

@@ -10,6 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hakobune.bem.kernels.progress import CYCLE, report_progress
+
 from .body import SinglePointError
 from .history import line_tensions
 from .slewing import turned_state, until_turn
@@ -67,6 +69,7 @@ def limit_cycle(steady, turn=START) -> LimitCycle:
     before = None
     for _ in range(MOST):
         now = _period(point, state, longest)
+        report_progress(CYCLE, (now.amplitude, now.change))
         if now.amplitude < LEAST:
             raise SinglePointError(f"the slewing dies out at a heading of {np.degrees(now.end[2]) % 360:.1f}°")
         wanted = None if before is None else _foreseen(before, now)

@@ -52,6 +52,8 @@ def breakwater(
         draw_map(map_plot, read.name, made.lee)
     status = printed(result)
     written = [str(path) for path in (output, plot, map_plot) if path is not None]
+    if made.lee is not None and map_plot is None:
+        print("the waves around the unit are in the table and the results; --map-plot map.png draws them")
     if written:
         print(f"written: {', '.join(written)}")
     return status

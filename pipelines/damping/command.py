@@ -18,21 +18,26 @@ def damping(
         float | None,
         Parameter(help="mass with added mass, t (for a rotation t m²); for a decay only", allow_leading_hyphen=True),
     ] = None,
+    database: Annotated[
+        Path | None, Parameter(help="database of the body: its radiation damping is subtracted from B1 in the keys")
+    ] = None,
+    motion: Annotated[str | None, Parameter(help='the recorded motion, "roll", for --database')] = None,
     output: Annotated[Path | None, Parameter(help="result, .h5 or .csv")] = None,
     plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
 ):
     """Find linear and quadratic damping of a body from a record: forced oscillation or free decay.
 
     With force_kN (reaction of the water on a body in sinusoidal motion) it finds B1, B2 and added mass. Without, the
-    record is a free decay: a and b of its extinction, and with --mass B1 and B2.
+    record is a free decay: a and b of its extinction, and with --mass B1 and B2. B1 contains the damping by waves,
+    which a study has from its database: --database and --motion subtract it.
     """
     from ..common.picture import PLOTS, check_picture
     from ..results.output import check_result, finish, write_result
     from .result import damping
 
     check_picture(plot, PLOTS)
-    check_result(output, "damping", [record])
-    result = damping(record, mass=None if mass is None else 1e3 * mass)
+    check_result(output, "damping", [record, *([database] if database else [])])
+    result = damping(record, mass=None if mass is None else 1e3 * mass, database=database, motion=motion)
     return finish(result, (output, write_result), (plot, _draw))
 
 

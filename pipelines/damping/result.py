@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -13,10 +14,13 @@ from hakobune.mooring.identification.decay import decay
 from hakobune.mooring.identification.forced import forced
 
 from ..printing.number import significant
-from ..results.given import File
+from ..results.given import File, database_of
 from ..results.provenance import provenance
 from ..results.quantity import quantities
 from ..results.result import Result, labels
+
+if TYPE_CHECKING:
+    from hakobune.bem.database import Database
 
 ANGLES = {"deg": 1.0, "degrees": 1.0, "°": 1.0, "rad": 180 / np.pi}  # units of a column, in degrees
 LEFT = 0.25  # largest part of a record that a fit may leave unexplained
@@ -33,12 +37,20 @@ TURNED = {
 }  # units
 
 
-def damping(record: File | dict[str, np.ndarray | Sequence[float]], *, mass: float | None = None) -> Result:
+def damping(
+    record: File | dict[str, np.ndarray | Sequence[float]],
+    *,
+    mass: float | None = None,
+    database: File | Database | None = None,
+    motion: str | None = None,
+) -> Result:
     """Linear and quadratic damping of a body from a record of its motion: forced oscillation, or free decay.
 
     record : path of a CSV of time_s, motion_m, and force_kN of the water where the body is moved, or {column: values};
         of a rotation motion_deg and moment_kNm; a decay may have other names with their units, "t (s), roll (deg)"
     mass : mass with added mass, of a free decay, kg, or of a rotation kg m²
+    database : of the body; its radiation damping at the period of the record is subtracted from B1 in the keys
+    motion : the recorded one, "roll", of several bodies "barge roll"; needed with a database
     returns : Result, in SI
     raises : ValueError, with a message of one line
     """
@@ -49,18 +61,20 @@ def damping(record: File | dict[str, np.ndarray | Sequence[float]], *, mass: flo
     names = ("motion_deg", "moment_kNm") if turned else ("motion_m", "force_kN")
     try:
         _check_columns(columns, names)
-        time, motion, *force = (np.asarray(columns[name], float) for name in ("time_s", *names) if name in columns)
+        time, moved, *force = (np.asarray(columns[name], float) for name in ("time_s", *names) if name in columns)
         if force and mass is not None:
             raise ValueError(f"mass is given and the record has {names[1]}; mass is needed for a decay only")
-        motion = np.radians(motion) if turned else motion
+        moved = np.radians(moved) if turned else moved
         found, findings, notes = (
-            _forced(time, motion, 1e3 * force[0]) if force else _decay(time, motion, mass, "rad" if turned else "m")
+            _forced(time, moved, 1e3 * force[0]) if force else _decay(time, moved, mass, "rad" if turned else "m")
         )
     except ValueError as error:
         raise ValueError(str(error) if isinstance(record, dict) else f"{record}: {error}") from None
     if turned:
         found = {name: replace(one, unit=TURNED.get(str(one.unit), one.unit)) for name, one in found.items()}
-    notes += _to_paste(found, "roll" if turned else "heave")
+    of_waves = () if database is None else _of_waves(found, database_of(database).bodies_reader, motion, turned)
+    found |= quantities("damping without waves", dict(of_waves))
+    notes += _to_paste(found, motion or ("roll" if turned else "heave"))
     source = {} if isinstance(record, dict) else {"record": str(record)}
     return Result("damping", found, labels("time", time, "s"), findings, notes, provenance=provenance(**source))
 
@@ -115,15 +129,43 @@ def _check_columns(columns, names):
         )
 
 
+def _of_waves(found, body, motion, turned):
+    """Rows of the waves' part of B1 at the period of the record, by the radiation damping of a `Reader`, and the rest
+
+    Raises ValueError, for a motion that the body does not have, and for a decay without mass.
+    """
+    if "B1" not in found:
+        raise ValueError("a database is given without mass; the damping of the waves is subtracted from B1: give mass")
+    allowed = [word for word, turns in zip(body.words, body.turning, strict=True) if turns == turned]
+    if motion not in allowed:
+        given = "missing" if motion is None else repr(motion)
+        raise ValueError(f"motion is {given}; allowed with a database and this record: {', '.join(allowed)}")
+    mode, omega = list(body.words).index(motion), 2 * np.pi / float(found["period"].values)
+    waves = float(body.coefficients(omega)[1][0, mode, mode])
+    unit, rest = ("N m s" if turned else "N s/m"), max(0.0, float(found["B1"].values) - waves)
+    yield "B1.waves", (waves, unit, f"radiation damping of {motion} in the database, at this period")
+    yield "B1.rest", (rest, unit, "B1 less radiation damping")
+
+
 def _to_paste(found, motion):
-    """A line with the damping in the form of a study and a scene, () if unknown; the user names the motion"""
+    """Lines with the damping in the form of a study and a scene, () if unknown; the user names the motion"""
     if "B1" not in found:
         return ()
     B1, B2 = (float(found[name].values) for name in ("B1", "B2"))
+    if "B1.rest" not in found:
+        which = f"{motion} or whichever motion was recorded"
+        said = "B1 contains the damping by the waves that the body makes, which a study takes from its database too: "
+        said += "give --database and --motion to subtract it, else the study counts it twice"
+    else:
+        B1, waves, which = float(found["B1.rest"].values), float(found["B1.waves"].values), motion
+        said = f"linear_damping is B1 less the radiation damping of the database, {waves / 1e3:.4g}, which a study adds"
+        if B1 == 0.0:
+            said += "; the waves alone damp more than the record, so that 0 is left: check mass, and the water's depth"
     return (
-        f"as keys, for {motion} or whichever motion was recorded: [simulation] linear_damping = "
+        f"as keys, for {which}: [simulation] linear_damping = "
         f"{{ {motion} = {B1 / 1e3:.4g} }}, quadratic_damping = {{ {motion} = {B2 / 1e3:.4g} }}; in a scene "
         f"[viscous] {motion} = {{ drag = {B2:.4g} }}",
+        said,
     )
 
 

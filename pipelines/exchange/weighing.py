@@ -1,7 +1,8 @@
 """`hakobune body`: mass, centre of gravity and radii of gyration added to an imported database, or replaced.
 
-Stiffness by weight, and motions of the free body, are recomputed. Drift of the free body and forces of wave pairs are
-removed, since they depend on the old motions.
+Stiffness by weight, and motions of the free body, are recomputed. Drift of the free body depends on the old motions and
+is removed, unless no mass was known: then motions and drift are those of the files, and stay. Forces of pairs of waves
+are removed.
 """
 
 from dataclasses import replace
@@ -39,15 +40,13 @@ def weigh(database, weight, frequencies, output):
     check_ending(output, DATABASE)
     if output.exists() and output.resolve() != database.resolve():
         raise ValueError(f"{output} exists already; give another name by --output")
-    values, lost = values_of(db), []
-    if weight.given:
-        gone = [name for name in NEEDS_MOTION if name in values.quantities]
-        values = replace(values, quantities={n: v for n, v in values.quantities.items() if n not in gone})
-        lost = [name for name in gone if name != "rao"]
+    values = values_of(db)
+    before = values.body.get("inertia_matrix") is not None
+    held = [name for name in NEEDS_MOTION if name in values.quantities]
+    if weight.given and before:
+        values = replace(values, quantities={n: v for n, v in values.quantities.items() if n not in held})
     values, remarks = on_hull(between(values, *frequencies), db.mesh, weight)
-    lost += _pairs(db)
-    if lost:
-        remarks = [*remarks, f"{', '.join(lost)} depends on the former mass and is removed"]
+    remarks = [*remarks, *_of_motions(held, weight.given, before), *_of_pairs(db)]
     source = db.attributes["imported"]
     with made_beside(output) as partial:
         store(values, db.mesh, partial, source)
@@ -55,10 +54,22 @@ def weigh(database, weight, frequencies, output):
     return tell(remarks, new_console(stderr=True))
 
 
-def _pairs(db):
+def _of_motions(held, given, before):
+    """A remark on drift and other quantities `held` that depend on motions; before : whether a mass was known"""
+    names = ", ".join(name for name in held if name != "rao")
+    if names and given and before:
+        yield f"{names} depends on the former mass and is removed"
+    elif names and given:
+        yield f"{names} is kept: it belongs to the motions that the files were made with, not to those of this mass"
+
+
+def _of_pairs(db):
     from hakobune.bem.second_order.stored import GROUPS
 
-    return [name for name in GROUPS.values() if read_group(db, name) is not None]
+    names = [name for name in GROUPS.values() if read_group(db, name) is not None]
+    if names:
+        flags = "--mass, --center-of-gravity and --gyration"
+        yield f"{', '.join(names)} is not carried over; to keep it, give {flags} to `hakobune import`"
 
 
 def _line(db):

@@ -36,7 +36,12 @@ def keys(
         print(shown.kinds_text(json, markdown))
         return 0
     write = shown.as_json if json else shown.as_markdown if markdown else shown.as_text
-    print(write(_tables(kind, words)))
+    tables = _tables(kind, words)
+    print(write(tables))
+    if not (json or markdown) and any(key.name == "catalogue" for table in tables for key in table.keys):
+        from hakobune.mooring.lines.catalogue import FORMS
+
+        print("\nnames in the catalogue of lines, of any size:", *FORMS, sep="\n  ")
     return 0
 
 

@@ -57,6 +57,7 @@ OTHER_NAMES = {  # names of keys in other programs and books
     "headings_deg": "heading heading_deg headings",
     "incidence_deg": "incidence from_deg",
     "beam": "width breadth",
+    "catalogue": "chain wire spiral strand studlink studless orq r3 r3s r4 r4s r5 polyester nylon hmpe",
     "swell": "systems system",
     "waves": "sea seas wave",
     "sea": "waves wave",

@@ -10,6 +10,7 @@ from .over_runs import differ, rare_findings
 UNITS = {"m": (1.0, "m"), "rad": (180 / np.pi, "°")}
 SMALL = 50.0  # m, length of a hull that is none of the report's floaters
 FAR, NOTABLE = 2.0, 0.5  # factor on the spectral σ of slow motion; fraction of the σ of motion with the waves
+SLACK = 0.01  # of the breaking load: smallest tension below which a rope of fibre counts as slack
 NOTHING = 1e-5  # slow motion over the hull length, or rad, that counts as zero
 LONG, SHALLOW, DEEP = 10.0, 20.0, 40.0  # slowest periods in a run; m, SR179 report (1982), section 5.5.3
 FREE = 1000.0  # s, natural period at a berth from which ropes and fenders do not hold the body
@@ -51,6 +52,27 @@ def slack_findings(file):
         yield f"lines without tension in all runs: {some(slack, LINES_NAMED)}; check their lengths"
 
 
+def fibre_findings(file):
+    """A finding on lines with ropes of fibre that fall slack"""
+    names = [name for name in str(file.attrs.get("fibre_lines", "")).split("\n") if name]
+    if not names:
+        return
+    breaking = dict(zip(file["line"].asstr()[()], np.asarray(file.attrs["breaking_load"], float), strict=True))
+    ends = {name: summary_of(file, f"tension {name}") for name in names}
+    loose = [
+        (one["smallest"], name)
+        for name, one in ends.items()
+        if one["largest"] > 0 and np.isfinite(breaking[name]) and one["smallest"] < SLACK * breaking[name]
+    ]
+    if loose:
+        told = some([f"{name} {least / 1e3:.3g} kN" for least, name in sorted(loose)], LINES_NAMED)
+        yield (
+            f"ropes of fibre fall slack: {told}; "
+            f"limit of the smallest tension: {100 * SLACK:g} % of the breaking load; a slack rope snaps when it comes "
+            "taut, and wears by compression: give more pretension"
+        )
+
+
 def findings(file):
     """Findings that hold for all runs: their length, slow motion, and which method applies"""
     periods = np.asarray(file.attrs.get("moored_period", [np.nan] * 3), float)
@@ -63,6 +85,7 @@ def findings(file):
     yield from slow_findings(file)
     yield from tilt_findings(file)
     yield from slack_findings(file)
+    yield from fibre_findings(file)
     if duration < LONG * slow and differ(file):
         share = 1 / np.sqrt(max(2 * duration / slow, 1.0))
         yield (

@@ -189,7 +189,7 @@ def _of_lines(file, rows):
     if not rows:
         return {}
     made = _statistics("tension", "", "line", rows, ("N",) * len(rows))
-    for key in ("mean", "sigma", "largest"):
+    for key in ("mean", "sigma", "smallest", "largest"):
         one = made[f"tension.{key}"]
         made[f"tension.{key}"] = Quantity(one.values, one.axes, "N", one.description, LINES)
     used, simplified = used_in_runs(file), np.asarray(file.attrs.get("simplified_tension", []), float)

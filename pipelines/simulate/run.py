@@ -14,6 +14,7 @@ import numpy as np
 from hakobune.bem.database.integrity import DatabaseError
 from hakobune.bem.hinges import told_of
 from hakobune.bem.kernels.progress import progress_callback
+from hakobune.mooring.lines.catalogue import fibre_lines
 from hakobune.mooring.motion.extremes import median_extreme
 from hakobune.mooring.motion.statistics import over_runs
 
@@ -283,6 +284,8 @@ def _attributes(task, db, body, plan, lines):
     }  # fmt: skip
     if isinstance(plan.settings.dynamic_lines, tuple):
         found["moving_lines"] = "\n".join(plan.settings.dynamic_lines)
+    if fibre := () if body.system is None else tuple(fibre_lines(body.system)):
+        found["fibre_lines"] = "\n".join(fibre)
     if study.anchors:
         found["anchors"] = json.dumps([*study.anchors_on(lines), *(None for _ in body.berth.ropes)])
     if db.bodies:

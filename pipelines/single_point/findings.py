@@ -9,6 +9,7 @@ from hakobune.mooring.single_point.in_time import pulls, used_in
 
 from ..common.quantities import force
 
+BALANCED = 0.05  # change of a buoy's draft by its lines, over its draft, that is not told
 HELP = "give a stronger type or more lines"
 STEADY = (
     "left out: pulls by waves and gusts; tensions are those of steady loads and smaller than the largest ones in the "
@@ -19,6 +20,7 @@ STEADY = (
 def findings(found):
     """Findings of a `result.Found`, one line each"""
     best, water = found.best, found.point.loads.water
+    yield from _pulled_down(found.study.buoy, found.point.system, best)
     if found.study.waves is not None and found.run is None:
         yield STEADY
     if water.turning and water.speed > 0:
@@ -37,6 +39,22 @@ def findings(found):
         yield (
             f"{len(stable)} headings are stable ({headings}): the body comes to rest at the first of them that it "
             f"reaches"
+        )
+
+
+def _pulled_down(buoy, system, best):
+    """A line on a buoy that its lines pull down by more than `BALANCED` of its draft: [buoy] z is that without them"""
+    if buoy.mass is None:
+        return
+    area, alone = 0.25 * np.pi * buoy.diameter**2, system.bodies[0].position[2]
+    draft, sunk = 1e3 * buoy.mass / (system.density * area), alone - best.lines.position[0, 2]
+    if abs(sunk) > BALANCED * draft:
+        carried = buoy.mass - 1e-3 * system.density * area * sunk
+        yield (
+            f"buoy: {buoy.mass:.4g} t alone float with a draft of {draft:.3g} m, and the lines pull it down with "
+            f"{1e-3 * system.density * system.gravity * area * sunk:.4g} kN to {draft + sunk:.3g} m; buoy.z is the "
+            f"height without lines; limit {100 * BALANCED:g} % of the draft; for {draft:.3g} m with lines give "
+            f"buoy.mass = {carried:.4g}, and raise buoy.z by {sunk:.2g} m"
         )
 
 

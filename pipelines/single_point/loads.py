@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 from hakobune.mooring.loads.box_drag import about
+from hakobune.mooring.loads.coefficients import shallow_coefficient
 from hakobune.mooring.loads.on_hull import current_on, turning_drag, wind_on
 from hakobune.mooring.loads.ship_derivatives import by_yaw_rate, clarke
 from hakobune.mooring.loads.turning import OutsideTests, turning_coefficients
@@ -34,6 +35,8 @@ from ..common.weather.seas import PERIODS, sea_with_swell, spectrum_of
 from ..common.weather.streams import current_of, doubtful_weather, no_box, superstructures, wind_of
 
 MIDDLE = (0.0, 0.0)
+GROUNDED = 3.2  # side coefficient of a hull that touches the bed, UFC 4-159-03
+UNSAFE = 1.1  # growth of the side force in shallow water that is told
 ONE_OF = "give one of turning, coefficients, file"
 PROPORTIONS = {"L/B": "length_over_beam = 2", "B/d": "beam_over_draft = 10", "H/d": "depth_over_draft = 8"}  # tested
 
@@ -46,8 +49,25 @@ def loads_of(study, db, density, center, mass, is_round=False):
     h = study.hull
     hull = ExposedBox(h.length, h.beam, h.draft, h.freeboard, **superstructures(h), is_round=is_round)
     findings = doubtful_weather(study) + ([] if is_round else no_box(_block(h, density), hull, study))
-    water = _water(study, hull, density, center, mass, findings)
-    return Loads(water, _wind(study, hull, center), _drift(study, db, center, findings)), findings
+    water, wind, drift = _each(
+        lambda: _water(study, hull, density, center, mass, findings),
+        lambda: _wind(study, hull, center),
+        lambda: _drift(study, db, center, findings),
+    )
+    return Loads(water, wind, drift), findings
+
+
+def _each(*parts):
+    """Results of functions.  Raises StudyError with the messages of all that fail."""
+    found, wrong = [], []
+    for part in parts:
+        try:
+            found.append(part())
+        except StudyError as error:
+            wrong.append(str(error))
+    if wrong:
+        raise StudyError("; and ".join(wrong))
+    return found
 
 
 def _wind(study, hull, center):
@@ -152,7 +172,21 @@ def _turning(study, given, density, center, findings):
             f"current: {error.limits}; give current.turning with the {what} ({tested}), or coefficients, or file"
         ) from None
     findings += found.notes
+    if taken["depth_over_draft"] > own["depth_over_draft"]:
+        findings += _shallower(found, own["depth_over_draft"])
     return turning_table(found, h.length, h.draft, density)
+
+
+def _shallower(deep, relative):
+    """A line on turning tests in deeper water than the hull's, by how much the side force grows (UFC 4-159-03)"""
+    side = min(abs(float(deep.C_y(0.5 * math.pi, 0.0))), GROUNDED)
+    grows = shallow_coefficient(side, 1.0, relative, grounded=GROUNDED) / side
+    if grows > UNSAFE:
+        yield (
+            f"unsafe: in water of {relative:.3g} drafts the current pushes a hull at its side about {grows:.2g} times "
+            "as hard as in these tests, made in deeper water (UFC 4-159-03, eq. 11); give coefficients or a file for "
+            "this depth"
+        )
 
 
 def _drift(study, db, center, findings):

@@ -3,14 +3,19 @@ time."""
 
 from __future__ import annotations
 
+import sys
+import time
 import tomllib
 from typing import TYPE_CHECKING, NamedTuple
 
+import numpy as np
+
+from hakobune.bem.kernels.progress import CYCLE, progress_callback
 from hakobune.mooring.criteria.failing import failing, fails
 from hakobune.mooring.single_point.body import NotFollowedError, SinglePoint, SinglePointError
 from hakobune.mooring.single_point.equilibria import Equilibrium, equilibria, preferred
 from hakobune.mooring.single_point.in_time import Run
-from hakobune.mooring.single_point.limit_cycle import LimitCycle, limit_cycle
+from hakobune.mooring.single_point.limit_cycle import MOST, LimitCycle, limit_cycle
 
 from ..common.bounds import told
 from ..results.given import File, Tables, database_of, given
@@ -28,6 +33,7 @@ if TYPE_CHECKING:
     from hakobune.bem.database import Database
 
 
+TOLD = 10.0  # s between two lines on a limit cycle
 A_CYCLE = 15.0  # s, of a box on six chains
 
 
@@ -67,8 +73,8 @@ def single_point(study: File | Tables | Study, database: File | Database | None 
     for one in rest:
         check_buoy(made, one)
     best = preferred(rest)
+    run = None if read.slewing is None else running.run(read, best, db)  # first: it refuses what it cannot do
     cycle, none = _cycle_of(best)
-    run = None if read.slewing is None else running.run(read, best, db)
     maps = tuple(computed(raw, i, db) for i, _ in enumerate(read.maps))
     found = Found(read, made.point, rest, best, cycle, run, maps)
     lost = () if none is None else (none,)
@@ -90,11 +96,32 @@ def _cycle_of(one):
         return None, None
     told("the body slews; its limit cycle takes minutes to compute if nothing damps it, otherwise", A_CYCLE)
     try:
-        return limit_cycle(one), None
+        with progress_callback(_telling()):
+            return limit_cycle(one), None
     except NotFollowedError as error:
         return None, fails(f"limit cycle: {error}")
     except SinglePointError as error:
         return None, f"limit cycle: {error}"
+
+
+def _telling():
+    """Callback of `bem.kernels.progress` that tells a period of the limit cycle to stderr every `TOLD` s"""
+    periods, last = 0, time.monotonic()
+
+    def callback(stage, what):
+        nonlocal periods, last
+        if stage != CYCLE:
+            return
+        periods += 1
+        if time.monotonic() - last >= TOLD:
+            last, (amplitude, change) = time.monotonic(), what
+            print(
+                f"limit cycle, period {periods} of at most {MOST}: the heading swings {np.degrees(amplitude):.3g}° to "
+                f"either side, {100 * change:+.2g} % a period",
+                file=sys.stderr,
+            )
+
+    return callback
 
 
 def result_of(found, first, notes, text, db):

@@ -20,7 +20,7 @@ from ..common.typed import typed
 from ..printing.verdict import tell
 from ..scene.methods import METHODS
 from ..scene.scene import Scene, SceneError
-from .report import CHECKED, checked, checks_table, resonances_of, way_out
+from .report import CHECKED, checked, checks_table, not_applied, resonances_of, way_out
 
 
 def check(path, console, repair=False):
@@ -41,7 +41,7 @@ def check(path, console, repair=False):
     if checks:
         console.print(checks_table(checks))
     lines = [fails(f"{f.text}") if f.severity == "error" else f"{f.severity}: {f.text}" for f in (*found, *broken)]
-    lines += [*map(fails, unknown), *(f"note: {line}" for line in resonances_of(db))]
+    lines += [*map(fails, unknown), *not_applied(checks, db), *(f"note: {line}" for line in resonances_of(db))]
     way = "solve with more panels, or a coarser --tolerance"
     if "imported" in db.attributes:
         way = "solve a finer mesh in the program of the files, and import it"

@@ -162,6 +162,18 @@ def checks_table(checks):
     return table
 
 
+def not_applied(checks, db):
+    """A line on why checks were not applied to an imported set, () if there is nothing to say"""
+    names = [check.name for check in checks if not np.isfinite(check.largest)]
+    if not names or "imported" not in db.attributes:
+        return ()
+    return (
+        f"note: not applied: {', '.join(names)}: hakobune stores these while it solves, and this set is imported; "
+        "`hakobune import` held it against an own solution of the hull, against the hull, and against laws between its "
+        "numbers, and named what was wrong",
+    )
+
+
 def resonances_of(db):
     """A line for each resonance of the freely floating body of a database"""
     if db.bodies or db.modes or "rao" not in db.names or not len(db.omega):

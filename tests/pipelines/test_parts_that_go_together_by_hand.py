@@ -198,13 +198,22 @@ def test_a_weighed_database_is_told_in_one_line(monkeypatch, mass, center, names
         weighing.weigh(Path("b.h5"), nothing, (0.0, float("inf")), None)
 
 
-@pytest.mark.parametrize("given", [True, False])
-def test_quantities_that_depend_on_the_former_mass_are_left_out_but_for_motions(monkeypatch, tmp_path, capsys, given):
+@pytest.mark.parametrize(("given", "body", "said"), [
+    (True, {"inertia_matrix": 1}, ["drift_force depends on the former mass and is removed"]),
+    (True, {}, ["drift_force is kept: it belongs to the motions that the files were made with, not to those of this "
+                "mass"]),
+    (False, {"inertia_matrix": 1}, []),
+])  # fmt: skip
+def test_quantities_that_depend_on_the_former_mass_are_left_out_but_for_motions(
+    monkeypatch, tmp_path, capsys, given, body, said
+):
+    """Where no mass was known, motions and drift are those of the files"""
     from dataclasses import dataclass
 
     @dataclass(frozen=True)
     class Values:
         quantities: dict
+        body: dict
 
     path, out, kept = tmp_path / "b.h5", tmp_path / "new.h5", []
     path.touch()
@@ -214,7 +223,7 @@ def test_quantities_that_depend_on_the_former_mass_are_left_out_but_for_motions(
     def beside(output):
         yield f"part of {output.name}"
 
-    values = Values({"rao": 1, "drift_force": 2, "added_mass": 3})
+    values = Values({"rao": 1, "drift_force": 2, "added_mass": 3}, body)
     monkeypatch.setattr(weighing, "open_database", lambda place: db if place == path else f"db {place.name}")
     monkeypatch.setattr(weighing, "NEEDS_MOTION", ("rao", "drift_force", "other"))
     monkeypatch.setattr(weighing, "values_of", lambda db: values)
@@ -222,17 +231,18 @@ def test_quantities_that_depend_on_the_former_mass_are_left_out_but_for_motions(
     monkeypatch.setattr(
         weighing, "on_hull", lambda values, mesh, weight: kept.append(values.quantities) or (values, ["heavy"])
     )
-    monkeypatch.setattr(weighing, "_pairs", lambda db: ["qtf"])
+    monkeypatch.setattr(weighing, "read_group", lambda db, name: None if "sum" in name else 1)
     monkeypatch.setattr(weighing, "made_beside", beside)
     monkeypatch.setattr(weighing, "store", lambda *all: kept.append(all))
     monkeypatch.setattr(weighing, "_line", lambda db: f"line of {db}")
     monkeypatch.setattr(weighing, "tell", lambda remarks, console: kept.append(remarks) or 4)
     weight = SimpleNamespace(given=given)
     assert weighing.weigh(path, weight, (0.2, 0.9), out) == 4 and capsys.readouterr().out == "line of db new.h5\n"
-    left = {"added_mass": 3} if given else values.quantities
-    lost = "drift_force, qtf" if given else "qtf"
-    assert kept == [(0.2, 0.9), left, (Values(left), "mesh", "part of new.h5", "wamit"),
-                    ["heavy", f"{lost} depends on the former mass and is removed"]]  # fmt: skip
+    left = {"added_mass": 3} if given and body else values.quantities
+    assert kept[:-1] == [(0.2, 0.9), left, (Values(left, body), "mesh", "part of new.h5", "wamit")]
+    assert kept[-1][:-1] == ["heavy", *said]
+    assert kept[-1][-1].endswith("is not carried over; to keep it, give --mass, --center-of-gravity and --gyration to "
+                                 "`hakobune import`")  # fmt: skip
     out.touch()
     with pytest.raises(ValueError, match=r"new\.h5 exists already; give another name by --output"):
         weighing.weigh(path, weight, (0.2, 0.9), out)

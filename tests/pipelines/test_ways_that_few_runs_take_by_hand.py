@@ -480,6 +480,6 @@ def test_water_without_a_current_is_that_of_the_turning_tests_at_half_the_draft(
     asked = []
     monkeypatch.setattr(loads, "_turning", lambda *given: asked.append(given) or "table")
     study = SimpleNamespace(current=None, hull=SimpleNamespace(length=80.0, draft=5.0))
-    found = loads._water(study, "hull", 1025.0, "center", "mass", "findings")
+    found = loads._water(study, SimpleNamespace(is_round=False), 1025.0, "center", "mass", "findings")
     assert asked == [(study, None, 1025.0, "center", "findings")]
     assert (found.table, found.length, found.turning, found.height) == ("table", 80.0, True, -2.5)

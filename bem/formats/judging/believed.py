@@ -11,7 +11,8 @@ WAY_OUT = "import with --correct to store the set so corrected"
 def believed(values, mesh, correct=False):
     """Values, messages on agreement, and messages on uncorrected contradictions.
 
-    correct : whether to correct a recognised error of the files, such as a wrong unit or reference point
+    correct : whether to correct a recognised error of the files, such as a wrong unit or reference point; a factor or
+        a depth that fits, but is no unit, sign or convention, is never corrected
     raises : FormatError naming a recognised error, unless it is corrected
     """
     doubts, tested = laws.doubts(values)
@@ -28,18 +29,22 @@ def believed(values, mesh, correct=False):
         return values, [], doubts
     named = found.quantity.replace("_", " ")
     off = f"{named} differs from our own solution of the hull by {100 * found.gap:.3g} %, allowed: {100 * AGREED:g} %"
-    if found.cause is None:
-        near = f"; the best guess, {found.nearest}, leaves {100 * found.left:.3g} %" if found.nearest else ""
+    cause = found.cause
+    if cause is None or (cause.fitted and not cause.way_out):
+        near = found.nearest if cause is None else f"{cause.text}, which is no unit and no convention"
+        near = f"; the best guess, {near}, leaves {100 * found.left:.3g} %" if near else ""
         return (
             values,
             [],
-            [f"{off}; no change of unit, point, sign or heading explains it, nor do two{near}", *doubts],
+            [f"{off}; no change of unit, point, sign, heading or depth explains it, nor do two{near}", *doubts],
         )
+    if cause.fitted:
+        raise FormatError(f"{off}: {cause.text}; give {cause.way_out}")
     if not correct:
-        way = f"give {found.cause.way_out}, or {WAY_OUT}" if found.cause.way_out else WAY_OUT
-        raise FormatError(f"{off}: {found.cause.text}; {way}")
+        way = f"give {cause.way_out}, or {WAY_OUT}" if cause.way_out else WAY_OUT
+        raise FormatError(f"{off}: {cause.text}; {way}")
     return (
-        corrected(values, found.cause),
-        [f"corrected: {found.cause.text}; motions and drift of the files are left out"],
+        corrected(values, cause),
+        [f"corrected: {cause.text}; motions and drift of the files are left out"],
         [],
     )

@@ -13,6 +13,7 @@ from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
+from scipy.optimize import minimize_scalar
 
 from ...modes import reference_change
 from ...waves import wavenumber
@@ -23,6 +24,7 @@ MESH = 2.0  # the same for differences caused by panels
 SHIFT = 0.02  # distance, relative to half the hull's size, above which two points count as different
 FITS = 0.5  # largest remaining fraction of the difference for which a cause is accepted
 CLEARLY = 0.3  # largest fraction of one cause's remainder that two causes may leave
+DEPTHS = 1.1, 60.0  # times the draft, between which the depth of a set is sought
 NEARLY = 0.03  # relative distance within which a factor is identified
 FACTORS = {
     1e3: "kilo instead of the unit", 1e-3: "the unit instead of kilo", 2.0: "per metre of wave height", 0.5: "halved",
@@ -41,11 +43,15 @@ MATRICES = ("added_mass", "radiation_damping", "added_mass_zero", "added_mass_in
 
 
 class Cause(NamedTuple):
-    """text : description; correct : Values → Values; way_out : remedy besides `--correct`"""
+    """text : description; correct : Values → Values; way_out : remedy besides `--correct`
+
+    fitted : whether its number is no unit, sign or convention, so that a set is not corrected by it
+    """
 
     text: str
     correct: Callable
     way_out: str = ""
+    fitted: bool = False
 
 
 class Finding(NamedTuple):
@@ -63,13 +69,16 @@ def finding(values, own):
     """`Finding` on a `sample` of Values against `Own`; None if the set agrees within `AGREED` with hakobune's solution
     on flat panels with one node, as in most programs, or with four nodes, which is close to the limit of many panels
     """
-    found = _finding(values, own)
+    flat, found = own, _finding(values, own)
     if found is not None and found.gap <= MESH:  # may be of panels
         sharp = _finding(values, own.sharper())
         if sharp is None or sharp.gap < found.gap:
             found, own = sharp, own.sharper()
-    if found is None or (found.cause is not None and found.left <= AGREED):
+    if found is None or (found.cause is not None and not found.cause.fitted and found.left <= AGREED):
         return found
+    depth, left = _of_depth(values, flat)
+    if _explains(left, found.gap) and (left <= AGREED or left < 0.8 * found.left):
+        return found._replace(cause=depth, left=left)
     pair, left = _two(values, own)
     most = AGREED if found.cause is None else min(AGREED, CLEARLY * found.left)
     return found._replace(cause=pair, left=left) if left <= min(most, FITS * found.gap) else found
@@ -92,9 +101,29 @@ def _finding(values, own):
         if deep < 0.8 * left:
             text = f"the set is for deep water, not for a depth of {values.water_depth:g} m"
             best, left = Cause(text, lambda one: replace(one, water_depth=np.inf), "--depth inf"), deep
-    if left <= FITS * off[quantity] and left <= 2.5 * AGREED:
+    if _explains(left, off[quantity]):
         return Finding(off[quantity], quantity, best, left)
     return Finding(off[quantity], quantity, None, left, best.text if best and left < FITS * off[quantity] else "")
+
+
+def _explains(left, gap):
+    return left <= FITS * gap and left <= 2.5 * AGREED
+
+
+def _of_depth(values, own):
+    """The depth of water in which our solution is nearest to the set, as a cause, and the remaining difference"""
+
+    def left(log):
+        return max(gaps(values, own.in_water(float(np.exp(log)))).values())
+
+    best = minimize_scalar(
+        left, bounds=np.log(np.multiply(DEPTHS, own.draft)), method="bounded", options={"xatol": 0.02, "maxiter": 12}
+    )
+    depth = float(np.exp(best.x))
+    given = f"{values.water_depth:g} m" if np.isfinite(values.water_depth) else "deep water"
+    text = f"the set fits a depth of about {depth:.3g} m, not {given}"
+    way = f"--depth as in that solution (about {depth:.3g})"
+    return Cause(text, lambda one: replace(one, water_depth=depth), way, fitted=True), float(best.fun)
 
 
 def _two(values, own):
@@ -118,7 +147,7 @@ def _two(values, own):
     first, second = best
     ways = [one.way_out for one in best]
     return Cause(f"two causes: {first.text}; and then {second.text}", lambda one: second.correct(first.correct(one)),
-                 " and ".join(ways) if all(ways) else ""), left  # fmt: skip
+                 " and ".join(ways) if all(ways) else "", any(one.fitted for one in best)), left  # fmt: skip
 
 
 def _causes(values, own):
@@ -252,13 +281,21 @@ def _about_factors(straight):
         taken = tuple(one for name in names for one in LIKE.get(name, (name,)))
         factors = [factor for three in (chosen, *([one] for one in chosen)) for factor in _factors(three)]
         for factor in _apart(factors):
-            yield Cause(f"{words} are {_said(factor)}", lambda one, n=taken, f=factor: scaled(one, n, f))
+            yield Cause(
+                f"{words} are {_said(factor)}",
+                lambda one, n=taken, f=factor: scaled(one, n, f),
+                fitted=factor not in FACTORS,
+            )
 
 
 def _about_moments(moments):
     for words, names in (("moments", FORCES), ("rows of rotations", FORCES + MATRICES)):
         for factor in (one for one in _apart(_factors([moments])) if one != -1):  # that is a sense of rotations
-            yield Cause(f"{words} are {_said(factor)}", lambda one, n=names, f=factor: scaled(one, n, f, ROTATION))
+            yield Cause(
+                f"{words} are {_said(factor)}",
+                lambda one, n=names, f=factor: scaled(one, n, f, ROTATION),
+                fitted=factor not in FACTORS,
+            )
 
 
 def _about_length(straight):

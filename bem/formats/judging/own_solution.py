@@ -65,6 +65,11 @@ class Own:
         """The same hull in other water"""
         return self.solved.setdefault(("water", depth), replace(self, depth=depth, solved={}))
 
+    @cached_property
+    def draft(self):
+        """m"""
+        return -float(self.mesh.points[:, 2].min())
+
     def sharper(self):
         """The same with four nodes a panel"""
         return self.solved.setdefault("sharper", replace(self, nodes=4, solved={}))

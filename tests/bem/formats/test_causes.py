@@ -40,7 +40,7 @@ def test_each_solution_to_compare_with_is_announced_once(nodes):
 class Hull:
     """Stands in for `Own`, in deep water too, and with more nodes"""
 
-    moves, arm, center = np.ones(6, bool), 20.0, (0.0, 0.0, 0.0)
+    moves, arm, draft, center = np.ones(6, bool), 20.0, 5.0, (0.0, 0.0, 0.0)
 
     def at(self, omega, headings):
         n = int(np.argmin(np.abs(OMEGA - omega)))
@@ -160,6 +160,19 @@ def test_a_set_without_forces_is_held_against_its_hull_by_its_coefficients():
     assert finding(alone, own) is None
     found = finding(changed(alone, MATRICES, lambda M: 1e3 * M), own)
     assert "added mass and damping are 1000 times as large" in found.cause.text
+
+
+@pytest.mark.parametrize("given", [14.0, 40.0, np.inf])
+def test_a_wrong_depth_is_named_and_not_taken_for_a_factor(given):
+    """A set of 25 m of water said to be of another depth; in the right depth there is nothing to say"""
+    hull, omega, beta = box(40, 16, 4, panels=60), np.array([0.35, 0.7]), np.radians([0.0, 45.0, 90.0])
+    A, B, X = (np.array(part) for part in zip(*(Own(hull, 25.0, RHO, G).at(w, beta) for w in omega), strict=True))
+    quantities = {"added_mass": A, "radiation_damping": B, "excitation_force": X}
+    found = finding(Values(omega, beta, given, RHO, G, quantities), Own(hull, given, RHO, G))
+    depth = float(found.cause.text.split("about ")[1].split(" m,")[0])
+    assert depth == pytest.approx(25.0, rel=0.03) and found.cause.fitted and "--depth" in found.cause.way_out
+    assert found.left < 0.1 < found.gap
+    assert finding(Values(omega, beta, 25.0, RHO, G, quantities), Own(hull, 25.0, RHO, G)) is None
 
 
 def test_motions_that_follow_from_what_is_wrong_are_left_out():

@@ -253,6 +253,8 @@ def test_a_listing_of_wamit_tells_its_length_gravity_depth_and_points(tmp_path):
     given = {"body": 2, "length_unit": 7.0, "rotation_center": (0, 0, 1), "water_depth": 11.0}
     found = wamit_inputs.listed_inputs(place, lines, given)
     assert (found.length, found.about, found.depth, found.hull) == (7.0, (0, 0, 1), 11.0, "two.gdf")
+    assert found.said == ("--depth 11 m, and not the water depth 30 m of box.out,",)
+    assert wamit_inputs.listed_inputs(place, lines, {"body": 2, "water_depth": 30.0}).said == ()
     bare = wamit_inputs.listed_inputs(place, ["Gravity:  9.7", "Water depth: infinite"], {"body": 1})
     assert (bare.length, bare.gravity, bare.depth, bare.about, bare.bodies) == (1.0, 9.7, np.inf, (0.0, 0.0, 0.0), 1)
     none = wamit_inputs.listed_inputs(place, ["nothing"], {"body": 1, "gravity": 9.9})

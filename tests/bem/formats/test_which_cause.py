@@ -24,6 +24,11 @@ def leaves(number, text="", way=""):
     return Cause(text or f"leaves {number}", lambda values: Set(number), way)
 
 
+@pytest.fixture(autouse=True)
+def without_depths(monkeypatch):
+    monkeypatch.setattr(causes, "_of_depth", lambda values, own: (None, np.inf))
+
+
 @pytest.fixture
 def taken(monkeypatch):
     """taken(set, causes, own) : `Finding`; of an own solution that is a number that is the difference"""
@@ -170,9 +175,28 @@ def test_what_nothing_explains_is_told_with_the_best_guess_before_other_doubts(m
     values, told, doubts = believed.believed("values", ())
     assert (values, told, doubts[1:]) == ("values", [], ["a doubt"])
     assert doubts[0] == (
-        "added mass differs from our own solution of the hull by 45.7 %, allowed: 10 %; no change of unit, point, sign "
-        "or heading explains it, " + end
+        "added mass differs from our own solution of the hull by 45.7 %, allowed: 10 %; no change of unit, point, "
+        "sign, heading or depth explains it, " + end
     )
+
+
+@pytest.mark.parametrize("way_out, end", [("", None), ("--depth as in that solution (about 25)", "(about 25)")])
+@pytest.mark.parametrize("correct", [False, True])
+def test_a_number_that_is_no_convention_never_corrects_a_set(monkeypatch, correct, way_out, end):
+    """A factor of 0.76 is told as a guess, and the set stored as it is; a depth is refused with its flag"""
+    cause = Cause("damping are 0.7635 times as large", lambda one: "wrong", way_out, fitted=True)
+    found = causes.Finding(0.3, "radiation_damping", cause, 0.02)
+    monkeypatch.setattr(believed.laws, "doubts", lambda values: ([], []))
+    for name, value in (("own_of", "own"), ("sample", "some"), ("finding", found)):
+        monkeypatch.setattr(believed, name, lambda *given, value=value: value)
+    if end:
+        with pytest.raises(FormatError) as error:
+            believed.believed("values", (), correct)
+        assert str(error.value).endswith(end) and "--correct" not in str(error.value)
+        return
+    values, told, doubts = believed.believed("values", (), correct)
+    assert (values, told) == ("values", [])
+    assert "the best guess, damping are 0.7635 times as large, which is no unit and no convention" in doubts[0]
 
 
 @pytest.mark.parametrize("panels, others, why", [

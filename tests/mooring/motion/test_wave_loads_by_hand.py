@@ -5,7 +5,9 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from made_up_body import made_up_body
 
+from hakobune.bem.database.between_frequencies import BetweenError
 from hakobune.bem.modes import Body
 from hakobune.mooring.environment.sea import Components
 from hakobune.mooring.motion import wave_loads
@@ -199,3 +201,14 @@ def test_halfway_between_two_headings_the_three_on_either_side_count(turns):
         forces = wave_loads.WaveForces(np.ones(1), ring, None)
         found = wave_loads.forces_towards(forces, place * 2 * np.pi / HEADINGS)
         assert found[0, 0] == pytest.approx(weight / 256, abs=1e-11) and found[0, 2] == pytest.approx(1j)
+
+
+@pytest.mark.parametrize(("symmetry", "refused"), [("xy", False), ("", True)])
+def test_a_body_that_turns_needs_waves_from_all_round(symmetry, refused):
+    """Stored 0 to 90°: all round with two planes of symmetry, a quarter without"""
+    body = made_up_body(symmetry=symmetry)
+    if not refused:
+        assert wave_loads.wave_forces(body).force.shape[-1] == 12
+        return
+    with pytest.raises(BetweenError, match=r"the body turns in time, so that .* all round .*: wave direction"):
+        wave_loads.wave_forces(body)

@@ -210,7 +210,7 @@ def test_a_row_of_units_of_a_database_shelters_what_lies_behind(tmp_path, capsys
     words = ["--database", str(tmp_path / "box.h5"), "--output", str(tmp_path / "out.h5")]
     text, behind = RECTANGLE.replace('"fixed", "free", "taut", "elastic"', '"taut"'), []
     for table in ("period = 7\n", "period = 7\nunits = 3\ngap = 60\n", "period = 7\nunits = 3\ngap = 12\n"):
-        picture = ["--map-plot", str(tmp_path / "map.png")]
+        picture = ["--map-plot", str(tmp_path / "map.png")] if behind else []  # the first says how to have it
         assert run(tmp_path, text + "[map]\npoints = 31\n" + table, *words, *picture) == 0
         found = read(tmp_path / "out.h5", "breakwater")
         behind.append(found["lee.behind"][0])
@@ -219,6 +219,7 @@ def test_a_row_of_units_of_a_database_shelters_what_lies_behind(tmp_path, capsys
     assert section < behind[2] < behind[1] < 1  # the narrower the gaps the quieter behind
     assert (tmp_path / "map.png").stat().st_size > 10_000
     said = " ".join(capsys.readouterr().out.split())
+    assert said.count("--map-plot map.png draws them") == 1
     assert (
         "behind 3 units of 60 m in regular waves of 7 s" in said
         and ("lines of a single unit, per metre of wave amplitude") in said

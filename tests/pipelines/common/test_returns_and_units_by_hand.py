@@ -109,10 +109,10 @@ def test_the_mass_of_a_body_on_a_buoy_is_that_of_its_table_or_of_its_database(mo
     known = db and SimpleNamespace(reader="reader", rotation_center=(7.0, 8.0, 9.0))
     if says:
         with pytest.raises(StudyError) as error:
-            study._mass(given, known, 1000.0)
+            study._mass(given, known, 1000.0, False)
         assert str(error.value).startswith(says)
         return
-    mass, center = study._mass(given, known, 1000.0)
+    mass, center = study._mass(given, known, 1000.0, False)
     if table is None:
         assert (mass, center.tolist()) == ("stored reader", [7, 8])
     else:

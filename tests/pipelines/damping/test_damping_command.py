@@ -1,9 +1,11 @@
 """`hakobune damping` as a user calls it."""
 
 import json
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from made_up_body import made_up_body
 
 import hakobune
 from hakobune.pipelines import cli
@@ -167,3 +169,49 @@ def test_damping_of_a_model_is_told_in_newtons(tmp_path, capsys):
     assert cli.main(["damping", path]) == 0
     shown = capsys.readouterr().out
     assert "0.04 │ N s/m" in shown and "1.5 │ kg" in shown
+
+
+def rolled(inertia, ratio, omega):
+    """A roll decay from 10° of a body that is damped by `ratio` of critical in all"""
+    t = np.arange(0.0, 120.0, 0.1)
+    x = 10.0 * np.exp(-ratio * omega * t) * np.cos(omega * np.sqrt(1 - ratio**2) * t)
+    return {"time_s": t, "motion_deg": x}, 2 * ratio * omega * inertia
+
+
+def test_keys_have_the_damping_without_that_of_the_waves():
+    """A study adds the radiation damping of its database: of the made-up body (0.01 + 0.02 ω) I_roll"""
+    omega, inertia = 0.6, 1.5e10
+    record, B1 = rolled(inertia, 0.04, omega)
+    waves = (0.01 + 0.02 * omega) * 1.2e10
+    rows = hakobune.damping(record, mass=inertia, database=SimpleNamespace(bodies_reader=made_up_body()), motion="roll")
+    assert rows["B1.waves"] == pytest.approx(waves, rel=1e-3) and rows["B1"] == pytest.approx(B1, rel=1e-3)
+    assert rows["B1.rest"] == pytest.approx(B1 - waves, rel=3e-3) and rows.quantity("B1.rest").unit == "N m s"
+    said = " ".join(rows.notes)
+    assert f"linear_damping = {{ roll = {rows['B1.rest'] / 1e3:.4g} }}" in said and "whichever" not in said
+    assert f"less the radiation damping of the database, {rows['B1.waves'] / 1e3:.4g}" in said
+    assert "the waves alone damp more" not in said
+
+
+def test_waves_that_damp_more_than_the_record_leave_nothing():
+    record, _ = rolled(1.5e9, 0.04, 0.6)
+    rows = hakobune.damping(record, mass=1.5e9, database=SimpleNamespace(bodies_reader=made_up_body()), motion="roll")
+    assert rows["B1.rest"] == 0.0
+    assert "linear_damping = { roll = 0 }" in " ".join(rows.notes)
+    assert "the waves alone damp more than the record, so that 0 is left" in " ".join(rows.notes)
+
+
+def test_keys_without_a_database_say_that_they_contain_the_waves():
+    record, _ = rolled(1.5e10, 0.04, 0.6)
+    said = " ".join(hakobune.damping(record, mass=1.5e10).notes)
+    assert "B1 contains the damping by the waves" in said and "--database and --motion" in said
+    assert "contains" not in " ".join(hakobune.damping(record).notes)  # no keys, no warning
+
+
+@pytest.mark.parametrize(
+    ("mass", "motion", "said"),
+    [(1.5e10, None, "motion is missing"), (1.5e10, "heave", "roll, pitch, yaw"), (None, "roll", "give mass")],
+)
+def test_a_database_needs_the_recorded_motion_and_a_mass(mass, motion, said):
+    record, _ = rolled(1.5e10, 0.04, 0.6)
+    with pytest.raises(ValueError, match=said):
+        hakobune.damping(record, mass=mass, database=SimpleNamespace(bodies_reader=made_up_body()), motion=motion)

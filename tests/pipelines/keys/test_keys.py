@@ -46,6 +46,15 @@ def test_every_text_has_a_key(table):
     assert set(entries(table)) <= known | stems
 
 
+@pytest.mark.parametrize("words", [("polyester",), ("HMPE",), ("spiral",), ("catalogue",)])
+def test_a_word_of_the_catalogue_of_lines_finds_all_its_names(words, capsys):
+    assert cli.main(["keys", *words]) == 0
+    said = capsys.readouterr().out
+    assert "polyester|nylon|HMPE 160 mm" in said and "R3|R3S|R4|R4S|R5 studlink|studless 76 mm" in said
+    assert cli.main(["keys", "draft"]) == 0
+    assert "polyester" not in capsys.readouterr().out
+
+
 def test_every_common_word_is_a_key_somewhere():
     assert set(COMMON) <= set().union(*map(names, TABLES))
 

@@ -3,10 +3,14 @@
 import json
 from types import SimpleNamespace
 
+import h5py
 import numpy as np
 import pytest
 
-from hakobune.pipelines.simulate import result
+from hakobune.mooring.lines.catalogue import fibre_lines, line_type
+from hakobune.mooring.lines.multi_segment.segments import Segment
+from hakobune.mooring.lines.system.parts import CompositeLine, LineType, UniformLine
+from hakobune.pipelines.simulate import findings, result
 from hakobune.pipelines.simulate.file import STATISTICS, SUMMARY
 
 
@@ -59,10 +63,10 @@ def test_lines_have_their_largest_use_of_all_runs_and_the_largest_of_each(runs):
     assert made["tension.used"].values.tolist() == [0.4, 0.5]
     assert made["tension.largest_of_seed"].values.tolist() == runs.tolist()
     assert made["tension.largest_of_seed"].axes == ("seed", "line")
-    for key in ("mean", "sigma", "largest"):
+    for key in ("mean", "sigma", "smallest", "largest"):
         assert made[f"tension.{key}"].values.tolist() == [one[key] for one in rows]
     printed = {name for name, one in made.items() if one.table}
-    assert printed == {"tension.mean", "tension.sigma", "tension.largest", "tension.used"}
+    assert printed == {f"tension.{key}" for key in ("mean", "sigma", "smallest", "largest", "used")}
     assert made["line.breaking_load"].description == "breaking load"
     assert {one.unit for name, one in made.items() if name in printed} == {"N", ""} and made["tension.used"].share
     assert not {"line.working_load", "tension.simplified"} & set(made)
@@ -221,3 +225,26 @@ def test_the_worst_line_fender_or_motion_is_that_of_all_whole_runs(monkeypatch):
     assert worst[:3] == ("motion", 4, "pitch") and worst.unit == "°" and worst.quantity == "pitch"
     assert worst.factor == pytest.approx(180 / np.pi)
     assert pictures._worst(file([], [], {**moved, (2, "sway"): -3.1})).name == "sway"
+
+
+@pytest.mark.parametrize(("least", "fibre", "told"), [
+    (9.9e3, "bow", True), (10.1e3, "bow", False), (5e3, "stern", False), (5e3, "", False),
+])  # fmt: skip
+def test_ropes_of_fibre_are_slack_below_a_hundredth_of_what_breaks_them(least, fibre, told):
+    """Of 1000 kN; the stern line keeps 20 kN"""
+    with h5py.File("made up", "w", driver="core", backing_store=False) as file:
+        file["line"], file["quantity"] = ["bow", "stern"], ["tension bow", "tension stern"]
+        file["summary"] = [[{"smallest": low, "largest": 4e5}.get(key, 1e5) for key in SUMMARY] for low in (least, 2e4)]
+        file.attrs["breaking_load"], file.attrs["fibre_lines"] = [1e6, 1e6], fibre
+        said = list(findings.fibre_findings(file))
+    assert bool(said) is told
+    if told:
+        assert said[0].startswith("ropes of fibre fall slack: bow 9.9 kN; limit of the smallest tension: 1 %")
+
+
+def test_a_line_with_a_piece_of_polyester_is_one_of_fibre():
+    chain, rope, bare = line_type("R3 studless 44 mm"), line_type("polyester 72 mm"), LineType("own", 100.0)
+    lines = [UniformLine(name, one, 10.0, "e", "f") for name, one in zip("abc", (chain, rope, bare), strict=True)]
+    lines.append(CompositeLine("d", tuple(Segment(9.0, one.weight, kind=one) for one in (chain, rope)), "e", "f"))
+    system = SimpleNamespace(line_names=["a", "b", "c", "d"], lines=lines)
+    assert list(fibre_lines(system)) == ["b", "d"]

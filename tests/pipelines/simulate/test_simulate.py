@@ -78,7 +78,7 @@ def folder(tmp_path, monkeypatch):
     db = SimpleNamespace(
         reader=reader, bodies_reader=reader, rotation_center=np.zeros(3), density=1025.0, gravity=9.8,
         require_rigid=lambda: None, water_depth=20.0, sizes={}, displaced_volume=None, path=Path("box.h5"), bodies=(),
-        modes=(),
+        modes=(), hydrostatic_stiffness=None,
     )  # fmt: skip
     study = read_study("study.toml")[0]
     hull = study.hull_of({})

@@ -6,11 +6,12 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from hakobune.bem.kernels.progress import CYCLE
 from hakobune.mooring.loads.turning import FITTED
 from hakobune.mooring.single_point.equilibria import preferred
 from hakobune.mooring.single_point.history import Cycle, Record
 from hakobune.mooring.single_point.in_time import Run, largest_of
-from hakobune.pipelines.single_point import running
+from hakobune.pipelines.single_point import result, running
 from hakobune.pipelines.single_point.findings import findings, overloads
 from hakobune.pipelines.single_point.quantities import maps_of, rest_of, run_of
 from hakobune.pipelines.single_point.running import words
@@ -28,10 +29,10 @@ def one(growth=-1e-3, heading=0.0, period=250.0, hawser=(1e5, 2e5), used=(0.3, n
     )  # fmt: skip
 
 
-def found(rest, turning=False, speed=0.0, direction=0.0, waves=None, run=None):
+def found(rest, turning=False, speed=0.0, direction=0.0, waves=None, run=None, buoy=None):
     water = SimpleNamespace(turning=turning, speed=speed, direction=direction)
     point = SimpleNamespace(loads=SimpleNamespace(water=water), lengths=[30.0, 30.0], system=rest[0].point.system)
-    study = SimpleNamespace(waves=waves)
+    study = SimpleNamespace(waves=waves, buoy=SimpleNamespace(mass=None) if buoy is None else buoy)
     return SimpleNamespace(best=preferred(rest), rest=rest, point=point, study=study, run=run)
 
 
@@ -49,6 +50,20 @@ def test_headings_of_rest_have_their_pull_and_the_largest_of_their_lines():
     assert made["rest.pull"].values.tolist() == [2.5e5] * 2 and made["rest.largest_line"].values.tolist() == [4e5] * 2
     assert made["rest.hawser"].values.tolist() == [[1e5, 2e5]] * 2 and made["rest.buoy_z"].values.tolist() == [-1] * 2
     assert axes["line"].values.tolist() == ["a", "b"]
+
+
+@pytest.mark.parametrize(("sunk", "told"), [(0.12, False), (0.13, True), (-0.13, True), (0.6, True)])
+def test_a_buoy_that_its_lines_pull_down_is_told_with_the_mass_that_balances(sunk, told):
+    """200 t on ρ π D²/4 = 80.50 t/m float with 2.4845 m; 5 % of it is 0.1242 m"""
+    rest = one()
+    rest.point.system.density, rest.point.system.gravity = 1025.0, 9.80665
+    rest.point.system.bodies = [SimpleNamespace(position=np.array([0.0, 0.0, -1.0 + sunk]))]
+    said = list(findings(found([rest], buoy=SimpleNamespace(mass=200.0, diameter=10.0))))
+    assert bool(said) is told
+    if told:
+        per_metre = 1.025 * math.pi * 25.0
+        assert f"with {per_metre * 9.80665 * sunk:.4g} kN to {200 / per_metre + sunk:.3g} m" in said[0]
+        assert f"buoy.mass = {200 - per_metre * sunk:.4g}, and raise buoy.z by {sunk:.2g} m" in said[0]
 
 
 def test_headings_that_are_stable_are_counted():
@@ -110,7 +125,7 @@ def test_limit_cycles_and_runs_are_held_to_their_largest():
     assert "2 of 4 lines in the limit cycle above the allowable 40 %" in said and ": a 42 %, hawser 2 41 %" in said
     run = SimpleNamespace(drifts=False, record=SimpleNamespace(hawser=pulls * 0.85, lines=np.full((3, 2), 1e5)))
     (said,) = overloaded(run=run)
-    assert "in the run in time above" in said and "hawser 2 41.82 %" in said
+    assert "in the run in time, with 20 % for slow drift (SR179) above" in said and "hawser 2 41.82 %" in said
     assert overloaded(run=run, waves=False) == []
     run.drifts = True
     assert overloaded(run=run) == []
@@ -227,3 +242,37 @@ def test_a_run_in_time_is_taken_up_to_its_limits(good, bad, says):
     with pytest.raises(ValueError) as refused:
         running._check(SlewingTable(**bad))
     assert says in str(refused.value)
+
+
+@pytest.mark.parametrize(("seconds", "told"), [(9.0, 0), (11.0, 1), (33.0, 3)])
+def test_a_limit_cycle_is_told_of_every_ten_seconds(monkeypatch, capsys, seconds, told):
+    """Three periods in so many seconds"""
+    clock = [0.0]
+    monkeypatch.setattr(result, "time", SimpleNamespace(monotonic=lambda: clock[0]))
+    now = result._telling()
+    now("waves", 5)
+    for part in (1, 2, 3):
+        clock[0] = seconds * part / 3
+        now(CYCLE, (math.radians(7.0), 0.02))
+    said = capsys.readouterr().err.splitlines()
+    assert len(said) == told
+    if told:
+        assert said[-1].startswith("limit cycle, period 3 of") and "swings 7° to either side, +2 % a period" in said[-1]
+
+
+def test_a_run_refuses_before_the_limit_cycle_is_computed(monkeypatch):
+    """It took minutes to find that the waves lie outside the database"""
+    made = SimpleNamespace(point="point", findings=())
+    study = SimpleNamespace(slewing="slewing", maps=())
+    for name, value in {"given": (study, ""), "make": made, "equilibria": [1], "preferred": 1, "check_maps": None,
+                        "check_buoy": None}.items():  # fmt: skip
+        monkeypatch.setattr(result, name, lambda *given, value=value: value)
+    monkeypatch.setattr(result, "_cycle_of", lambda one: pytest.fail("the limit cycle was computed"))
+    monkeypatch.setattr(running, "check", lambda study, db: None)
+
+    def refused(*given):
+        raise ValueError("waves outside")
+
+    monkeypatch.setattr(running, "run", refused)
+    with pytest.raises(ValueError, match="waves outside"):
+        result.single_point({})

@@ -11,6 +11,7 @@ import pytest
 from test_head_on_by_hand import BEAM, BOW, DRAFT, HEIGHT, LENGTH, STUDY
 
 from hakobune.mooring.loads.ship_derivatives import clarke
+from hakobune.mooring.loads.turning import turning_coefficients
 from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.single_point import loads, maps
 from hakobune.pipelines.single_point import study as studies
@@ -99,6 +100,23 @@ def test_turning_tests_are_of_the_hull_s_proportions_or_of_those_that_are_given(
         said = f"the turning tests were made with {name} = {value:g}, but the hull has {own[name]:.3g}"
         assert (said in told) is not math.isclose(value, own[name])
     assert water(**turning(**tested), current__center_z=-3.0).height == -3.0
+
+
+@pytest.mark.parametrize(("depth", "unsafe"), [(1.6, True), (7.9, False)])
+def test_turning_tests_of_deeper_water_are_told_as_unsafe(depth, unsafe):
+    """C = C₀ + (3.2 − C₀)(T/d)² over C₀ (UFC 4-159-03, eq. 11); C₀ of the tests across the flow"""
+    tested = {"length_over_beam": 2.0, "beam_over_draft": 10.0, "depth_over_draft": 8.0}
+    _, told = found(water__depth=depth * DRAFT, **turning(**tested))
+    said = [one for one in told if one.startswith("unsafe: ")]
+    assert bool(said) is unsafe
+    if unsafe:
+        deep = abs(float(turning_coefficients(2.0, 10.0, 8.0).C_y(math.pi / 2, 0.0)))
+        assert f"about {1 + (3.2 / deep - 1) / depth**2:.2g} times as hard" in said[0]
+
+
+def test_all_that_is_wrong_with_the_loads_is_told_at_once():
+    with pytest.raises(StudyError, match=r"outside the turning tests.*; and waves: the wave drift is unknown"):
+        found(**turning(), waves__drift_tonf_per_m2=None)
 
 
 def test_turning_tests_hold_other_numbers_already_and_are_about_midship():
