@@ -100,7 +100,7 @@ FORMS = (
 def fibre_lines(system):
     """Names of the lines of a System with a part of fibre rope: a material lighter than `FIBRE_BELOW`"""
     for name, line in zip(system.line_names, system.lines, strict=True):
-        kinds = [line.type] if hasattr(line, "type") else [segment.kind for segment in line.segments]
+        kinds = [line.type] if hasattr(line, "type") else [one.kind for one in getattr(line, "segments", ())]
         if any(kind and kind.mass and kind.diameter and _material(kind) < FIBRE_BELOW for kind in kinds):
             yield name
 

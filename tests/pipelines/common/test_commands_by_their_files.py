@@ -92,11 +92,16 @@ def _waves(room):
 
 def _passing(room):
     room.at(passing__result__passing=room.found)
-    given = SimpleNamespace(times=np.array([0.0, 2.5]), force=np.array([[1.0] * 6, [2.0] * 6]))
+    from hakobune.mooring.motion.given_forces import GivenForce
+
+    given = GivenForce(np.array([0.0, 2.5]), np.array([[1.0] * 6, [2.0] * 6]))
     room.made = Made(SimpleNamespace(in_time=given))
     room.patch.setattr(of_passing, "_draw", lambda detail, plot: room.drawn.append(plot))
     status = of_passing.passing(STUDY, forces=Path("force.csv"), output=H5, plot=PNG)
-    assert Path("force.csv").read_text().splitlines()[1:] == ["0,1,1,1,1,1,1", "2.5,2,2,2,2,2,2"]
+    rows = [[float(x) for x in line.split(",")] for line in Path("force.csv").read_text().splitlines()[1:]]
+    # half a cosine of an eighth of the time from zero and to zero, with one row halfway
+    expected = [(0, 0), (0.15625, 0.5), (0.3125, 1), (2.8125, 2), (2.96875, 1), (3.125, 0)]
+    assert rows == [pytest.approx([t] + [force] * 6) for t, force in expected]
     assert room.made.files == [H5]
     return status, ["force.csv", "found.h5", "plan.png"]
 
@@ -105,9 +110,9 @@ def _damping(room):
     room.at(damping__result__damping=room.found)
     room.of(of_damping, _draw=lambda result, plot: room.drawn.append(plot))
     status = of_damping.damping(STUDY, mass=2.5, plot=PNG)
-    assert room.asked[0][1] == {"mass": 2500.0}
+    assert room.asked[0][1] == {"mass": 2500.0, "database": None, "motion": None}
     of_damping.damping(STUDY)
-    assert room.asked[1][1] == {"mass": None}
+    assert room.asked[1][1] == {"mass": None, "database": None, "motion": None}
     return status, ["plan.png"]
 
 

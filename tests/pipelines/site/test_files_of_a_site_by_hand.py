@@ -60,7 +60,7 @@ def test_a_load_case_has_its_largest_tension_and_pulls_in_kilonewtons(monkeypatc
 
 
 @pytest.mark.parametrize(
-    ("kind", "words"), [("mean_period", "2.5 m, 8 s"), ("peak_period", "2.5 m, 8 s (peak period)")]
+    ("kind", "words"), [("mean_period", "2.5 m, 8 s (mean period)"), ("peak_period", "2.5 m, 8 s (peak period)")]
 )
 def test_a_system_of_waves_is_told_with_its_height_and_the_kind_of_its_period(monkeypatch, kind, words):
     monkeypatch.setattr(report_words, "period_of", lambda where, waves: {kind: 8.0})

@@ -165,6 +165,7 @@ def test_a_run_ends_with_what_is_stored_and_how_it_goes_on(monkeypatch):
     monkeypatch.setattr(report, "checked", lambda db: ["one"])
     monkeypatch.setattr(report, "checks_table", lambda checks: f"checks {checks[0]}")
     monkeypatch.setattr(report, "resonances_of", lambda db: ["at 9 s"])
+    monkeypatch.setattr(report, "beyond_gap_water", lambda db: ())
     monkeypatch.setattr(report, "failures", lambda outcome, db, own: ["FAILS: it"] if own else [])
 
     def ended(own=False, **more):
