@@ -185,3 +185,14 @@ def test_a_record_steeper_than_any_wave_is_asked_for_its_unit():
     gentle = list(faults(0.5 * wave, 0.05, 1.1))
     (said,) = faults(1000 * wave, 0.05, 1.1)
     assert not gentle and "significant height 395 m at 1.1 s: waves of 1.89 m are at most 0.27 m high" in said
+
+
+@pytest.mark.parametrize("order", [0, 1, 2])
+@pytest.mark.parametrize("low, high", [(1.1, 1.7), (0.5, 0.8), (0.8, 1.4)])
+def test_moments_of_a_part_of_one_system_are_integrals_of_its_spectrum(order, low, high):
+    """∫ ω^n S dω above, below and around the peak, by quadrature"""
+    one = OneSystem(2.0, 0.9, 1.8)
+    value = quad(
+        lambda omega: omega**order * float(one.density(np.array([omega]))[0]), 0.9 * low, 0.9 * high, epsabs=0
+    )[0]
+    assert float(one.moment(order, 0.9 * low, 0.9 * high)) == pytest.approx(value, rel=1e-8)
