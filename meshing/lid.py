@@ -58,8 +58,8 @@ def polar_lid(mesh, size):
     raises : ValueError as `lid`
 
     The edges along the rim determine the accuracy.  For a cylinder with 0.2 m of water under the keel, in waves three
-    panel sizes long, the error of the excitation is 0.4 %. It is the same with a lid that is not axisymmetric, and 0.6
-    % with half the edges along the rim and twice as many across.
+    panel sizes long, the error of the excitation is 0.4 %. It is the same with a lid that is not axisymmetric, and
+    0.6 % with half the edges along the rim and twice as many across.
     """
     rings = _closed(waterline(mesh), mesh)
     rim, pole = _regular(rings[0]) if len(rings) == 1 else (None, None)

@@ -6,10 +6,9 @@ body receives from what another sends (`partial_waves`);
 
     a = a₀ + S b,    b = T a + R v,    force = E a + Z v
 
-a, b are the regular and outgoing waves about all bodies, a₀ those of the plane wave, v the motions: Kagemoto & Yue, J.
-Fluid
-Mech. 166 (1986).  A body answers to few combinations y = Q a of the waves about it alone, the singular vectors of T and
-E, 20 to 40 of 150, so that
+a, b are the regular and outgoing waves about all bodies, a₀ those of the plane wave, v the motions: Kagemoto & Yue,
+J. Fluid Mech. 166 (1986).  A body answers to few combinations y = Q a of the waves about it alone, the singular vectors
+of T and E, 20 to 40 of 150, so that
 
     (I − Q S T Q⁺) y = Q a₀ + Q S R v
 """

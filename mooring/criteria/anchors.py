@@ -119,7 +119,7 @@ def anchor_findings(names, anchors, along, up, where="at the largest tension"):
         angle = np.degrees(np.arctan2(up[worst], along[worst]))
         yield (
             f"{len(lifted)} of {len(known)} anchors are drag anchors that are pulled upward {where}, most of "
-            f"all {names[worst]} with {up[worst] / 1000.0:.3g} kN at {angle:.3g}° above the bed: their holding "
+            f"all {names[worst]} with {up[worst] / 1e3:.3g} kN at {angle:.3g}° above the bed: their holding "
             "capacity is for a horizontal pull only; give more chain, or use a sinker or pile"
         )
     mass = {i: anchors[i].mass(along[i], up[i]) for i in known if anchors[i].chart}

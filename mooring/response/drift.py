@@ -67,9 +67,8 @@ def mean_in_sea_beyond(body, spectrum, ends, weights=(1.0,)):
     """The part of the mean force in waves below and above the stored band, with D beyond the band equal to its value at
     the end; shape (2, 3), or (2, p, 3).
 
-    In short waves D tends to the drift under total reflection, a constant.
-    In long waves it falls, and the value at the end is
-    an upper bound. weights : (p,) or (2, p)
+    In short waves D tends to the drift under total reflection, a constant. In long waves it falls, and the value at the
+    end is an upper bound.  weights : (p,) or (2, p)
     """
     low, high = body.omega[0], body.omega[-1]
     energy = np.array([spectrum.moment(0, 0.0, low), spectrum.moment(0, high, np.inf)])

@@ -193,7 +193,7 @@ def _forced(time, motion, force):
     if made.same_energy < 0:
         findings.append(
             fails(
-                f"the equivalent damping by energy is negative, {significant(made.same_energy / 1000.0)} kN s/m, "
+                f"the equivalent damping by energy is negative, {significant(made.same_energy / 1e3)} kN s/m, "
                 "limit 0: the record needs the force that moves the body; the reaction of the water has the opposite "
                 "sign"
             )

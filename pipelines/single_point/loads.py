@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 
+from hakobune.mooring.loads.box_current import GROUNDED
 from hakobune.mooring.loads.box_drag import about
 from hakobune.mooring.loads.coefficients import shallow_coefficient
 from hakobune.mooring.loads.on_hull import current_on, turning_drag, wind_on
@@ -35,7 +36,6 @@ from ..common.weather.seas import PERIODS, sea_with_swell, spectrum_of
 from ..common.weather.streams import current_of, doubtful_weather, no_box, superstructures, wind_of
 
 MIDDLE = (0.0, 0.0)
-GROUNDED = 3.2  # side coefficient of a hull that touches the bed, UFC 4-159-03
 UNSAFE = 1.1  # growth of the side force in shallow water that is told
 ONE_OF = "give one of turning, coefficients, file"
 PROPORTIONS = {"L/B": "length_over_beam = 2", "B/d": "beam_over_draft = 10", "H/d": "depth_over_draft = 8"}  # tested
@@ -180,7 +180,7 @@ def _turning(study, given, density, center, findings):
 def _shallower(deep, relative):
     """A line on turning tests in deeper water than the hull's, by how much the side force grows (UFC 4-159-03)"""
     side = min(abs(float(deep.C_y(0.5 * math.pi, 0.0))), GROUNDED)
-    grows = shallow_coefficient(side, 1.0, relative, grounded=GROUNDED) / side
+    grows = shallow_coefficient(side, 1.0, relative) / side
     if grows > UNSAFE:
         yield (
             f"unsafe: in water of {relative:.3g} drafts the current pushes a hull at its side about {grows:.2g} times "
