@@ -314,13 +314,13 @@ def _length(place, table):
     return below(f"{place}.length", table.length, LONGEST)
 
 
-def check_types(types, density=1025.0, gravity=9.80665):
+def check_types(types):
     """Raise StudyError for an impossible type, also if no line uses it; types : {name: TypeTable}"""
     for name, kind in types.items():
         if kind.straight:
             _pull(f"types.{name}", name, kind, 1.0)
         else:
-            line_type(f"types.{name}", kind, density, gravity, name)
+            line_type(f"types.{name}", kind, name=name)
 
 
 def _pull(place, name, kind, length):

@@ -200,7 +200,7 @@ def make_system(raw) -> System:
     points += [FreePoint(p.name, p.position, p.mass, p.volume, p.height) for p in table.points]
     water = table.water
     water_density("water.density", water.density)
-    check_types(table.types, water.density, water.gravity)
+    check_types(table.types)
     z = {point.name: point.position[2] for point in table.anchors}
     lines = [
         line_of(

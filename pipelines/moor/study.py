@@ -263,7 +263,7 @@ class Study(Table):
 
         bodies : {name: `bem.modes.Body`} of several bodies, in whose coordinates their ends are given
         """
-        check_types(self.types, density, gravity)
+        check_types(self.types)
         if not self.spreads and not self.lines:
             if self.at_berth or in_time:
                 return None

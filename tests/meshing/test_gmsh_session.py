@@ -4,6 +4,7 @@ import subprocess
 import sys
 import threading
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -197,3 +198,13 @@ def test_triangles_about_several_poles_have_them_last_whichever_corner_they_are(
     corners = [[0, 2, 3, 3], [2, 0, 3, 3], [2, 3, 0, 0], [1, 4, 5, 5], [4, 1, 5, 5], [4, 5, 1, 1], [0, 2, 3, 4]]
     found = gmsh_session._poles_last(PanelMesh(points, corners), [points[0], points[1]]).corners.tolist()
     assert found == [[2, 3, 0, 0], [3, 2, 0, 0], [2, 3, 0, 0], [4, 5, 1, 1], [5, 4, 1, 1], [4, 5, 1, 1], [0, 2, 3, 4]]
+
+
+@pytest.mark.parametrize("up, order", [(1.0, [0, 1, 2, 3]), (-1.0, [0, 3, 2, 1])])
+def test_panels_of_a_surface_that_faces_the_other_way_are_turned(up, order):
+    """A square whose corners go round anticlockwise as seen from above, so that its normal points up"""
+    of_kind = {gmsh_session.QUADRANGLE: [1, 2, 3, 4], gmsh_session.TRIANGLE: []}
+    mesh = SimpleNamespace(getElementsByType=lambda kind, surface: (None, np.array(of_kind[kind])))
+    gmsh, row = SimpleNamespace(model=SimpleNamespace(mesh=mesh)), np.arange(-1, 4)
+    (corners,) = gmsh_session._surface_panels(gmsh, 1, row, SQUARE, np.array([0.0, 0.0, up]))
+    assert corners.tolist() == order

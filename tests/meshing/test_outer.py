@@ -8,7 +8,7 @@ import pytest
 from hakobune.meshing.files import read_mesh
 from hakobune.meshing.panels import PanelMesh, joined
 from hakobune.meshing.quality import findings
-from hakobune.meshing.quality.outer import outer
+from hakobune.meshing.quality.outer import outer, wet
 from hakobune.meshing.quality.outward import outward
 from hakobune.meshing.shapes import box
 from hakobune.pipelines.view.changing import change
@@ -116,3 +116,7 @@ def test_mesh_outer_writes_what_water_reaches(tmp_path, capsys):
     assert change(tmp_path / "drawn.gdf", tmp_path / "wet.gdf", outer=True) == 0
     assert "64 m³" in capsys.readouterr().out
     assert len(read_mesh(tmp_path / "wet.gdf")) == len(HULL)
+
+
+def test_up_to_three_tenths_is_water_and_from_six_tenths_is_the_body():
+    assert wet(np.array([[0.29, 0.31, 0.29, 1.0], [0.61, 1.0, 0.59, 0.0]])).tolist() == [True, False, False, True]

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from hakobune.meshing.panels import _turns_to_itself
 from hakobune.meshing.shapes import box, buoy
 
 HULL = buoy(1.25, 0.8, panels=300).whole().moved(dz=0.0)
@@ -23,3 +24,10 @@ def test_a_round_hull_is_round_in_a_file_of_three_decimals(decimals):
 ])  # fmt: skip
 def test_a_hull_that_is_longer_than_wide_or_square_is_not_round(other):
     assert not other.is_round
+
+
+def test_corners_farther_apart_than_their_tolerance_are_counted_each():
+    """Twelve corners on a rim of 1.25 m, 0.65 m apart, come to one another by a twelfth of a turn; eleven do not"""
+    angles = 2 * np.pi * np.arange(12) / 12
+    rim = np.stack([1.25 * np.cos(angles), 1.25 * np.sin(angles), 0 * angles], axis=1)
+    assert _turns_to_itself(rim, 1e-3) and not _turns_to_itself(rim[:-1], 1e-3)

@@ -355,6 +355,18 @@ def test_bound_waves_that_do_not_count_are_told_in_per_cent(ratio, words, monkey
     assert pair_levels.beside_newman(db, None, "newman") == (None, ())
 
 
+@pytest.mark.parametrize("ratio, level", [(0.0499, None), (0.0501, "full")])
+def test_bound_waves_of_a_twentieth_of_newmans_force_count(ratio, level, monkeypatch):
+    monkeypatch.setattr(pair_levels, "ursell", lambda reader, sea: 0.0)
+    monkeypatch.setattr(pair_levels, "bound_to_newman", lambda body, sea: ratio)
+    monkeypatch.setattr(pair_levels, "stored_pairs", lambda *asked: SimpleNamespace(level="full"))
+    monkeypatch.setattr(pair_levels, "_surface_left_out", lambda *asked: ())
+    found, (said,) = pair_levels.beside_newman(
+        SimpleNamespace(reader=SimpleNamespace(floating=lambda: None)), None, "auto"
+    )
+    assert getattr(found, "level", None) == level and said.startswith(f'qtf = "auto" uses {level or "newman"}: ')
+
+
 def test_pairs_of_a_spread_sea_are_of_the_headings_that_it_sends_waves_to(monkeypatch):
     """Shares 0.5, 0 and 0.5 of three headings: four pairs, each with the drift of its own"""
     drift = np.array([[[1.0], [2.0], [3.0]]])

@@ -159,7 +159,7 @@ def test_a_file_without_a_spectrum_names_the_integrals_that_it_has():
 
 @pytest.mark.parametrize("lines, read, none", [
     ("0 number of directions\nQUANT\n", 1, True), ("2 directions\n10.0\n20.0\n", 0, False),
-    ("0 directions\n 10.0\n", 0, False),
+    ("0 directions\n 10.0\n", 0, False), ("1 directions\nQUANT\n", 0, False),
 ])  # fmt: skip
 def test_a_file_of_swan_of_one_dimension_lists_no_directions(lines, read, none):
     one = Swan(PATH, f"$ a remark\n{lines}")

@@ -178,3 +178,10 @@ def test_tensions_are_those_of_holdings_that_have_them_at_every_period():
     assert made["sway"].values.tolist() == [[0.0, 1.0, 2.0], [1.0, 1.0, 1.0]]
     made, axes = quantities.curves_of(asked, SimpleNamespace(curves=curves[::2]))
     assert "held" not in axes and not any("tension" in name for name in made)
+
+
+@pytest.mark.parametrize("words, complex_words", [("", "sway, complex"), ("of sway", "of sway, complex")])
+def test_complex_values_stand_beside_their_sizes_under_their_name_or_their_words(words, complex_words):
+    made = quantities._moduli("sway", np.array([[3 + 4j]]), ("period", "holding"), "m", words, "motions")
+    assert told(made) == {"sway": ("m", words, "motions", False), "sway.complex": ("m", complex_words, "", True)}
+    assert made["sway"].values == 5.0 and made["sway.complex"].values == 3 + 4j
