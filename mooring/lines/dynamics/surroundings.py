@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from hakobune.bem.kernels.jit import as_python
 from hakobune.bem.waves import wavenumber
 
 from .lumped.system import Motion, Water
@@ -77,6 +78,7 @@ class FairleadMotion:
         """s, begin of the known motion"""
         return 0.0 if self.knots is None else self.knots[0]
 
+    @as_python()
     def at(self, t):
         """Position, m, velocity, m/s, and acceleration, m/s², at time t; shape (3, 3)"""
         from .lumped.surroundings import fairlead_at

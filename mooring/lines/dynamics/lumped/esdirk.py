@@ -18,13 +18,13 @@ import numpy as np
 
 from hakobune.bem.kernels.jit import kernel
 
-from .band import substitute_line
+from .band import factor_line, substitute_line
 from .bed import keep_slip
 from .books import FRICTION
 from .forces import node_forces, stored_energy
-from .stage import CONVERGED, begin_stage, solve_stage, spread, worst_element
+from .stage import CONVERGED, begin_stage, correction, solve_stage, spread, worst_element
 from .surroundings import fairlead_at, moves, water_at
-from .workspace import INERTIA, copy, largest_of, read, write
+from .workspace import INERTIA, STAGES, copy, largest_of, read, workspace, write
 
 DONE, FULL, TOO_SHORT = range(3)
 NEWTON = 0.02  # residual of Newton's method, as a share of the step's tolerance
@@ -235,3 +235,16 @@ SCHEME = tableau()
 def follow(s, work, water, motion, control, state, until, rows, frame_times, frames, stations, station_rows):
     """`run` for Python: what takes longest to compile is compiled once for lines alone and for lines of bodies"""
     return run(s, work, water, motion, control, SCHEME, state, until, rows, frame_times, frames, stations, station_rows)
+
+
+def compile_steps(s):
+    """Compile what steps of a `System` need beside the forces on its nodes"""
+    work = workspace(s)
+    q, K, V = work.kept[0], work.kept[6 : 6 + STAGES], work.kept[6 + STAGES :]
+    A, db, _ = SCHEME
+    factor_line.compile_for(work.D, work.B, work.bending, work.pivots, 1)
+    correction.compile_for(work, 1, 1.0)
+    error.compile_for(s, work, K, V, db, 1.0, 1.0)
+    record.compile_for(work.powers[0], 0.0, 1.0, s, work, work.energy)
+    keep_slip.compile_for(s, q, q, q, q, q)
+    predict.compile_for(q, q, q, q, K, V, A, 1, 1.0, 1.0)
