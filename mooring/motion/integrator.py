@@ -367,7 +367,7 @@ def advance(scene, waves, clock, samples, most, buoy, links, moving):
             ahead = sea_ahead(moving[0].sea)
             if h > ahead:
                 h, cut = ahead, False
-            sea_for_step(moving[0], moving[1], t, h)
+            sea_for_step(moving[0].sea, moving[0], moving[1], t, h)
             error, good = take_step_with_lines(scene, buoy, links, clock, moving, t, h)
         if again:
             error *= min(1.0, h / (CORNER * now[USUAL]))

@@ -44,7 +44,7 @@ class MovingLines(NamedTuple):
     tolerance: float
     water: Water
     waters: list
-    sea: LineSea
+    sea: LineSea | None  # None for still water
     room_of_sea: tuple
     stretch: np.ndarray
     spring: np.ndarray
@@ -111,8 +111,8 @@ def moving_lines(lines, fairleads, tolerance, as_spring, sea=None):
     systems = [line.system for line in lines.values()]
     controls = [control_of(line, state, 1.0, 1.0) for line, state in zip(lines.values(), states, strict=True)]
     nodes = np.concatenate([[0], np.cumsum([len(one.mass) for one in systems])]).astype(np.int64)
-    sea = line_sea(None, None, np.inf, None, (0.0, 0.0), 0.0) if sea is None else sea
-    water, *room = water_of(sea, int(nodes[-1]), int(np.diff(nodes).max()))
+    of_table = line_sea(None, None, np.inf, None, (0.0, 0.0), 0.0) if sea is None else sea
+    water, *room = water_of(of_table, int(nodes[-1]), int(np.diff(nodes).max()))
     return MovingLines(
         np.array(list(lines), np.int64),
         systems,

@@ -182,7 +182,9 @@ def foresee_place(sea, position, velocity):
 
 @kernel()
 def sea_ahead(sea):
-    """s, duration of a table; inf without waves"""
+    """s, duration of a table; inf without waves and for still water, None"""
+    if sea is None:
+        return np.inf
     return (SAMPLES - 1) * sea.step if sea.waves.shape[1] > 0 else np.inf
 
 

@@ -30,11 +30,15 @@ ROUNDING = 1e-9  # rounding of the time covered by a table of the sea
 
 
 @kernel(counted=False)
-def sea_for_step(moving, work, t, h):
-    """A table of the sea around all lines, valid for a step of the body of h s from t s"""
-    water, room = moving.water, moving.room_of_sea
-    if t + h > water.clock[0] + sea_ahead(moving.sea) * (1 + ROUNDING):
-        open_sea(moving.sea, water, moving.nodes, work.position[0], work.velocity[0], room, t)
+def sea_for_step(sea, moving, work, t, h):
+    """A table of the sea around all lines, valid for a step of the body of h s from t s
+
+    sea : `moving.sea`; for still water, None, what fills a table is not compiled
+    """
+    if sea is not None:
+        water, room = moving.water, moving.room_of_sea
+        if t + h > water.clock[0] + sea_ahead(sea) * (1 + ROUNDING):
+            open_sea(sea, water, moving.nodes, work.position[0], work.velocity[0], room, t)
 
 
 @kernel(counted=False)
