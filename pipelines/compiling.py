@@ -54,9 +54,9 @@ def compile_all(tables=(LINES, BODIES)):
         return [line for said in pool.map(run, tables, [folder] * len(tables)) for line in said]
 
 
-def _of_line_dynamics(study):
+def _of_line_dynamics(study, still=False):
     """Steps of the line of a study, from a straight line in place of its shape at rest, for which the command compiles
-    the forces meanwhile"""
+    the forces meanwhile; still : in still water"""
     import numpy as np
 
     from hakobune.mooring.lines.dynamics.lumped.esdirk import compile_steps
@@ -74,7 +74,8 @@ def _of_line_dynamics(study):
     place = (1 - along) * line.anchor + along * course.motion.at(0.0)[0]
     zero = np.zeros_like(place)
     start = State(0.0, place, zero, zero.copy(), zero.copy(), np.inf)
-    simulate(line, course.motion, SHORT, start=start, current=current_of(read), waves=wave_of(read, None))
+    water = {} if still else {"current": current_of(read), "waves": wave_of(read, None)}
+    simulate(line, course.motion, SHORT, start=start, **water)
 
 
 def _of_simulate(study, database):
@@ -94,7 +95,7 @@ def _of_simulate(study, database):
         reader = db.bodies_reader
         with_pairs(plan_of(read, reader.omega, 1, SHORT, folder, reader.words), read, db, reader)
     if (read.lines or read.spreads) and moving_lines(table):
-        _of_line_dynamics(SCENES / "line_chain_60m.toml")
+        _of_line_dynamics(SCENES / "line_chain_60m.toml", table.dynamic_water != "sea")
         simulate(replace(read, simulation=replace(table, dynamic_lines="all")), db, seeds=1, duration=SHORT)
 
 

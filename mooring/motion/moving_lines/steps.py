@@ -51,6 +51,14 @@ def piece(p, v, q, w, length, out):
         out[3, j] = (v[j] + w[j] - 2 * rise) / (length * length)
 
 
+@kernel(inline=True, counted=False)
+def water_of_line(waters, i):
+    """`Water` of line i, None for still water"""
+    if waters is None:
+        return None
+    return waters[i]
+
+
 @kernel()
 def advance_lines(moving, work, whole, t, h):
     """Advance all lines that are `whole` over a step of the body of h s from t s, as a trial.
@@ -80,7 +88,7 @@ def advance_lines(moving, work, whole, t, h):
         found = run(
             moving.systems[i],
             moving.rooms[i],
-            moving.waters[i],
+            water_of_line(moving.waters, i),
             Motion(knots, cubics, none, triples, triples, 0.0),
             Control(moving.tolerance, moving.tension[i], moving.distance[i], h, SHORTEST * h),
             SCHEME,

@@ -23,7 +23,7 @@ from .bed import keep_slip
 from .books import FRICTION
 from .forces import node_forces, stored_energy
 from .stage import CONVERGED, begin_stage, correction, solve_stage, spread, worst_element
-from .surroundings import fairlead_at, moves, water_at
+from .surroundings import fairlead_at, water_at
 from .workspace import INERTIA, STAGES, copy, largest_of, read, workspace, write
 
 DONE, FULL, TOO_SHORT = range(3)
@@ -143,7 +143,7 @@ def predict(q, v, qh, vh, K, V, A, i, step, cv):
 def run(s, work, water, motion, control, scheme, state, until, rows, frame_times, frames, stations, station_rows):
     """Step from `state` to `until`; fills rows and frames, and `state` with the arrays of its end.
 
-    s, work : `System` of the line, and its `workspace`
+    s, work : `System` of the line, and its `workspace`; water : None for still water
     returns : why it stopped, rows used, frames used, time, step, rejected steps, Newton steps, element at fault
     """
     A, db, c = scheme
@@ -157,8 +157,7 @@ def run(s, work, water, motion, control, scheme, state, until, rows, frame_times
     load_state(state, q, v, a, slip)
     copy(work.q, q)
     copy(work.v, v)
-    moving = moves(water)
-    if moving:
+    if water is not None:
         water_at(water, q, last + 1, t, work.u, work.du)
     node_forces(s, work, a, slip, q, 0.0, 0.0)
     record(rows[0], t, h, s, work, energy)
@@ -181,7 +180,7 @@ def run(s, work, water, motion, control, scheme, state, until, rows, frame_times
             lead(motion, now, work.fairlead, qh, vh, k, last)
             begin_stage(work, qh, vh, k, last, cq, cv)
             # the water is that at the expected positions of the nodes: an error of order h³
-            if moving:
+            if water is not None:
                 water_at(water, work.q, last + 1, now, work.u, work.du)
             status, count = solve_stage(s, work, k, slip, q, cq, cv, limit * scale, limit * control.distance)
             iterations += count
