@@ -54,9 +54,9 @@ def compile_all(tables=(LINES, BODIES)):
         return [line for said in pool.map(run, tables, [folder] * len(tables)) for line in said]
 
 
-def _of_line_dynamics(study, still=False):
+def _of_line_dynamics(study):
     """Steps of the line of a study, from a straight line in place of its shape at rest, for which the command compiles
-    the forces meanwhile; still : in still water"""
+    the forces meanwhile"""
     import numpy as np
 
     from hakobune.mooring.lines.dynamics.lumped.esdirk import compile_steps
@@ -74,8 +74,23 @@ def _of_line_dynamics(study, still=False):
     place = (1 - along) * line.anchor + along * course.motion.at(0.0)[0]
     zero = np.zeros_like(place)
     start = State(0.0, place, zero, zero.copy(), zero.copy(), np.inf)
-    water = {} if still else {"current": current_of(read), "waves": wave_of(read, None)}
-    simulate(line, course.motion, SHORT, start=start, **water)
+    simulate(line, course.motion, SHORT, start=start, current=current_of(read), waves=wave_of(read, None))
+
+
+def _of_moving_line(study):
+    """Steps of the line of a study in still water, alone and with a body"""
+    import numpy as np
+
+    from hakobune.mooring.lines.dynamics.lumped.esdirk import compile_steps
+    from hakobune.mooring.motion.moving_lines.steps import compile_moving
+
+    from .line_dynamics.parts import line_of
+    from .line_dynamics.study import read_line_dynamics
+
+    read = read_line_dynamics(study)[0]
+    line = line_of(read)[0]
+    compile_steps(line.system)
+    compile_moving(line, np.asarray(read.fairlead.position, float))
 
 
 def _of_simulate(study, database):
@@ -95,7 +110,7 @@ def _of_simulate(study, database):
         reader = db.bodies_reader
         with_pairs(plan_of(read, reader.omega, 1, SHORT, folder, reader.words), read, db, reader)
     if (read.lines or read.spreads) and moving_lines(table):
-        _of_line_dynamics(SCENES / "line_chain_60m.toml", table.dynamic_water != "sea")
+        (_of_line_dynamics if table.dynamic_water == "sea" else _of_moving_line)(SCENES / "line_chain_60m.toml")
         simulate(replace(read, simulation=replace(table, dynamic_lines="all")), db, seeds=1, duration=SHORT)
 
 

@@ -20,7 +20,8 @@ from hakobune.bem.kernels.jit import kernel
 from ...lines.dynamics.lumped.esdirk import COLUMNS, DONE, SCHEME, run
 from ...lines.dynamics.lumped.system import Control, Motion, State
 from ...lines.dynamics.run import SHORTEST
-from .packed import ROWS
+from .at_rest import moving_work
+from .packed import ROWS, moving_lines
 from .polynomial import TERMS, legendre
 from .sea import open_sea, sea_ahead
 
@@ -220,3 +221,14 @@ def put_tensions(moving, work, row, t):
             j += 1
         x, y, z = (between(work, i, j, t, 0), between(work, i, j, t, 1), between(work, i, j, t, 2))
         work.tension[row, i] = np.sqrt(x * x + y * y + z * z)
+
+
+def compile_moving(line, fairlead):
+    """Compile what a DynamicLine in still water, with its fairlead at (3,) m, adds to the steps of a rigid body"""
+    moving, states = moving_lines({0: line}, [fairlead], 1e-3, (np.zeros((1, 6)), np.ones(1)))
+    work = moving_work(moving, states, 1, 1, (1, 1))
+    advance_lines.compile_for(moving, work, work.used > 0, 0.0, 1.0)
+    foresee.compile_for(moving, work, 1.0, work.last)
+    project.compile_for(moving, work, 0.0, 1.0, work.last)
+    put_tensions.compile_for(moving, work, 0, 0.0)
+    keep_lines.compile_for(moving, work, 1.0, work.last)
