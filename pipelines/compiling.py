@@ -55,9 +55,11 @@ def compile_all(tables=(LINES, BODIES)):
 
 
 def _of_line_dynamics(study):
-    """Steps of the line of a study, from a straight line in place of its shape at rest"""
+    """Steps of the line of a study, from a straight line in place of its shape at rest, for which the command compiles
+    the forces meanwhile"""
     import numpy as np
 
+    from hakobune.mooring.lines.dynamics.lumped.esdirk import compile_steps
     from hakobune.mooring.lines.dynamics.lumped.system import State
     from hakobune.mooring.lines.dynamics.simulation import simulate
 
@@ -67,6 +69,7 @@ def _of_line_dynamics(study):
 
     read = read_line_dynamics(study)[0]
     line, course = line_of(read)[0], course_of(read, Path(study).parent)
+    compile_steps(line.system)
     along = (line.nodes / line.length)[:, None]
     place = (1 - along) * line.anchor + along * course.motion.at(0.0)[0]
     zero = np.zeros_like(place)
@@ -74,11 +77,26 @@ def _of_line_dynamics(study):
     simulate(line, course.motion, SHORT, start=start, current=current_of(read), waves=wave_of(read, None))
 
 
+def _of_moving_line(study):
+    """Steps of the line of a study in still water, alone and with a body"""
+    import numpy as np
+
+    from hakobune.mooring.lines.dynamics.lumped.esdirk import compile_steps
+    from hakobune.mooring.motion.moving_lines.steps import compile_moving
+
+    from .line_dynamics.parts import line_of
+    from .line_dynamics.study import read_line_dynamics
+
+    read = read_line_dynamics(study)[0]
+    line = line_of(read)[0]
+    compile_steps(line.system)
+    compile_moving(line, np.asarray(read.fairlead.position, float))
+
+
 def _of_simulate(study, database):
     """Pairs of waves of a study, a line in motion, and a short run whose lines all move"""
     from msgspec.structs import replace
 
-    from .line_dynamics.result import line_dynamics
     from .moor.study import SimulationTable
     from .results.given import database_of
     from .simulate.result import simulate
@@ -92,7 +110,7 @@ def _of_simulate(study, database):
         reader = db.bodies_reader
         with_pairs(plan_of(read, reader.omega, 1, SHORT, folder, reader.words), read, db, reader)
     if (read.lines or read.spreads) and moving_lines(table):
-        line_dynamics(SCENES / "line_chain_60m.toml", duration=SHORT)
+        (_of_line_dynamics if table.dynamic_water == "sea" else _of_moving_line)(SCENES / "line_chain_60m.toml")
         simulate(replace(read, simulation=replace(table, dynamic_lines="all")), db, seeds=1, duration=SHORT)
 
 

@@ -124,6 +124,13 @@ class Kernel:
         """Numba's dispatcher of this kernel, for other kernels that call it"""
         return self._called or self._made("_called", self._for_kernels)
 
+    def compile_for(self, *arguments):
+        """Compile, for kernels that call this one with such arguments, without a call"""
+        compile_version = self.called.compile
+        from numba import typeof
+
+        compile_version(tuple(map(typeof, arguments)))
+
     def _made(self, name, make):
         """A dispatcher, made by the first of several threads that need it"""
         with _one_at_a_time:

@@ -16,6 +16,7 @@ import sys
 import time
 from contextlib import suppress
 from importlib import import_module
+from itertools import islice
 
 import numba
 from llvmlite import binding
@@ -108,7 +109,7 @@ class Kept:
             isinstance(one, Array) for one in getattr(kind, "types", [kind])
         ):
             raise TypeError(f"kernel {self.function.__qualname__} returns an array; allowed: with counted=True")
-        apart = not (self.linked or _is_inner_loop(signature)) and _instructions(result) > SMALL
+        apart = not (self.linked or _is_inner_loop(signature)) and _is_long(result)
         self._called_by(signature, result, apart)
         if not file.exists() or file in self.worthless:
             put_file(file, dumps((apart, result._reduce())))
@@ -161,6 +162,7 @@ def _is_inner_loop(signature):
     return any("*" in kind.name or "SimdVector" in kind.name for kind in signature)
 
 
-def _instructions(result):
+def _is_long(result):
     function = result.library.get_function(result.fndesc.llvm_func_name)
-    return sum(1 for block in function.blocks for _ in block.instructions)
+    instructions = (one for block in function.blocks for one in block.instructions)
+    return next(islice(instructions, SMALL, None), None) is not None

@@ -20,6 +20,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hakobune.bem.kernels.jit import as_python
+
 from .catenary.solve import solve_lines
 from .catenary.state import State
 
@@ -117,7 +119,8 @@ def harmonic_tension(
     ):
         if not (good and np.isfinite(value)):
             raise ValueError(f"{name} is {value:g}; allowed: finite, above 0")
-    line = solve_lines(np.array([x, x + out]), np.array([z, z + up]), length, weight, axial_stiffness)
+    with as_python():
+        line = solve_lines(np.array([x, x + out]), np.array([z, z + up]), length, weight, axial_stiffness)
     if np.any(line.status != State.GROUNDED):
         raise ValueError(
             f"the line of {length:g} m with its fairlead at x = {x:g} ± {_rounded(out)} m, z = {z:g} ± "

@@ -79,6 +79,7 @@ class Body(NamedTuple):
     memory : `bem.time_domain.memory_kernels.MemoryArrays`
     drift_damping : (N, HEADINGS + 3, 6) B over headings ψ, rows of `interpolation.ring_table`; N s/m by (surge, sway)
     given : (6N, m) N and N m, a table in time in heading axes, from 0 s in steps of given_step s; one column for none
+    bent : `shapes`, None for bodies without shapes, for which nothing of shapes is compiled
     """
 
     mass_inverse: np.ndarray
@@ -98,6 +99,7 @@ class Body(NamedTuple):
     given: np.ndarray
     given_step: float
     shapes: Shapes
+    bent: Shapes | None
 
 
 @in_memory
@@ -136,7 +138,7 @@ class Scene(NamedTuple):
     current: Stream
     contacts: Contacts
     contact_work: ContactWork
-    hull: HullWater
+    hull: HullWater | None  # of a single body that slews
     work: Work
 
 
@@ -261,7 +263,7 @@ def dissipate(body, b, whole, changed, y, rate, force, work):
 def load(scene, hull, b, t, y, rate, force, work):
     """Waves, drift, given forces, wind and current on body b of a `Scene`, each multiplied by the ramp
 
-    hull : HullWater of a single body that slews, without rows for others; y, rate : (BLOCK,), force : (6,) of it
+    hull : HullWater, or None; y, rate : (BLOCK,), force : (6,) of it
     """
     body = scene.body
     if work.window.shape[2] > 1:
@@ -278,7 +280,7 @@ def load(scene, hull, b, t, y, rate, force, work):
             force, y, rate, grown * (w[6] - d[0] * u - d[1] * v), grown * (w[7] - d[2] * u - d[3] * v),
             grown * (w[8] - d[4] * u - d[5] * v), BY_DRIFT,
         )  # fmt: skip
-    if hull.water.shape[0] > 0:
+    if hull is not None:
         work.moving[0], work.moving[1], work.moving[2], work.moving[3] = y[5], y[6], y[7], y[11]
         hull_water_force(hull, ramp(t, body.ramp), work.moving, work.weights, work.powers, work.stream, work.arm)
         x, across, lever = work.stream[0], work.stream[1], hull.lever
@@ -400,20 +402,24 @@ def of_group(scene, g, t, y, rate):
 
 
 @kernel(counted=False)
-def of_shapes(scene, t, y, rate):
-    """All loads on the shapes of a `Scene` except moorings, and the forces of shapes on bodies; y, rate : (n,) of
-    all"""
-    body, force = scene.body, scene.work.force
-    for b in range(body.heading.size):
-        of_shapes_on_body(body, b, y, rate, force[6 * b : 6 * b + 6], scene.work)
-    for g in range(body.shapes.owner.size):
-        of_group(scene, g, t, y, rate)
+def of_shapes(shapes, scene, t, y, rate):
+    """All loads on the shapes of a `Scene`, or None, except moorings, and the forces of shapes on bodies; y, rate :
+    (n,) of all"""
+    if shapes is not None:
+        body, force = scene.body, scene.work.force
+        for b in range(body.heading.size):
+            of_shapes_on_body(body, b, y, rate, force[6 * b : 6 * b + 6], scene.work)
+        for g in range(shapes.owner.size):
+            of_group(scene, g, t, y, rate)
 
 
 @kernel(counted=False)
-def of_moorings_on_shapes(scene, y, rate, met):
-    """Add the forces of lines on shapes, and of fenders and ropes if `met`, to the forces and to the rates of work"""
-    shapes, count = scene.body.shapes, scene.body.heading.size
+def of_moorings_on_shapes(shapes, scene, y, rate, met):
+    """Add the forces of lines on shapes, or None, and of fenders and ropes if `met`, to the forces and to the rates of
+    work"""
+    if shapes is None:
+        return
+    count = scene.body.heading.size
     for k in range(shapes.place.size):
         g, i = shapes.place[k] // 6, shapes.place[k] % 6
         at, works = BLOCK * count + 6 + OF_SHAPES * g + 6 + i, BLOCK * shapes.owner[g] + FIRST_WORK
@@ -428,16 +434,19 @@ def of_moorings_on_shapes(scene, y, rate, met):
 
 
 @kernel(counted=False)
-def move_shapes(body, g, y, rate, force):
-    """Rates of group g of shapes from the forces (n,) on all motions; y, rate : (n,) of all"""
+def move_shapes(shapes, body, y, rate, force):
+    """Rates of all shapes, or None, from the forces (n,) on all motions; y, rate : (n,) of all"""
+    if shapes is None:
+        return
     count = body.heading.size
-    at = BLOCK * count + 6 + OF_SHAPES * g
-    for i in range(6):
-        rate[at + i] = y[at + 6 + i]
-        total = 0.0
-        for j in range(force.size):
-            total += body.mass_inverse[6 * (count + g) + i, j] * force[j]
-        rate[at + 6 + i] = total
+    for g in range(shapes.owner.size):
+        at = BLOCK * count + 6 + OF_SHAPES * g
+        for i in range(6):
+            rate[at + i] = y[at + 6 + i]
+            total = 0.0
+            for j in range(force.size):
+                total += body.mass_inverse[6 * (count + g) + i, j] * force[j]
+            rate[at + 6 + i] = total
 
 
 @kernel(counted=False)
@@ -459,8 +468,7 @@ def of_moorings(scene, y, rate):
     met = len(scene.contacts.numbers) > 0
     if met:
         contact_loads(scene.contacts, scene.contact_work, work.place, work.R, work.stream, work.arm)
-    if scene.body.shapes.place.size > 0:
-        of_moorings_on_shapes(scene, y, rate, met)
+    of_moorings_on_shapes(scene.body.bent, scene, y, rate, met)
     for b in range(count):
         give_to(work, b, y, rate, work.pull, BY_LINES)
         if met:
@@ -516,8 +524,7 @@ def rates(scene, buoy, links, t, y, rate):
     work.force[:] = 0.0
     for b in range(count):
         of_one(scene, b, t, y, rate)
-    if body.shapes.owner.size > 0:
-        of_shapes(scene, t, y, rate)
+    of_shapes(body.bent, scene, t, y, rate)
     scene.line_work.span[0] = t
     good = of_moorings(scene, y, rate)
     if buoy is not None:
@@ -531,6 +538,5 @@ def rates(scene, buoy, links, t, y, rate):
         of_links(scene, links, y, rate)
     for b in range(count):
         move(body, b, y, rate, work.force)
-    for g in range(body.shapes.owner.size):
-        move_shapes(body, g, y, rate, work.force)
+    move_shapes(body.bent, body, y, rate, work.force)
     return good

@@ -174,8 +174,8 @@ def take_step_with_lines(scene, buoy, links, clock, moving, t, h):
         for i in range(12):
             kept.foreseen[b, i] = trial[BLOCK * b + i]
         put_sample(clock, b, t, h, t + 0.5 * h, kept.pose[b])
-    put_bent(clock, scene.body.shapes, t, h, t + 0.5 * h, kept.bent[0])
-    put_bent(clock, scene.body.shapes, t, h, t + h, kept.bent[1])
+    put_bent(clock, scene.body.bent, t, h, t + 0.5 * h, kept.bent[0])
+    put_bent(clock, scene.body.bent, t, h, t + h, kept.bent[1])
     for i in range(lines.number.size):
         n, course = lines.number[i], kept.course[i]
         b = scene.lines.body[n]
@@ -278,7 +278,9 @@ def shape_at(bodies, place):
 
 @kernel(counted=False)
 def put_bent(clock, shapes, t, h, at, out):
-    """out (2, f): amplitudes of `equation.Shapes` and their rates at a time within the step, s"""
+    """out (2, f): amplitudes of `equation.Shapes`, or None, and their rates at a time within the step, s"""
+    if shapes is None:
+        return
     s = (at - t) / h
     for k in range(shapes.place.size):
         for j in range(2):
@@ -367,7 +369,7 @@ def advance(scene, waves, clock, samples, most, buoy, links, moving):
             ahead = sea_ahead(moving[0].sea)
             if h > ahead:
                 h, cut = ahead, False
-            sea_for_step(moving[0], moving[1], t, h)
+            sea_for_step(moving[0].sea, moving[0], moving[1], t, h)
             error, good = take_step_with_lines(scene, buoy, links, clock, moving, t, h)
         if again:
             error *= min(1.0, h / (CORNER * now[USUAL]))

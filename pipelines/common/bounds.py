@@ -16,6 +16,8 @@ from .progress import duration
 LONGEST = 30 * 86400.0  # s
 WORTH_TELLING = 10.0  # s
 MUCH = 1e9  # bytes
+# s a frequency and pair of nodes on a slow processor, 8e-8 on a quick one: what takes long by it is measured
+SLOWEST = 5e-7
 LITTLE = 1e8  # bytes below which free memory is not checked; the check takes 0.01 s
 MOST = 10_000  # largest length of one list or span
 
@@ -65,9 +67,12 @@ class LongWaves:
         if done == 0:
             from hakobune.bem.panels.band.cost import memory_alone, seconds_alone
 
-            panels, seconds = prepared.problem.mesh.total, seconds_alone(prepared, max(omega, 1e-3))
+            panels = prepared.problem.mesh.total
+            seconds = count * SLOWEST * (4 * panels) ** 2
+            if seconds >= WORTH_TELLING:  # measuring compiles kernels for a second
+                seconds = count * seconds_alone(prepared, max(omega, 1e-3))
             what = f"forces of bound long waves, {count} frequencies on {panels} panels:"
-            told(what, count * seconds, self.say, memory_alone(prepared, dense=True))
+            told(what, seconds, self.say, memory_alone(prepared, dense=True))
             self.started = self.told = time.perf_counter()
         elif (now := time.perf_counter()) - self.told >= self.EVERY:
             self.told, left = now, (now - self.started) / done * (count - done)

@@ -10,7 +10,9 @@ from hakobune.mooring.lines.dynamics.lumped import esdirk, settle
 from hakobune.pipelines import compiling
 from hakobune.pipelines.executors import beside
 from hakobune.pipelines.keys.kinds import SCENES
+from hakobune.pipelines.line_dynamics.parts import line_of
 from hakobune.pipelines.line_dynamics.result import line_dynamics
+from hakobune.pipelines.line_dynamics.study import read_line_dynamics
 
 SOURCE = "mooring/motion/integrator.py"
 
@@ -73,6 +75,16 @@ def test_steps_compiled_beside_are_those_that_the_command_takes(monkeypatch):
     with pytest.warns(UserWarning):  # of a line that is far from its shape at rest
         compiling.OF_COMMANDS["line-dynamics"](SCENES / "line_chain_60m.toml")
     assert set(kinds) == asked
+
+
+def test_kernels_compiled_before_the_steps_are_the_versions_that_steps_call():
+    """Each has one version after lines in motion, and it is there before"""
+    first = esdirk.factor_line, esdirk.correction, esdirk.error, esdirk.record, esdirk.keep_slip, esdirk.predict
+    esdirk.compile_steps(line_of(read_line_dynamics(SCENES / "line_chain_60m.toml")[0])[0].system)
+    before = [tuple(kernel.called.overloads) for kernel in first]
+    line_dynamics(SCENES / "line_chain_60m.toml", duration=18.0)
+    assert all(before)
+    assert [tuple(kernel.called.overloads) for kernel in first] == before
 
 
 def test_every_command_of_the_table_is_begun_by_its_command():

@@ -113,7 +113,7 @@ class Case(NamedTuple):
 
     line: DynamicLine
     motion: FairleadMotion
-    water: Water
+    water: Water | None
     duration: float
     tolerance: float
     longest_step: float

@@ -2,6 +2,8 @@
 
 import numpy as np
 
+from hakobune.bem.kernels.jit import as_python
+
 from ..catenary.solve import profile, solve_lines
 from ..catenary.state import LineError, State
 from .lumped import system as lumped
@@ -90,6 +92,7 @@ def _mobilised(system, q):
     return slip
 
 
+@as_python()
 def _guess(line, fairlead):
     """Nodes (N + 1, 3) on the catenary of a uniform line of the same weight."""
     away = fairlead - line.anchor

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from hakobune.bem.kernels.jit import as_python
 from hakobune.bem.waves import wavenumber
 
 from .lumped.system import Motion, Water
@@ -77,6 +78,7 @@ class FairleadMotion:
         """s, begin of the known motion"""
         return 0.0 if self.knots is None else self.knots[0]
 
+    @as_python()
     def at(self, t):
         """Position, m, velocity, m/s, and acceleration, m/s², at time t; shape (3, 3)"""
         from .lumped.surroundings import fairlead_at
@@ -149,19 +151,29 @@ class WaveTrain:
         object.__setattr__(self, "ramp", _duration("ramp", T.max() if self.ramp is None else self.ramp))
 
 
-def water_arrays(current, waves, gravity):
-    """Current and waves, either of which may be None, for the kernels."""
+def flowing(z, velocity):
+    """`Water` without waves, with a current (k, 2) m/s at heights z (k,) m"""
     none, pairs = np.zeros(0), np.zeros((0, 2))
-    z, U = (none, pairs) if current is None else (current.z, current.velocity)
-    untabled = 0.0, 0.0, np.zeros(0), np.zeros(0), np.zeros(2), np.zeros((2, 0))
+    untabled = 0.0, 0.0, none, none, np.zeros(2), np.zeros((2, 0))
+    return Water(z, velocity, none, none, none, pairs, none, np.inf, 0.0, *untabled, none, np.zeros(2))
+
+
+def water_arrays(current, waves, gravity):
+    """Current and waves, either of which may be None, for the kernels; None for still water."""
+    if current is None and waves is None:
+        return None
+    none = np.zeros(0), np.zeros((0, 2))
+    water = flowing(*none if current is None else (current.z, current.velocity))
     if waves is None:
-        return Water(z, U, none, none, none, pairs, none, np.inf, 0.0, *untabled, none, np.zeros(2))
+        return water
     omega = 2 * np.pi / waves.period
     heading = np.stack([np.cos(waves.direction), np.sin(waves.direction)], axis=-1)
     k = np.asarray(wavenumber(omega, waves.depth, gravity), float)
-    depth, ramp, carried = float(waves.depth), float(waves.ramp), np.asarray(waves.carried, float)
-    met = omega + k * (heading @ carried)
-    return Water(z, U, waves.amplitude, omega, k, heading, waves.phase, depth, ramp, *untabled, met, carried)
+    carried = np.asarray(waves.carried, float)
+    return water._replace(
+        amplitude=waves.amplitude, omega=omega, wavenumber=k, heading=heading, phase=waves.phase,
+        depth=float(waves.depth), ramp=float(waves.ramp), met=omega + k * (heading @ carried), carried=carried,
+    )  # fmt: skip
 
 
 def _point(value):

@@ -5,6 +5,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hakobune.bem.kernels.jit import as_python
+
 from ..catenary.buoyant import solve_buoyant_lines
 from ..catenary.solve import span_at_tension
 from ..multi_segment.span import span_of
@@ -85,7 +87,8 @@ def _span(line, height, depth, horizontal_tension):
         return span_of(
             lambda x: solve_buoyant_lines(x, height, *properties, depth), horizontal_tension, line.length, height
         )
-    return float(span_at_tension(horizontal_tension, height, *properties, line.bed_friction)[0])
+    with as_python():
+        return float(span_at_tension(horizontal_tension, height, *properties, line.bed_friction)[0])
 
 
 def corner_legs(line, hull_length, beam, headings, depth, horizontal_tension, z=0.0, is_round=False):

@@ -15,8 +15,7 @@ from ...lines.dynamics.lumped.system import Water
 from ...lines.dynamics.lumped.workspace import workspace
 from ...lines.dynamics.run import control_of
 from ...lines.dynamics.start import start
-from ...lines.dynamics.surroundings import water_arrays
-from .sea import LineSea, line_sea, line_water, water_of
+from .sea import LineSea, line_water, water_of
 
 ROWS = 256  # largest number of line steps in one step of the body; more mean that the body's step is too long
 
@@ -29,7 +28,7 @@ class MovingLines(NamedTuple):
     nodes : (m + 1,) where those of each begin in arrays of all
     tension, distance : (m,) N, m, scales of their errors; tolerance : tolerance of a step
     water : `Water` at all nodes, with a table of `sea` that is filled again and again; waters : m parts of it, of each
-    room_of_sea : room for its sums
+    room_of_sea : room for its sums; all four None for still water
     stretch : (m, 6 + f) m/m and m/rad, of each chord from anchor to fairlead by motions of its body along its axes at
         rest, and by shapes
     spring : (m,) N/m, EA/L
@@ -42,10 +41,10 @@ class MovingLines(NamedTuple):
     tension: np.ndarray
     distance: np.ndarray
     tolerance: float
-    water: Water
-    waters: list
-    sea: LineSea
-    room_of_sea: tuple
+    water: Water | None
+    waters: list | None
+    sea: LineSea | None
+    room_of_sea: tuple | None
     stretch: np.ndarray
     spring: np.ndarray
 
@@ -106,13 +105,11 @@ def moving_lines(lines, fairleads, tolerance, as_spring, sea=None):
     as_spring : `MovingLines.stretch` and `spring`; sea : LineSea that grows from still water, None for still water
     raises : LineError for a line without a shape at rest
     """
-    still = water_arrays(None, None, 9.80665)
-    states = [start(line, place, still) for line, place in zip(lines.values(), fairleads, strict=True)]
+    states = [start(line, place, None) for line, place in zip(lines.values(), fairleads, strict=True)]
     systems = [line.system for line in lines.values()]
     controls = [control_of(line, state, 1.0, 1.0) for line, state in zip(lines.values(), states, strict=True)]
     nodes = np.concatenate([[0], np.cumsum([len(one.mass) for one in systems])]).astype(np.int64)
-    sea = line_sea(None, None, np.inf, None, (0.0, 0.0), 0.0) if sea is None else sea
-    water, *room = water_of(sea, int(nodes[-1]), int(np.diff(nodes).max()))
+    water, *room = (None,) if sea is None else water_of(sea, int(nodes[-1]), int(np.diff(nodes).max()))
     return MovingLines(
         np.array(list(lines), np.int64),
         systems,
@@ -122,8 +119,8 @@ def moving_lines(lines, fairleads, tolerance, as_spring, sea=None):
         np.array([one.distance for one in controls]),
         float(tolerance),
         water,
-        [line_water(water, *ends) for ends in pairwise(nodes.tolist())],
+        None if sea is None else [line_water(water, *ends) for ends in pairwise(nodes.tolist())],
         sea,
-        tuple(room),
+        tuple(room) or None,
         *as_spring,
     ), tuple(states)

@@ -23,7 +23,7 @@ from hakobune.bem.kernels.jit import kernel
 from hakobune.bem.kernels.simd import WIDTH
 
 from ...lines.dynamics.lumped.surroundings import OF_PLACE, SAMPLES
-from ...lines.dynamics.surroundings import water_arrays
+from ...lines.dynamics.surroundings import flowing
 
 TURN = 2 * np.pi
 DEEPEST = -12.0  # k z, below which a wave has its value there: 6e-6 of that at the surface
@@ -85,7 +85,7 @@ def water_of(sea, count, most):
     returns : Water, (8 most, 2c) rows of `place_rows`, (4, c) velocities, (6 · 8 most,) sums
     """
     waves = sea.waves.shape[1]
-    still = water_arrays(None, None, 9.80665)
+    still = flowing(np.zeros(0), np.zeros((0, 2)))
     if waves:
         still = still._replace(
             table=np.zeros(SAMPLES * OF_PLACE * count + WIDTH),
@@ -182,7 +182,9 @@ def foresee_place(sea, position, velocity):
 
 @kernel()
 def sea_ahead(sea):
-    """s, duration of a table; inf without waves"""
+    """s, duration of a table; inf without waves and for still water, None"""
+    if sea is None:
+        return np.inf
     return (SAMPLES - 1) * sea.step if sea.waves.shape[1] > 0 else np.inf
 
 

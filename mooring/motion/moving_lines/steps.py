@@ -20,7 +20,8 @@ from hakobune.bem.kernels.jit import kernel
 from ...lines.dynamics.lumped.esdirk import COLUMNS, DONE, SCHEME, run
 from ...lines.dynamics.lumped.system import Control, Motion, State
 from ...lines.dynamics.run import SHORTEST
-from .packed import ROWS
+from .at_rest import moving_work
+from .packed import ROWS, moving_lines
 from .polynomial import TERMS, legendre
 from .sea import open_sea, sea_ahead
 
@@ -30,11 +31,15 @@ ROUNDING = 1e-9  # rounding of the time covered by a table of the sea
 
 
 @kernel(counted=False)
-def sea_for_step(moving, work, t, h):
-    """A table of the sea around all lines, valid for a step of the body of h s from t s"""
-    water, room = moving.water, moving.room_of_sea
-    if t + h > water.clock[0] + sea_ahead(moving.sea) * (1 + ROUNDING):
-        open_sea(moving.sea, water, moving.nodes, work.position[0], work.velocity[0], room, t)
+def sea_for_step(sea, moving, work, t, h):
+    """A table of the sea around all lines, valid for a step of the body of h s from t s
+
+    sea : `moving.sea`; for still water, None, what fills a table is not compiled
+    """
+    if sea is not None:
+        water, room = moving.water, moving.room_of_sea
+        if t + h > water.clock[0] + sea_ahead(sea) * (1 + ROUNDING):
+            open_sea(sea, water, moving.nodes, work.position[0], work.velocity[0], room, t)
 
 
 @kernel(counted=False)
@@ -45,6 +50,14 @@ def piece(p, v, q, w, length, out):
         out[0, j], out[1, j] = p[j], v[j]
         out[2, j] = (3 * rise - 2 * v[j] - w[j]) / length
         out[3, j] = (v[j] + w[j] - 2 * rise) / (length * length)
+
+
+@kernel(inline=True, counted=False)
+def water_of_line(waters, i):
+    """`Water` of line i, None for still water"""
+    if waters is None:
+        return None
+    return waters[i]
 
 
 @kernel()
@@ -76,7 +89,7 @@ def advance_lines(moving, work, whole, t, h):
         found = run(
             moving.systems[i],
             moving.rooms[i],
-            moving.waters[i],
+            water_of_line(moving.waters, i),
             Motion(knots, cubics, none, triples, triples, 0.0),
             Control(moving.tolerance, moving.tension[i], moving.distance[i], h, SHORTEST * h),
             SCHEME,
@@ -208,3 +221,14 @@ def put_tensions(moving, work, row, t):
             j += 1
         x, y, z = (between(work, i, j, t, 0), between(work, i, j, t, 1), between(work, i, j, t, 2))
         work.tension[row, i] = np.sqrt(x * x + y * y + z * z)
+
+
+def compile_moving(line, fairlead):
+    """Compile what a DynamicLine in still water, with its fairlead at (3,) m, adds to the steps of a rigid body"""
+    moving, states = moving_lines({0: line}, [fairlead], 1e-3, (np.zeros((1, 6)), np.ones(1)))
+    work = moving_work(moving, states, 1, 1, (1, 1))
+    advance_lines.compile_for(moving, work, work.used > 0, 0.0, 1.0)
+    foresee.compile_for(moving, work, 1.0, work.last)
+    project.compile_for(moving, work, 0.0, 1.0, work.last)
+    put_tensions.compile_for(moving, work, 0, 0.0)
+    keep_lines.compile_for(moving, work, 1.0, work.last)

@@ -41,6 +41,7 @@ def body_of(moored, weather, settings, components, drag, munk):
     drifts = all(one.drift is not None for one in each) and settings.slow_drift != "none"
     if components is not None and settings.wave_drift_damping and drifts:
         ring = np.array([slow_damping.drift_damping_ring(one, weather, reader.depth, reader.gravity) for one in each])
+    shapes = shapes_of(reader, groups, moored.spring)
     inverse, free = np.zeros_like(damping), np.ix_(moored.free, moored.free)
     inverse[free] = np.linalg.inv((reader.inertia + added)[free])
     turning = weather.on_hull is None or not weather.on_hull.turning  # turning tests hold the inertia of the turn
@@ -61,7 +62,8 @@ def body_of(moored, weather, settings, components, drag, munk):
         MemoryArrays(memory.decay, memory.turn, groups.padded(memory.input), groups.padded(memory.output)),
         ring,
         *given,
-        shapes_of(reader, groups, moored.spring),
+        shapes,
+        shapes if shapes.place.size else None,
     )
 
 

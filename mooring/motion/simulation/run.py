@@ -16,7 +16,6 @@ from ..moving_lines.prepare import moving_of
 from ..moving_lines.sea import line_sea
 from ..streams import calm
 from ..tables.groups import groups_of
-from ..tables.hull_water import NO_HULL_WATER
 from ..tables.wave_windows import Waves, waves_of
 from ..wave_loads import no_waves, wave_table
 from .body import body_of
@@ -126,7 +125,7 @@ def _begun(moored, weather, settings, seed):
         mean, constant = frequency_of_coefficients(settings, components), settings.memory == "constant"
         findings += tuple(slow_damping.findings(moored, body, mean, constant, current is not None))
     flows = wind, calm(len(at_rest)) if current is None else current
-    hull = NO_HULL_WATER if weather.on_hull is None else weather.on_hull.water
+    hull = None if weather.on_hull is None else weather.on_hull.water
     contacts = moored.berth.arrays
     work = room(table.steps, len(at_rest), groups.count)
     scene = Scene(body, lines, line_work(lines), *flows, contacts, contact_work(contacts), hull, work)

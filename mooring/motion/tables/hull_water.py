@@ -26,7 +26,7 @@ from .interpolation import on_ring, ring_table
 
 @in_memory
 class HullWater(NamedTuple):
-    """water : (n + 3, 15) N …, rows of a `ring_table`, five powers of three forces, none for none; length : m
+    """water : (n + 3, 15) N …, rows of a `ring_table`, five powers of three forces; length : m
 
     largest : rL/V; velocity : (2,) m/s of the current; linear : (3, 3) D; carried : (3,) kg, kg, kg m
     drift : (m + 3, 3) N, N, N m over headings; lever : m, from the centre of pressure of the water up to the centre of
@@ -43,11 +43,6 @@ class HullWater(NamedTuple):
     drift: np.ndarray
     lever: float
     at_rest: float
-
-
-NO_HULL_WATER = HullWater(
-    np.zeros((0, 15)), 0.0, 0.0, np.zeros(2), np.zeros((3, 3)), np.zeros(3), np.zeros((4, 3)), 0.0, 1.0
-)  # values of a body that does not slew, of the same types for the same kernels
 
 
 class OnHull(NamedTuple):

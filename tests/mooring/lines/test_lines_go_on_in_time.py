@@ -19,6 +19,7 @@ class Line:
 
     def __init__(self, monkeypatch, at=0.05, step=0.04, longest=1.0, shortest=1e-6, tension=100.0, moving=False):
         self.at, self.lead, self.refuse, self.fails = at, [], (), lambda now: False
+        self.water = "water" if moving else None
         self.control = SimpleNamespace(
             tolerance=1e-2, tension=tension, distance=7.0, longest=longest, shortest=shortest
         )
@@ -33,7 +34,6 @@ class Line:
         for name in names:
             monkeypatch.setattr(esdirk, name, getattr(self, name))
         monkeypatch.setattr(esdirk, "lead", lambda motion, t, room, q, v, a, last: self.lead.append((t, room, last)))
-        monkeypatch.setattr(esdirk, "moves", lambda water: moving)
         monkeypatch.setattr(esdirk, "worst_element", lambda work, last: 17 + last)
 
     def __call__(self, until=3.0, frames=(), rows=1000, first=()):
@@ -42,7 +42,7 @@ class Line:
         table[0, : len(first)] = first
         self.frames, self.stations = np.zeros((len(frames), N + 1, 3)), np.zeros((rows, 3))
         self.table = table
-        return esdirk.run(SimpleNamespace(length=np.ones(N)), self.work, "water", "motion", self.control,
+        return esdirk.run(SimpleNamespace(length=np.ones(N)), self.work, self.water, "motion", self.control,
                           esdirk.tableau(), self.state, until, table, np.array(frames), self.frames,
                           np.array([0, 2, 3]), self.stations)  # fmt: skip
 

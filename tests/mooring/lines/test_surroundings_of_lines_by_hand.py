@@ -82,8 +82,9 @@ def test_waves_and_a_current_are_arrays_with_their_numbers_and_what_a_carrier_ma
     assert np.array(parts[5]) == pytest.approx(np.array([[1.0, 0.0], [0.0, 1.0]]), abs=1e-12) and parts[6] == [0.5, 0.5]
     assert parts[7:9] == [np.inf, 10.0] and parts[-1] == [0.6, -0.8]
     assert parts[-2] == pytest.approx([omega + 0.6 * k, omega - 0.8 * k])
-    none = water_arrays(None, None, G)
-    assert all(np.size(part) == 0 for part in none[:7]) and none[7] == np.inf and none[8] == 0.0
+    assert water_arrays(None, None, G) is None
+    calm = water_arrays(current, None, G)
+    assert all(np.size(part) == 0 for part in calm[2:7]) and calm[7] == np.inf and calm[8] == 0.0
     assert WaveTrain([1.0, 2.0], [8.0, 12.0], 0.0).ramp == 12.0 and WaveTrain(1.0, 8.0, 0.0, ramp=3.0).ramp == 3.0
 
 

@@ -218,12 +218,12 @@ def test_a_moment_about_a_hinge_is_told_behind_its_forces():
 # ------------------------------------------------------------------ one equation
 
 
-def scene(bodies=2, window=1, given=1, hull=0):
+def scene(bodies=2, window=1, given=1, hull=None):
     numbers = SimpleNamespace
     rigid = numbers(owner=np.zeros(0, np.int64), place=np.zeros(0, np.int64))
     body = numbers(heading=np.zeros(bodies), wave_ramp=np.array([2.0, 10.0]), ramp=20.0, drift_damping=["d"] * bodies,
                    given=np.zeros((6 * bodies, given)), given_step=0.5, mass_inverse="W",
-                   shapes=rigid)  # fmt: skip
+                   shapes=rigid, bent=None)  # fmt: skip
     work = numbers(window=np.zeros((bodies, 9, window)), span=np.array([0.0, 0.5]), weights="w", waves=np.zeros(9),
                    part=np.zeros(6), drag=np.zeros(6), moving=np.zeros(4), powers=None, stream=np.zeros(3), value=None,
                    arm=np.zeros(3), place=np.zeros((bodies, 6)), force=np.zeros(6 * bodies), R=None,
@@ -231,7 +231,7 @@ def scene(bodies=2, window=1, given=1, hull=0):
     return numbers(
         body=body,
         work=work,
-        hull=numbers(water=np.zeros(hull), lever=5.0),
+        hull=hull,
         wind="wind",
         current="current",
         lines="lines",
@@ -302,7 +302,7 @@ def test_wind_current_and_given_forces_grow_with_the_ramp_and_do_their_own_work(
 
 def test_water_on_a_hull_that_slews_acts_at_its_lever_and_drift_beside_it(monkeypatch):
     """X, Y at 5 m below the axes: moments 5 Y about x and −5 X about y"""
-    made = scene(hull=1)
+    made = scene(hull=SimpleNamespace(lever=5.0))
 
     def water(hull, grown, moving, weights, powers, stream, arm):
         assert moving.tolist() == [0.0, 1.0, 2.0, 6.0] and grown == share(7.0, 20.0)
@@ -388,11 +388,12 @@ def test_lines_fenders_and_ropes_push_each_shape_and_do_their_work_on_its_body(m
     """Shapes 1 and 3 of two groups, the first of body 1, the second of body 0: force times rate of the shape"""
     y, shapes = np.random.default_rng(8).normal(size=2 * equation.BLOCK + 6 + 2 * equation.OF_SHAPES), [1, 9]
     push = np.array([[2.0, -3.0], [5.0, 7.0], [11.0, 13.0]])  # of lines, fenders, ropes
-    body = SimpleNamespace(heading=np.zeros(2), shapes=SimpleNamespace(place=np.array(shapes), owner=np.array([1, 0])))
+    bent = SimpleNamespace(place=np.array(shapes), owner=np.array([1, 0]))
+    body = SimpleNamespace(heading=np.zeros(2))
     made = SimpleNamespace(body=body, line_work=SimpleNamespace(push=push[0]), work=SimpleNamespace(force=np.zeros(24)),
                            contact_work=SimpleNamespace(push=push[1:]))  # fmt: skip
     rate = np.zeros(len(y))
-    equation.of_moorings_on_shapes(made, y, rate, met)
+    equation.of_moorings_on_shapes(bent, made, y, rate, met)
     own = y[2 * equation.BLOCK + 6 :].reshape(2, 2, 6)[:, 1]  # rates of the amplitudes
     wanted, works = np.zeros(24), np.zeros((2, len(equation.WORKS)))
     kinds = [equation.BY_LINES, equation.BY_FENDERS, equation.BY_ROPES]

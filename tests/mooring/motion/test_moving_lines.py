@@ -19,7 +19,7 @@ from hakobune.mooring.motion.line_loads import body_lines, fairlead_course, line
 from hakobune.mooring.motion.moving_lines.at_rest import moving_work, state_pull
 from hakobune.mooring.motion.moving_lines.polynomial import TERMS
 from hakobune.mooring.motion.moving_lines.prepare import dynamic_line, moving_of
-from hakobune.mooring.motion.moving_lines.steps import advance_lines, keep_lines
+from hakobune.mooring.motion.moving_lines.steps import advance_lines, compile_moving, keep_lines
 from hakobune.mooring.motion.simulation import able_to_move, simulate, with_lines_chosen
 from hakobune.mooring.motion.weather import Settings, Weather
 
@@ -44,6 +44,15 @@ def test_a_line_pulls_as_the_same_line_driven_alone(on_lines):
     off = np.sqrt(np.mean((run.tension[:, number] - pull) ** 2))
     assert off <= 1e-3 * pull.max() and pull.std() > 1e-2 * pull.max()
     assert np.ptp(place, axis=0).max() > 0.1  # it moves
+
+
+def test_kernels_of_lines_compiled_ahead_are_the_versions_that_a_run_calls(on_lines):
+    simulate(on_lines, ROUGH, replace(WANTED, ramp=1.0, duration=1.0), seed=1)
+    called = [set(one.called.overloads) for one in (advance_lines, keep_lines)]
+    number = on_lines.system.line_names.index("fore port 1")
+    line = line_of(on_lines, number)
+    compile_moving(line, np.add(line.anchor, [250.0, 0.0, 20.0]))
+    assert all(called) and [set(one.called.overloads) for one in (advance_lines, keep_lines)] == called
 
 
 def test_a_line_that_bends_beside_one_that_does_not_pulls_along_a_course_as_driven_alone(on_lines):

@@ -157,12 +157,14 @@ def test_a_sea_around_lines_is_opened_where_the_last_does_not_last(monkeypatch):
     opened = []
     monkeypatch.setattr(steps, "open_sea", lambda *given: opened.append(given[-1]))
     monkeypatch.setattr(steps, "sea_ahead", lambda sea: 2.0)
-    moving = SimpleNamespace(water=SimpleNamespace(clock=np.array([3.0])), sea=None, nodes=None, room_of_sea=None)
+    moving = SimpleNamespace(water=SimpleNamespace(clock=np.array([3.0])), nodes=None, room_of_sea=None)
     own = work()
     for t, h, opens in ((3.0, 2.0, False), (4.0, 1.0, False), (4.0, 1.01, True), (3.0, 2.1, True)):
         opened.clear()
-        steps.sea_for_step(moving, own, t, h)
+        steps.sea_for_step("sea", moving, own, t, h)
         assert opened == ([t] if opens else [])
+        steps.sea_for_step(None, None, own, t, h)  # still water
+        assert len(opened) == opens
 
 
 def test_a_scheme_of_kernels_is_one_of_third_order_beside_second_and_cannot_be_written():

@@ -510,8 +510,7 @@ def test_hawsers_of_a_buoy_push_the_first_body_and_their_power_is_its_work(monke
     monkeypatch.setattr(equation, "of_moorings", lambda scene, y, rate: True)
     monkeypatch.setattr(equation, "buoy_rates", lambda floating, kept, y, place, R, at, share, grown, rate: (
         told.append((floating, place.tolist(), R, at, share, grown)), rate.fill(7.0))[0] is None)  # fmt: skip
-    shapes = SimpleNamespace(owner=np.zeros(0, int))
-    body = SimpleNamespace(heading=np.zeros(1), wave_ramp=np.array([2.0, 4.0]), ramp=20.0, shapes=shapes)
+    body = SimpleNamespace(heading=np.zeros(1), wave_ramp=np.array([2.0, 4.0]), ramp=20.0, bent=None)
     work = SimpleNamespace(force=np.full(6, 9.0), span=np.array([6.0, 0.5]), R=["first", "second"])
     scene = SimpleNamespace(body=body, work=work, line_work=SimpleNamespace(span=np.zeros(1)))
     y, rate = np.zeros(BLOCK + 6), np.full(BLOCK + 6, 5.0)

@@ -8,7 +8,6 @@ from hakobune.bem.time_domain.memory import MemoryArrays
 
 equation, streams = plain("mooring.motion.equation"), plain("mooring.motion.streams")
 line_loads, contact_loads = plain("mooring.motion.line_loads"), plain("mooring.motion.contact_loads")
-water = plain("mooring.motion.tables.hull_water")
 OWNER, SHAPES = np.array([0, 1, 1]), np.array([0, 1, 7, 12, 15])
 BODIES, GROUPS, BLOCK, T = 2, 3, equation.BLOCK, 7.0
 BEFORE, N = 6 * BODIES, 6 * (BODIES + GROUPS)
@@ -36,7 +35,7 @@ def random():
     return equation.Body(
         normal(N, N), normal(BODIES, 6, 6), normal(BODIES, 6, 6), normal(BODIES, 6, 6), normal(BODIES, 6, 6),
         normal(N, N), abs(normal(N)), normal(BODIES), 0.31, 20.0, np.array([2.0, 10.0]), 0.0, memory, ring, given, 0.5,
-        shapes,
+        shapes, shapes,
     )  # fmt: skip
 
 
@@ -50,7 +49,7 @@ def scene_of(body, waves):
     work.window[:], work.span[:] = waves[:, :, None], (0.0, 0.5)
     return equation.Scene(
         body, lines, line_loads.line_work(lines), streams.calm(BODIES), streams.calm(BODIES), contacts,
-        contact_loads.contact_work(contacts), water.NO_HULL_WATER, work,
+        contact_loads.contact_work(contacts), None, work,
     )  # fmt: skip
 
 

@@ -18,13 +18,13 @@ import numpy as np
 
 from hakobune.bem.kernels.jit import kernel
 
-from .band import substitute_line
+from .band import factor_line, substitute_line
 from .bed import keep_slip
 from .books import FRICTION
 from .forces import node_forces, stored_energy
-from .stage import CONVERGED, begin_stage, solve_stage, spread, worst_element
-from .surroundings import fairlead_at, moves, water_at
-from .workspace import INERTIA, copy, largest_of, read, write
+from .stage import CONVERGED, begin_stage, correction, solve_stage, spread, worst_element
+from .surroundings import fairlead_at, water_at
+from .workspace import INERTIA, STAGES, copy, largest_of, read, workspace, write
 
 DONE, FULL, TOO_SHORT = range(3)
 NEWTON = 0.02  # residual of Newton's method, as a share of the step's tolerance
@@ -143,7 +143,7 @@ def predict(q, v, qh, vh, K, V, A, i, step, cv):
 def run(s, work, water, motion, control, scheme, state, until, rows, frame_times, frames, stations, station_rows):
     """Step from `state` to `until`; fills rows and frames, and `state` with the arrays of its end.
 
-    s, work : `System` of the line, and its `workspace`
+    s, work : `System` of the line, and its `workspace`; water : None for still water
     returns : why it stopped, rows used, frames used, time, step, rejected steps, Newton steps, element at fault
     """
     A, db, c = scheme
@@ -157,8 +157,7 @@ def run(s, work, water, motion, control, scheme, state, until, rows, frame_times
     load_state(state, q, v, a, slip)
     copy(work.q, q)
     copy(work.v, v)
-    moving = moves(water)
-    if moving:
+    if water is not None:
         water_at(water, q, last + 1, t, work.u, work.du)
     node_forces(s, work, a, slip, q, 0.0, 0.0)
     record(rows[0], t, h, s, work, energy)
@@ -181,7 +180,7 @@ def run(s, work, water, motion, control, scheme, state, until, rows, frame_times
             lead(motion, now, work.fairlead, qh, vh, k, last)
             begin_stage(work, qh, vh, k, last, cq, cv)
             # the water is that at the expected positions of the nodes: an error of order h³
-            if moving:
+            if water is not None:
                 water_at(water, work.q, last + 1, now, work.u, work.du)
             status, count = solve_stage(s, work, k, slip, q, cq, cv, limit * scale, limit * control.distance)
             iterations += count
@@ -235,3 +234,16 @@ SCHEME = tableau()
 def follow(s, work, water, motion, control, state, until, rows, frame_times, frames, stations, station_rows):
     """`run` for Python: what takes longest to compile is compiled once for lines alone and for lines of bodies"""
     return run(s, work, water, motion, control, SCHEME, state, until, rows, frame_times, frames, stations, station_rows)
+
+
+def compile_steps(s):
+    """Compile what steps of a `System` need beside the forces on its nodes"""
+    work = workspace(s)
+    q, K, V = work.kept[0], work.kept[6 : 6 + STAGES], work.kept[6 + STAGES :]
+    A, db, _ = SCHEME
+    factor_line.compile_for(work.D, work.B, work.bending, work.pivots, 1)
+    correction.compile_for(work, 1, 1.0)
+    error.compile_for(s, work, K, V, db, 1.0, 1.0)
+    record.compile_for(work.powers[0], 0.0, 1.0, s, work, work.energy)
+    keep_slip.compile_for(s, q, q, q, q, q)
+    predict.compile_for(q, q, q, q, K, V, A, 1, 1.0, 1.0)

@@ -27,7 +27,7 @@ def settle(s, work, water, q, slip):
     """Move the inner nodes of q (n, 3) into equilibrium; returns the number of passes, or −1 when equilibrium was not
     reached.
 
-    s, work : `System` of the line, and its `workspace`, new
+    s, work : `System` of the line, and its `workspace`, new; water : None for still water
     """
     last, before = q.shape[0] - 1, np.inf
     still, held, at = work.kept[0], work.kept[1], work.kept[2]
@@ -42,7 +42,8 @@ def settle(s, work, water, q, slip):
     tau, noise, passes = 0.3 * math.sqrt(longest), ROUNDING * length * stiffest, -1
     for count in range(PASSES):
         copy(work.q, at)
-        water_at(water, at, last + 1, 0.0, work.u, work.du)
+        if water is not None:
+            water_at(water, at, last + 1, 0.0, work.u, work.du)
         node_forces(s, work, still, held, at, tau * tau, tau)
         factor_line(work.D, work.B, work.bending, work.pivots, last)
         tension, distance = correction(work, last, tau * tau)

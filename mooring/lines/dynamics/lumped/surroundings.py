@@ -161,16 +161,9 @@ def add_waves(water, q, nodes, t, R, R1, u, du):
             du[2, j] -= up * (R1 * sine + R * w * cosine)
 
 
-@kernel(inline=True, counted=False)
-def moves(water):
-    """Whether anything moves the water; steps check this first, since a call of `water_at` alone takes 2 % of their
-    time"""
-    return water.level.size + water.omega.size + water.table.size > 0
-
-
 @kernel(counted=False)
 def water_at(water, q, nodes, t, u, du):
-    """Velocity u and acceleration du of the water at the first `nodes` points q, all (3, w), where it `moves`.
+    """Velocity u and acceleration du of the water at the first `nodes` points q, all (3, w).
 
     Each part in a separate kernel: one loop for all took 5 µs for 21 nodes even without anything to add.
     """
