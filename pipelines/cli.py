@@ -14,41 +14,48 @@ from cyclopts import App, CycloptsError, MissingArgumentError, Parameter
 from hakobune.bem import __version__
 from hakobune.mooring.criteria.failing import fails
 
-from .berth.command import berth
-from .breakwater.command import breakwater
 from .common.interrupt import interrupted
-from .damping.command import damping
-from .design.command import design
-from .doctor import doctor
-from .downtime.command import downtime
-from .earthquake.command import earthquake
-from .exchange.flags import body_, export, import_
-from .fender.command import fender
-from .films.flags import animate
-from .keys.command import keys, new
-from .line_dynamics.command import line_dynamics
-from .lines.flags import line, lines
-from .members.command import members
-from .moor.command import moor
-from .passing.command import passing
 from .printing import timing
 from .printing.console import new_console, tables_as, taken
 from .printing.verdict import tell
-from .qtf.command import qtf
-from .response.command import response
 from .scene.flags import RunFlags, SceneFlags, overlaid, tables_of_bodies
-from .sea.command import sea
-from .sections.command import sections
-from .simulate.flags import simulate
-from .single_point.command import single_point
-from .site.command import site
-from .validation.bench.command import bench
-from .validation.comparisons.command import compare
-from .validation.series.flags import series
-from .validation.stress.command import stress
-from .waves.command import waves
 
 OWN_FORMS = ("keys",)  # commands that write their own JSON
+# commands of other rooms as module:function, each read when it is asked for: to read all takes 0.03 s
+ELSEWHERE = (
+    "moor.command:moor",
+    "sea.command:sea",
+    "response.command:response",
+    "qtf.command:qtf",
+    "downtime.command:downtime",
+    "sections.command:sections",
+    "validation.comparisons.command:compare",
+    "validation.bench.command:bench",
+    "validation.stress.command:stress",
+    "waves.command:waves",
+    "lines.flags:line",
+    "lines.flags:lines",
+    "line_dynamics.command:line_dynamics",
+    "simulate.flags:simulate",
+    "films.flags:animate",
+    "site.command:site",
+    "design.command:design",
+    "single_point.command:single_point",
+    "validation.series.flags:series",
+    "breakwater.command:breakwater",
+    "fender.command:fender",
+    "members.command:members",
+    "passing.command:passing",
+    "berth.command:berth",
+    "damping.command:damping",
+    "earthquake.command:earthquake",
+    "doctor:doctor",
+    "exchange.flags:export",
+    "exchange.flags:import_",
+    "exchange.flags:body_",
+    "keys.command:keys",
+    "keys.command:new",
+)
 app = App(
     name="hakobune",
     help="From a floating body's dimensions to the tension in its last mooring line.\n\n"
@@ -253,38 +260,8 @@ def sweep(
     return sweep(study, output, executor, fresh, plot)
 
 
-app.command(moor)
-app.command(sea)
-app.command(response)
-app.command(qtf)
-app.command(downtime)
-app.command(sections)
-app.command(compare)
-app.command(bench)
-app.command(stress)
-app.command(waves)
-app.command(line)
-app.command(lines)
-app.command(line_dynamics)
-app.command(simulate)
-app.command(animate)
-app.command(site)
-app.command(design)
-app.command(single_point)
-app.command(series)
-app.command(breakwater)
-app.command(fender)
-app.command(members)
-app.command(passing)
-app.command(berth)
-app.command(damping)
-app.command(earthquake)
-app.command(doctor)
-app.command(export)
-app.command(import_, name="import")
-app.command(body_, name="body")
-app.command(keys)
-app.command(new)
+for place in ELSEWHERE:
+    app.command(f"{__package__}.{place}", name=place.partition(":")[2].strip("_").replace("_", "-"))
 
 
 def main(arguments=None):
@@ -297,6 +274,9 @@ def main(arguments=None):
         timing.begin()
         arguments = [word for word in arguments if word != timing.FLAG]
     try:
+        if not command:  # the list of all has their first lines
+            for one in app:
+                _ = app[one]
         arguments, form = (arguments, None) if command in OWN_FORMS else taken(arguments)
         with tables_as(form):
             status = app(arguments, exit_on_error=False, print_error=False) or 0

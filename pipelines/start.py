@@ -1,5 +1,6 @@
 """Start of the `hakobune` command: Ctrl-C gives one line from the first moment, before anything else is loaded."""
 
+import gc
 import os
 import signal
 import sys
@@ -33,7 +34,8 @@ def main():
     try:
         return cli.main()
     finally:
-        # the work is done; the interpreter's end is no part of it
+        # the work is done; the interpreter's end is no part of it: to search all objects for cycles takes it 0.2 s
+        gc.freeze()
         for name in ("SIGINT", "SIGALRM"):
             if hasattr(signal, name):
                 signal.signal(getattr(signal, name), signal.SIG_IGN)

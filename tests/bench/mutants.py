@@ -46,6 +46,7 @@ from near import PACKAGES, ROOT, nearest
 
 from hakobune.bem.kernels.jit import cache_folder
 from hakobune.bem.kernels.sources import Sources
+from hakobune.pipelines.cli import ELSEWHERE
 
 TWINS = (
     "sin cos",
@@ -220,9 +221,9 @@ def changed(source, first, last, after):
 
 def drawn(seed, count, package, root, equivalent):
     """Mutants of a package in random order: each line of code that commands reach is as likely as any other"""
-    files = sorted(
-        file for file in map(Path, Sources(root).of(root / "pipelines" / "cli.py")) if root / package in file.parents
-    )
+    rooms = [place.partition(":")[0].replace(".", "/") + ".py" for place in ELSEWHERE]
+    reached = {file for start in ("cli.py", *rooms) for file in Sources(root).of(root / "pipelines" / start)}
+    files = sorted(file for file in map(Path, reached) if root / package in file.parents)
     skipped = equivalent.get("files", {})
     lines = {}
     for file in files:
