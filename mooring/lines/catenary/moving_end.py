@@ -7,7 +7,7 @@ With T = H +
 rise at the fairlead and asinh(wS/H) = ln[(wS + T)/H] an iteration on the bed takes one logarithm and two roots; where
 it does not converge, the safe search of `flat_bed` is used.
 
-Lines that were on the bed at the previous moment are solved eight at a time, in vectors, by two iterations. A line
+Lines that were on the bed at the previous moment are solved eight at a time, in vectors, by three iterations. A line
 whose last change exceeds CLOSE is then solved alone, like lines in other states.
 """
 
@@ -109,7 +109,7 @@ def tensions_near(kept, lines, ends, n):
     H = H + load_vector(k, 5 * m + n) * (height - load_vector(k, 3 * m + n))
     H = choose_less(H, last / WIDEST, last / WIDEST, choose_less(last * WIDEST, H, last * WIDEST, H))
     held = step = by_rate = turn = grown = by_H = lying = H
-    for _ in range(2):
+    for _ in range(3):  # two are not enough from one sample of a record to the next
         s = 1.0 + flexibility * H
         rise = 2.0 * load / (s + root(s * s + 2.0 * flexibility * load))
         held, T = root(rise * (rise + 2.0 * H)), H + rise
