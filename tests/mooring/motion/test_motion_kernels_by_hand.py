@@ -263,6 +263,7 @@ def room(buoy, water=None):
     return BuoyWork(
         line_work(buoy.lines),
         np.zeros((7, 1)),
+        np.zeros((0, 2, 8)),
         np.zeros((0, 2, 7)),
         np.zeros((2, 7, 2, 8)),
         np.zeros(2),
