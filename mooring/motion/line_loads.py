@@ -570,4 +570,4 @@ def tensions_along(lines, work, times, positions, out, bent=None):
                 work.bent[k] = bent[i, k]
         line_loads(lines, work, positions[i], R, force)
         for j in range(lines.lost.size):
-            out[i, j] = np.hypot(work.tension[j, 0], work.tension[j, 1])
+            out[i, j] = np.sqrt(work.tension[j, 0] ** 2 + work.tension[j, 1] ** 2)

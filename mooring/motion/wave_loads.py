@@ -269,7 +269,7 @@ def _nodes(forces, omega, held, direction):
     Of a sea from one direction within the stored frequencies nodes in equal steps; where they would be more than half
     as many as the components, the components themselves.
     """
-    alone = np.arange(len(omega)), np.ones((len(omega), 1))
+    alone = np.arange(len(omega)), _in_vectors(np.ones((len(omega), 1)))
     if len(omega) > 2 * NEAR and np.all(direction == direction[0]) and np.all(held == omega):
         nodes, stored = forces.at_nodes
         near, share = on_nodes(omega, nodes)
@@ -277,12 +277,17 @@ def _nodes(forces, omega, held, direction):
         if 2 * (last - first) <= len(omega):
             force = zeros_in_lines((len(forces.each), last - first, HEADINGS, 16))
             force[..., :12] = stored[:, first:last]
-            return nodes[first:last], np.full(last - first, direction[0]), near - first, share, force
+            return nodes[first:last], np.full(last - first, direction[0]), near - first, _in_vectors(share), force
     force = zeros_in_lines((len(forces.each), len(omega), HEADINGS, 16))
     for one, own in zip(forces.each, force, strict=True):
         own[:, :, :12] = one.curves[0](held)
         own[held != omega] = 0.0
     return omega, direction, *alone, force
+
+
+def _in_vectors(share):
+    """Shares (c, n) and zeros; shape (c, WIDTH)"""
+    return np.pad(share, [(0, 0), (0, WIDTH - share.shape[1])])
 
 
 def _window(omega, amplitude):
@@ -299,6 +304,6 @@ def no_waves(window=WINDOW, bodies=1):
     force, drift = np.zeros((bodies, 0, HEADINGS, 16)), np.zeros((bodies, 0, HEADINGS + 6, 4))
     place, near = np.zeros((bodies, 2)), np.zeros(0, np.int64)
     return WaveTable(
-        none, none, np.zeros((2, 0)), none, none, none, force, drift, near, np.zeros((0, 1)), none, still, still,
+        none, none, np.zeros((2, 0)), none, none, none, force, drift, near, np.zeros((0, WIDTH)), none, still, still,
         place, place, window / count, float(window),
     )  # fmt: skip

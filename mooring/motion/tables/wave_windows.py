@@ -15,7 +15,7 @@ import numpy as np
 
 from hakobune.bem.kernels.in_memory import in_memory
 from hakobune.bem.kernels.jit import kernel
-from hakobune.bem.kernels.simd import address, load_vector, repeated, split_halves, store_vector, to_scalars
+from hakobune.bem.kernels.simd import WIDTH, address, load_vector, repeated, split_halves, store_vector, to_scalars
 
 from .harmonics import at_step, sine_and_cosine, sum_waves, zeros_in_lines
 from .interpolation import EDGE, lagrange_weights
@@ -37,7 +37,7 @@ class WaveTable(NamedTuple):
     of G groups of shapes (`equation`), at the nodes; drift : (N + G, c, HEADINGS, 3) a square metre, of the components
     Single precision rounds the forces of every pose anew: a lightly damped buoy at a tolerance of 1e-4 was four times
     that off, and no nearer at 1e-7
-    near : (c,) first node of each component, share : (c, NEAR or 1) its shares on the nodes from there on
+    near : (c,) first node of each component, share : (c, WIDTH) its shares on the nodes from there on
     towards : (M,) rad, directions of the nodes
     of_nodes : (M or more, 2, m) `harmonics` of the nodes at the steps of a window and EDGE beyond it
     of_drift : (c or more, 2, n) those of the components at every second of these steps and FAR beyond
@@ -74,7 +74,7 @@ class WaveTable(NamedTuple):
 class Waves(NamedTuple):
     """table : `WaveTable`; mean_drift : whether each component drifts alone, without the beat of pairs
 
-    rows : (c, 2, 12), node_rows : (M, 2, 7), turns : (2, c), nodes : (2, M), parts : (24,), weights : (6,) and
+    rows : (c, 2, 12), node_rows : (M, 2, 7), turns : (2, c), nodes : (2, M + WIDTH), parts : (24,), weights : (6,) and
     slow : (3, 2n) room for work
     sums : (N, 2, 7, 2, m), drift_sums : (N, 2, 12, 2, n) `sum_waves` of the begin of window k in place k % 2, those of
     its end in the other; mean : (N, 2, 3) mean drift there
@@ -99,7 +99,7 @@ def waves_of(table, mean_drift=False):
     (M, _, m), (c, _, n), bodies = table.of_nodes.shape, table.of_drift.shape, len(table.force)
     return Waves(
         table, bool(mean_drift), np.zeros((c, 2, OF_WAVE)), np.zeros((M, 2, OF_NODE)), np.zeros((2, len(table.omega))),
-        np.zeros((2, len(table.towards))), np.zeros(24), np.zeros(6), np.zeros((3, 2 * n)),
+        np.zeros((2, len(table.towards) + WIDTH)), np.zeros(24), np.zeros(6), np.zeros((3, 2 * n)),
         zeros_in_lines((bodies, 2, OF_NODE, 2, m)), zeros_in_lines((bodies, 2, OF_WAVE, 2, n)),
         np.zeros((bodies, 2, 3)),
     )  # fmt: skip
@@ -117,13 +117,20 @@ def turn_waves(table, x, y, start, turns):
 
 @kernel(inline=True, counted=False)
 def share_waves(table, turns, nodes):
-    """nodes (2, M): amplitudes of the nodes, from those of the waves, turns (2, c)"""
+    """nodes (2, M + WIDTH): amplitudes of the nodes, then zeros, from those of the waves, turns (2, c)
+
+    Waves in a row that have the same nodes are added before these are written.
+    """
     nodes[:] = 0.0
-    for i in range(table.omega.size):
-        for n in range(table.share.shape[1]):
-            m = table.near[i] + n
-            nodes[0, m] += table.share[i, n] * turns[0, i]
-            nodes[1, m] += table.share[i, n] * turns[1, i]
+    shares, into, m, i = address(table.share), address(nodes), nodes.shape[1], 0
+    while i < table.omega.size:
+        first = table.near[i]
+        a, b = load_vector(into, first), load_vector(into, m + first)
+        while i < table.omega.size and table.near[i] == first:
+            share = load_vector(shares, WIDTH * i)
+            a, b, i = a + share * turns[0, i], b + share * turns[1, i], i + 1
+        store_vector(into, first, a)
+        store_vector(into, m + first, b)
 
 
 @kernel(inline=True, counted=False)

@@ -37,7 +37,7 @@ def a_table():
     force[..., 12:] = 0.0
     return waves.WaveTable(
         OMEGA, OWN, NUMBER, AMPLITUDE, PHASE, DIRECTION, np.pad(force, [(0, 0)] * 3 + [(0, 1)]), drift, np.arange(2),
-        np.ones((2, 1)), DIRECTION, of_nodes, of_drift, CENTER, ARM, STEP, STEP * STEPS,
+        np.eye(8)[[0, 0]], DIRECTION, of_nodes, of_drift, CENTER, ARM, STEP, STEP * STEPS,
     ), times  # fmt: skip
 
 
