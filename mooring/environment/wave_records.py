@@ -64,9 +64,16 @@ def real_sum(amplitude, omega, t):
 
 def _on_equal_steps(amplitude, omega, start, step, n):
     block = int(np.ceil(np.sqrt(n)))
-    coarse = amplitude * np.exp(-1j * np.outer(start + step * block * np.arange(-(-n // block)), omega))
-    fine = np.exp(-1j * np.outer(omega, step * np.arange(block)))
+    coarse = (amplitude * np.exp(-1j * start * omega)) * _turns(omega, step * block, -(-n // block)).T
+    fine = _turns(omega, step, block)
     return (np.hstack([coarse.real, -coarse.imag]) @ np.vstack([fine.real, fine.imag])).ravel()[:n]
+
+
+def _turns(omega, step, count):
+    """exp(−iωt) at `count` steps from 0 s, each a product of two of few: exponentials take longest; shape (c, count)"""
+    few = int(np.ceil(np.sqrt(count)))
+    long, short = (np.exp(-1j * np.outer(omega, size * np.arange(few))) for size in (step * few, step))
+    return (long[:, :, None] * short[:, None]).reshape(len(omega), -1)[:, :count]
 
 
 def write_record(path, record, comment=""):

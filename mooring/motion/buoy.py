@@ -26,7 +26,7 @@ from hakobune.bem.kernels.jit import kernel
 
 from ..lines.ropes import RopePart
 from .line_loads import Lines, LineWork, body_lines, generalized, line_loads, line_work, tables_of
-from .tables.harmonics import at_step, sum_waves, zeros_in_lines
+from .tables.harmonics import at_step, harmonics, sum_waves, zeros_in_lines
 from .tables.interpolation import EDGE, between_samples
 from .tables.wave_windows import WaveTable
 
@@ -138,7 +138,8 @@ class Buoy(NamedTuple):
 class BuoyWork(NamedTuple):
     """Room for work, the window of water in use, and the largest pulls since the last sample.
 
-    window : (WATER, m); rows : (c, 2, WATER), sums : (2, WATER, 2, k) of `sum_waves` at its begin and its end
+    window : (WATER, m); factor : (c, 2, k) `harmonics`
+    rows : (c, 2, WATER), sums : (2, WATER, 2, k) of `sum_waves` at its begin and its end
     place : (2,) m, predicted for its end
     reach : (k, 5) unit vector, m, m/s: of each hawser, its elongation and its rate
     rope : (k,) N now; pull : (k + lines,) N now, most : the largest since the last sample, kept : (samples, …) of those
@@ -146,6 +147,7 @@ class BuoyWork(NamedTuple):
 
     lines: LineWork
     window: np.ndarray
+    factor: np.ndarray
     rows: np.ndarray
     sums: np.ndarray
     place: np.ndarray
@@ -194,11 +196,12 @@ def buoy_arrays(buoy):
 def buoy_of(hung, table, samples):
     """Return (Buoy, BuoyWork) of a BuoyOnLines in the waves of a `WaveTable`, with room for so many samples"""
     buoy = buoy_arrays(hung)
-    c, _, steps = table.factor.shape
+    factor = harmonics(table.omega, table.step, table.steps - EDGE)
+    c, _, steps = factor.shape
     count = len(buoy.ropes) + len(buoy.lines.lost)
     return buoy, BuoyWork(
         line_work(buoy.lines), np.zeros((WATER, table.steps)),
-        np.zeros((c, 2, WATER)), zeros_in_lines((2, WATER, 2, steps)), np.zeros(2),
+        factor, np.zeros((c, 2, WATER)), zeros_in_lines((2, WATER, 2, steps)), np.zeros(2),
         np.zeros(WATER), np.zeros(6), np.zeros(6), np.zeros((3, 3)), np.zeros(6), np.zeros(6),
         np.zeros((len(buoy.ropes), 5)), np.zeros(len(buoy.ropes)), np.zeros(count), np.zeros((samples, count)),
     )  # fmt: skip
@@ -372,7 +375,7 @@ def open_water(table, buoy, work, place, number, start):
         work.place[j] = buoy.lines.place[0, j] + place[j] - buoy.origin[j] + table.center[0, j]
     for side in range(0 if number == 0 else 1, 2):
         water_rows(table, buoy, work.place, start + side * table.window, work.rows)
-        sum_waves(work.rows, table.factor, work.sums[(number + side) % 2])
+        sum_waves(work.rows, work.factor, work.sums[(number + side) % 2])
     work.window[:] = 0.0
     steps = work.window.shape[1] - 1 - 2 * EDGE
     for side in range(2):

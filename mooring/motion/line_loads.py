@@ -19,7 +19,7 @@ import numpy as np
 
 from hakobune.bem.kernels.in_memory import in_memory
 from hakobune.bem.kernels.jit import kernel
-from hakobune.bem.kernels.simd import WIDTH
+from hakobune.bem.kernels.simd import WIDTH, address, choose_less, load_vector, root, store_vector, to_scalars
 
 from ..fenders.hysteresis import ContactTable, contact_table, reaction_of
 from ..lines.catenary.moving_end import pull_of_any, tensions_near, workspace
@@ -70,7 +70,9 @@ class LineWork(NamedTuple):
     """Values of the lines that are kept between evaluations.
 
     kept and rows of `moving_end`; tension : (n, 2) horizontal and vertical pull at the fairlead, N
-    uniform : (4, m) lines, on_bed : (m,) whether a line is followed on the bed with others, ends : (4, m) of those
+    uniform : (4, m) lines, on_bed : (m,) whether a line is followed on the bed with others, ends : (5, m) of those and
+    their spans, points : (6, m) their fairleads and anchors
+    together : (m/8,) body of eight lines that are all followed on the bed from a body without shapes, -1 for others
     arm : (n, 2, 3) m in space, of the fairlead and the other end about their bodies, or the anchor; away : (n, 4) m,
     x and y from the other end, and heights of both
     whole : (n,) whether a line is still unbroken
@@ -85,6 +87,8 @@ class LineWork(NamedTuple):
     uniform: np.ndarray
     on_bed: np.ndarray
     ends: np.ndarray
+    points: np.ndarray
+    together: np.ndarray
     arm: np.ndarray
     away: np.ndarray
     tension: np.ndarray
@@ -106,8 +110,14 @@ def line_work(lines):
     uniform[:, :count] = lines.lines.T
     sinks = (lines.lines[:, 1] > 0.0) & (lines.anchor[:, 2] == lines.bed) & (lines.other < 0)
     on_bed[:count] = sinks & (lines.table < 0) & (lines.hawser < 0) & ~lines.moves
+    points = np.zeros((6, kept.shape[1]))
+    points[:3, :count], points[3:, :count] = lines.fairlead.T, lines.anchor.T
+    eights = [slice(n, min(n + WIDTH, count)) for n in range(0, count, WIDTH)]
+    alike = [not shapes and on_bed[own].all() and np.ptp(lines.body[own]) == 0 for own in eights]
+    together = np.array([lines.body[own][0] if same else -1 for own, same in zip(eights, alike, strict=True)], np.int64)
     return LineWork(
-        kept, rows, uniform, on_bed, np.zeros((4, kept.shape[1])), np.zeros((count, 2, 3)), np.zeros((count, 4)),
+        kept, rows, uniform, on_bed, np.zeros((5, kept.shape[1])), points, together,
+        np.zeros((count, 2, 3)), np.zeros((count, 4)),
         np.zeros((count, 2)), lines.lost > 0.0, given, span, np.zeros(TERMS),
         np.zeros((len(lines.place), 6)), np.zeros(shapes), np.zeros(shapes),
     )  # fmt: skip
@@ -388,6 +398,8 @@ def place_end(lines, work, i, positions, R):
 def follow_on_bed(lines, work):
     """H and V into work.ends of the lines that lay on the bed a moment before; nan for all other lines"""
     for n in range(0, work.on_bed.size, WIDTH):
+        if work.together[n // WIDTH] >= 0:
+            continue
         some = False
         for i in range(n, n + WIDTH):
             work.ends[2, i] = np.nan
@@ -400,6 +412,57 @@ def follow_on_bed(lines, work):
                 work.ends[0, i] = work.ends[1, i] = np.nan
         if some:
             tensions_near(work.kept, work.uniform, work.ends, n)
+
+
+@kernel(inline=True, counted=False)
+def total(a):
+    """Sum of a vector"""
+    c = to_scalars(a)
+    return ((c[0] + c[1]) + (c[2] + c[3])) + ((c[4] + c[5]) + (c[6] + c[7]))
+
+
+@kernel(counted=False)
+def loads_of_eight(lines, work, positions, R, n):
+    """`line_loads` of lines n … n + 7 of `LineWork.together`, in vectors; returns whether each has a force"""
+    b = work.together[n // WIDTH]
+    points, ends, m, at = address(work.points), address(work.ends), work.points.shape[1], lines.place[b]
+    px, py, pz = load_vector(points, n), load_vector(points, m + n), load_vector(points, 2 * m + n)
+    ax = px * R[b, 0, 0] + py * R[b, 0, 1] + pz * R[b, 0, 2]
+    ay = px * R[b, 1, 0] + py * R[b, 1, 1] + pz * R[b, 1, 2]
+    az = px * R[b, 2, 0] + py * R[b, 2, 1] + pz * R[b, 2, 2]
+    x = ax + (at[0] + positions[b, 0]) - load_vector(points, 3 * m + n)
+    y = ay + (at[1] + positions[b, 1]) - load_vector(points, 4 * m + n)
+    span, state = root(x * x + y * y), load_vector(address(work.kept), n)
+    before = choose_less(state, GROUNDED + 0.5, choose_less(GROUNDED - 0.5, state, span, np.nan), np.nan)
+    store_vector(ends, n, before)
+    store_vector(ends, m + n, az + (at[2] + positions[b, 2] - lines.bed))
+    store_vector(ends, 4 * m + n, span)
+    tensions_near(work.kept, work.uniform, work.ends, n)
+    good = True
+    for i in range(n, min(n + WIDTH, lines.lost.size)):
+        if not work.whole[i]:
+            work.ends[2, i] = work.ends[3, i] = 0.0
+        elif np.isnan(work.ends[2, i]):
+            kept, row, high = work.kept[:, i], work.rows[i], work.ends[1, i] + lines.bed
+            length, weight = lines.lines[i, 0], lines.lines[i, 1]
+            H, V = pull_of_any(kept, row, work.ends[4, i], lines.bed, high, lines.bed, length, weight,
+                               lines.lines[i, 2], lines.lines[i, 3])  # fmt: skip
+            work.ends[2, i], work.ends[3, i] = H, V
+        if np.isfinite(work.ends[2, i]):
+            work.tension[i, 0], work.tension[i, 1] = work.ends[2, i], work.ends[3, i]
+        else:
+            good = False
+    H, V = load_vector(ends, 2 * m + n), load_vector(ends, 3 * m + n)
+    H, V = choose_less(H, np.inf, H, 0.0), choose_less(H, np.inf, V, 0.0)  # none where there is no line, or no force
+    pull, z = choose_less(0.0, span, -H / span, 0.0), -V
+    x, y, sums = x * pull, y * pull, work.sums[b]
+    sums[0] += total(x)
+    sums[1] += total(y)
+    sums[2] += total(z)
+    sums[3] += total(ay * z - az * y)
+    sums[4] += total(az * x - ax * z)
+    sums[5] += total(ax * y - ay * x)
+    return good
 
 
 @kernel(counted=False)
@@ -415,10 +478,16 @@ def line_loads(lines, work, positions, R, out):
     work.push[:] = 0.0
     good = True
     legendre(2 * (work.span[0] - work.span[1]) / work.span[2] - 1, work.terms)
+    for n in range(work.together.size):
+        if work.together[n] >= 0:
+            good = loads_of_eight(lines, work, positions, R, WIDTH * n) and good
     for i in range(lines.lost.size):
-        place_end(lines, work, i, positions, R)
+        if work.together[i // WIDTH] < 0:
+            place_end(lines, work, i, positions, R)
     follow_on_bed(lines, work)
     for i in range(lines.lost.size):
+        if work.together[i // WIDTH] >= 0:
+            continue
         b, other = lines.body[i], lines.other[i]
         x = y = z = H = V = 0.0
         if work.whole[i] and lines.moves[i]:
@@ -501,4 +570,4 @@ def tensions_along(lines, work, times, positions, out, bent=None):
                 work.bent[k] = bent[i, k]
         line_loads(lines, work, positions[i], R, force)
         for j in range(lines.lost.size):
-            out[i, j] = np.hypot(work.tension[j, 0], work.tension[j, 1])
+            out[i, j] = np.sqrt(work.tension[j, 0] ** 2 + work.tension[j, 1] ** 2)

@@ -11,8 +11,9 @@ On a current V the exponent of waves at a place contains ωᵢ + kᵢ·V, and D�
 windows. A slow pose is predicted for the end of each window. Forces change linearly from the pose at the beginning of a
 window to the pose at its end, so they are continuous for any motion. Around the instant between two windows
 exp(−iωt) at equal steps is always the same matrix. The waves of a pose are therefore summed once, for the window before
-it and the window after it (`tables.harmonics`). Between two steps a force is the polynomial of fifth degree through its
-values at the six nearest steps.
+it and the window after it (`tables.harmonics`). In a sea from one direction first-order forces are those of some fifty
+frequencies, on which the waves are shared for the time of a window (`tables.wave_windows`).  Between two steps a force
+is the polynomial of fifth degree through its values at the six nearest steps.
 
 Each of several bodies has its own slow pose, and the origin of its wave phases moves with the body. The waves that the
 other bodies scatter are computed for the positions at rest, which is accurate while the distances change little.
@@ -33,11 +34,14 @@ from ..response.wave_drift_damping import from_slopes
 from .tables.groups import groups_of
 from .tables.harmonics import harmonics, zeros_in_lines
 from .tables.interpolation import EDGE, lagrange_weights
-from .tables.wave_windows import HEADINGS, WaveTable
+from .tables.wave_windows import FAR, HEADINGS, NEAR, WaveTable
 
 PHASE = (0.3, 0.6)  # rad of the highest component in a step, of few components and of many: quintics are 4e-6, 2e-4 off
 FEW = 40
 WINDOW = 6.0  # s; poses are predicted this far ahead
+TURN = 0.3  # rad of a wave between two nodes of frequency over a window: interpolation is 4e-6 off
+OF_EDGE, MOST_NODES = 1.0, 600  # s, of the steps beyond a window; nodes after which none are made closer
+RESOLVED = 2e-4  # error of forces between nodes, over their root mean square
 OF_PERIOD = 1.2  # and at most so many mean periods: of a model of 1:70 in waves of 0.6 s hinges were 2.7 % off by 6 s
 
 
@@ -66,6 +70,36 @@ class WaveForces:
 
         drift = None if self.drift is None else CubicSpline(self.omega, self.drift)
         return CubicSpline(self.omega, self.force), drift
+
+    @cached_property
+    def at_nodes(self):
+        """Frequencies (M,) rad/s in equal steps over all, and forces of `each` there (N + G, M, HEADINGS, 12), so close
+        that forces and windows of waves can be interpolated between them"""
+        step, low, high = TURN / (WINDOW + OF_EDGE), self.omega[0], self.omega[-1]
+        while True:
+            nodes = np.linspace(low, high, max(NEAR, int(np.ceil((high - low) / step)) + 1))
+            middle = 0.5 * (nodes[1:] + nodes[:-1])
+            near, share = on_nodes(middle, nodes)
+            force = np.array([one.curves[0](nodes) for one in self.each])
+            wanted = np.array([one.curves[0](middle) for one in self.each])
+            found = sum(share[:, n, None, None] * force[:, near + n] for n in range(NEAR))
+            error, size = (np.sqrt(np.mean(part**2, axis=(1, 2))).max(axis=0) for part in (found - wanted, wanted))
+            if np.all(error <= RESOLVED * size) or len(nodes) > MOST_NODES:
+                return nodes, force
+            step *= 0.5
+
+
+def on_nodes(omega, nodes):
+    """First of NEAR nodes about each of omega (c,), and its shares on them (c, NEAR), Lagrange's polynomials; nodes in
+    equal steps"""
+    place = (np.asarray(omega) - nodes[0]) / (nodes[1] - nodes[0])
+    near = np.clip(np.floor(place).astype(np.int64) - NEAR // 2 + 1, 0, len(nodes) - NEAR)
+    share = np.ones((len(place), NEAR))
+    for n in range(NEAR):
+        for other in range(NEAR):
+            if other != n:
+                share[:, n] *= (place - near - other) / (n - other)
+    return near, share
 
 
 def wave_forces(body, turned=False):
@@ -202,25 +236,58 @@ def wave_table(forces, components, depth, center, gravity, drift=True, carrier=N
     """
     omega, amplitude, phase, direction = (np.asarray(part, float) for part in components)
     held = np.clip(omega, forces.omega[0], forces.omega[-1])
-    force = zeros_in_lines((len(forces.each), len(omega), HEADINGS, 16))
-    for one, own in zip(forces.each, force, strict=True):
-        of_force, of_drift = one.curves
-        own[:, :, :12] = of_force(held)
-        own[held != omega] = 0.0
-        if drift and of_drift is not None and carrier is None:
-            own[:, :, 12:15] = of_drift(held)
-        elif drift and of_drift is not None:
-            own[:, :, 12:15] = drift_on_current(one, held, direction, carrier.velocity, depth, gravity)
-    number = wavenumber(omega, depth, gravity) * np.stack([np.cos(direction), np.sin(direction)])
-    own, omega = omega, omega if carrier is None else omega + np.asarray(carrier.velocity) @ number
+    drifts = np.zeros((len(forces.each), len(omega), HEADINGS + 6, 4))
+    for one, own in zip(forces.each, drifts, strict=True):
+        if drift and one.drift is not None and carrier is None:
+            own[:, :HEADINGS, :3] = one.curves[1](held)
+        elif drift and one.drift is not None:
+            own[:, :HEADINGS, :3] = drift_on_current(one, held, direction, carrier.velocity, depth, gravity)
+    drifts[:, :, HEADINGS:] = drifts[:, :, :6]
+    nodes, towards, near, share, force = _nodes(forces, omega, held, direction)
+    velocity = np.zeros(2) if carrier is None else np.asarray(carrier.velocity)
+
+    def numbers(omega, direction):
+        return wavenumber(omega, depth, gravity) * np.stack([np.cos(direction), np.sin(direction)])
+
+    number, met = numbers(omega, direction), nodes + velocity @ numbers(nodes, towards)
+    own, omega = omega, omega + velocity @ number
     step = PHASE[len(omega) > FEW] / np.abs(omega).max()
     count = max(2, int(np.ceil(_window(omega, amplitude) / step)))
-    factor = harmonics(omega, step, count + 1 + EDGE)  # Re G e^{−iωt} = Re G cos ωt + Im G sin ωt
+    of_nodes, of_drift = harmonics(met, step, count + 1 + EDGE), harmonics(omega, 2 * step, count // 2 + 1 + FAR)
     middle, turn = np.asarray(center, float).reshape(-1, 3)[:, :2].copy(), np.asarray(heading, float)
     arm = middle * np.cos(turn)[:, None] + middle[:, ::-1] * np.multiply.outer(np.sin(turn), [1.0, -1.0])
     return WaveTable(
-        omega, own, number, amplitude, phase, direction, force, factor, middle, arm, step, step * count,
+        omega, own, number, amplitude, phase, direction, force, drifts, near, share, towards, of_nodes, of_drift,
+        middle, arm, step, step * count,
     )  # fmt: skip
+
+
+def _nodes(forces, omega, held, direction):
+    """Frequencies and directions of nodes (M,), the first node (c,) and the shares of each component, and forces at the
+    nodes as in a `WaveTable`
+
+    Of a sea from one direction within the stored frequencies nodes in equal steps; where they would be more than half
+    as many as the components, the components themselves.
+    """
+    alone = np.arange(len(omega)), _in_vectors(np.ones((len(omega), 1)))
+    if len(omega) > 2 * NEAR and np.all(direction == direction[0]) and np.all(held == omega):
+        nodes, stored = forces.at_nodes
+        near, share = on_nodes(omega, nodes)
+        first, last = near.min(), near.max() + NEAR
+        if 2 * (last - first) <= len(omega):
+            force = zeros_in_lines((len(forces.each), last - first, HEADINGS, 16))
+            force[..., :12] = stored[:, first:last]
+            return nodes[first:last], np.full(last - first, direction[0]), near - first, _in_vectors(share), force
+    force = zeros_in_lines((len(forces.each), len(omega), HEADINGS, 16))
+    for one, own in zip(forces.each, force, strict=True):
+        own[:, :, :12] = one.curves[0](held)
+        own[held != omega] = 0.0
+    return omega, direction, *alone, force
+
+
+def _in_vectors(share):
+    """Shares (c, n) and zeros; shape (c, WIDTH)"""
+    return np.pad(share, [(0, 0), (0, WIDTH - share.shape[1])])
 
 
 def _window(omega, amplitude):
@@ -232,10 +299,11 @@ def _window(omega, amplitude):
 
 def no_waves(window=WINDOW, bodies=1):
     """A `WaveTable` without components"""
-    none = np.zeros(0)
+    none, still = np.zeros(0), np.zeros((0, 2, WIDTH))
     count = max(2, int(window))
-    shape = np.zeros((bodies, 0, HEADINGS, 16)), np.zeros((0, 2, WIDTH))
-    place = np.zeros((bodies, 2))
+    force, drift = np.zeros((bodies, 0, HEADINGS, 16)), np.zeros((bodies, 0, HEADINGS + 6, 4))
+    place, near = np.zeros((bodies, 2)), np.zeros(0, np.int64)
     return WaveTable(
-        none, none, np.zeros((2, 0)), none, none, none, *shape, place, place, window / count, float(window)
-    )
+        none, none, np.zeros((2, 0)), none, none, none, force, drift, near, np.zeros((0, WIDTH)), none, still, still,
+        place, place, window / count, float(window),
+    )  # fmt: skip

@@ -7,7 +7,7 @@ With T = H +
 rise at the fairlead and asinh(wS/H) = ln[(wS + T)/H] an iteration on the bed takes one logarithm and two roots; where
 it does not converge, the safe search of `flat_bed` is used.
 
-Lines that were on the bed at the previous moment are solved eight at a time, in vectors, by two iterations. A line
+Lines that were on the bed at the previous moment are solved eight at a time, in vectors, by three iterations. A line
 whose last change exceeds CLOSE is then solved alone, like lines in other states.
 """
 
@@ -102,34 +102,38 @@ def tensions_near(kept, lines, ends, n):
     k, of, at, m = address(kept), address(lines), address(ends), ends.shape[1]
     length, weight, flexibility = load_vector(of, n), load_vector(of, m + n), load_vector(of, 2 * m + n)
     rough = weight * load_vector(of, 3 * m + n)
+    by_weight, by_rough = 1.0 / weight, 1.0 / rough  # few divisions: each takes as long as several products
     x, height, last = load_vector(at, n), load_vector(at, m + n), load_vector(k, m + n)
     load = weight * height
     H = last + load_vector(k, 4 * m + n) * (x - load_vector(k, 2 * m + n))
     H = H + load_vector(k, 5 * m + n) * (height - load_vector(k, 3 * m + n))
     H = choose_less(H, last / WIDEST, last / WIDEST, choose_less(last * WIDEST, H, last * WIDEST, H))
-    held = step = rate = turn = T = by_H = lying = H
-    for _ in range(2):
+    held = step = by_rate = turn = grown = by_H = lying = H
+    for _ in range(3):  # two are not enough from one sample of a record to the next
         s = 1.0 + flexibility * H
         rise = 2.0 * load / (s + root(s * s + 2.0 * flexibility * load))
         held, T = root(rise * (rise + 2.0 * H)), H + rise
-        S, bend = held / weight, logarithm((held + T) / H)
+        S, bend = held * by_weight, logarithm((held + T) / H)
         lying = length - S
         most = rough * lying
-        pulled = choose_less(H, most, H / rough, lying)
+        pulled = choose_less(H, most, H * by_rough, lying)
         stretch = flexibility * pulled * (H - 0.5 * rough * pulled)
-        missed = x - (H * (bend / weight + flexibility * S) + lying + stretch)
-        turn = flexibility * (H - choose_less(H, most, 0.0, H - most)) - rise / T
-        by_H = S / ((T + H) * (1.0 + flexibility * T))
-        rate = flexibility * (pulled + S) + (bend - held / T) / weight + turn * by_H
-        step = missed / rate
+        missed = x - (H * (bend * by_weight + flexibility * S) + lying + stretch)
+        grown = 1.0 + flexibility * T
+        sum_grown = (T + H) * grown
+        both = 1.0 / (T * sum_grown)
+        by_T, by_H = sum_grown * both, S * T * both
+        turn = flexibility * (H - choose_less(H, most, 0.0, H - most)) - rise * by_T
+        by_rate = 1.0 / (flexibility * (pulled + S) + (bend - held * by_T) * by_weight + turn * by_H)
+        step = missed * by_rate
         H = H + step
+    by_height = choose_less(0.0, held, -turn * T / (held * grown) * by_rate, 0.0)
     held = held + weight * by_H * step
     hanging = 2.0 * height / (1.0 + root(1.0 + 2.0 * flexibility * load))
     good = choose_less(choose_less(step, 0.0, -step, step), CLOSE * H, 1.0, 0.0 * H)
     good = choose_less(0.0, lying, choose_less(held, weight * length, good, 0.0), 0.0)
     good = choose_less(length - hanging, x, choose_less(height, 0.0, 0.0, good), 0.0)
-    by_height = choose_less(0.0, held, -turn * T / (held * (1.0 + flexibility * T) * rate), 0.0)
-    for row, value in ((1, H), (2, x), (3, height), (4, 1.0 / rate), (5, by_height)):
+    for row, value in ((1, H), (2, x), (3, height), (4, by_rate), (5, by_height)):
         store_vector(k, row * m + n, choose_less(0.0, good, value, load_vector(k, row * m + n)))
     store_vector(at, 2 * m + n, choose_less(0.0, good, H, math.nan))
     store_vector(at, 3 * m + n, choose_less(0.0, good, held, math.nan))

@@ -96,7 +96,7 @@ def test_eight_lines_at_once_are_those_solved_alone_and_not_changed_by_their_nei
             solved += 1
         still = np.isnan(ends[2])
         assert np.array_equal(kept[:, still], before[:, still])
-    assert solved >= 150  # others hang free, or need a third iteration
+    assert solved >= 150  # others hang free, or need a fourth iteration
 
 
 @pytest.mark.parametrize("flexibility, friction", [(0.0, 0.0), (2e-6, 0.0), (2e-6, 0.05), (3e-6, 0.9), (0.0, 0.6)])

@@ -31,10 +31,13 @@ def a_table():
     around = np.stack([np.ones_like(RING), np.cos(RING), np.sin(RING)])
     force = np.einsum("bcij,in->bcnj", PARTS, around)
     times = STEP * (np.arange(STEPS + 1 + 2 * waves.EDGE) - waves.EDGE)
-    factor = harmonics(OMEGA, STEP, STEPS + 1 + waves.EDGE)
+    of_nodes = harmonics(OMEGA, STEP, STEPS + 1 + waves.EDGE)
+    of_drift = harmonics(OMEGA, 2 * STEP, STEPS // 2 + 1 + waves.FAR)
+    drift = np.concatenate([force, force[:, :, :6]], axis=2)[..., [12, 13, 14, 14]]
+    force[..., 12:] = 0.0
     return waves.WaveTable(
-        OMEGA, OWN, NUMBER, AMPLITUDE, PHASE, DIRECTION, np.pad(force, [(0, 0)] * 3 + [(0, 1)]), factor, CENTER, ARM,
-        STEP, STEP * STEPS,
+        OMEGA, OWN, NUMBER, AMPLITUDE, PHASE, DIRECTION, np.pad(force, [(0, 0)] * 3 + [(0, 1)]), drift, np.arange(2),
+        np.eye(8)[[0, 0]], DIRECTION, of_nodes, of_drift, CENTER, ARM, STEP, STEP * STEPS,
     ), times  # fmt: skip
 
 
@@ -61,9 +64,15 @@ def test_forces_over_a_window_go_from_those_of_one_pose_to_those_of_the_next(mea
         waves.meet(given, 1, poses[0], start, body)  # the begin of window number 3, an odd one
         waves.fill_window(given, window, 3, poses[1], start, body)
         for n, t in enumerate(times):
-            later = t / (STEP * STEPS)
+            shares = 1 - t / (STEP * STEPS), t / (STEP * STEPS)
             both = [in_waves(body, pose, start + t) for pose in poses]
-            force, pairs, alone, crest = ((1 - later) * a + later * b for a, b in zip(*both, strict=True))
+            if (n - waves.EDGE) % 2:  # drift is summed at every second step, and is a quintic through six of these
+                near = start + t + STEP * np.array([-5, -3, -1, 1, 3, 5])
+                for one, pose in zip(both, poses, strict=True):
+                    at = np.array([in_waves(body, pose, moment)[1] for moment in near])
+                    one[1][:] = np.array([3, -25, 150, 150, -25, 3]) @ at / 256
+            parts = zip(*both, strict=True)
+            force, pairs, alone, crest = (a * shares[0] + b * shares[1] for a, b in parts)
             assert window[:6, n] == pytest.approx(force, abs=1e-6)
             assert window[6:9, n] == pytest.approx(alone if mean else pairs, abs=1e-6)
             assert window[9, n] == pytest.approx(crest)
@@ -390,8 +399,9 @@ def test_water_at_a_buoy_goes_from_that_of_the_begin_of_a_window_to_that_of_its_
     m, start = len(times), 7.0
     buoy = SimpleNamespace(depth=30.0, draft=2.0, origin=np.array([4.0, 5.0, 0.0]),
                            lines=SimpleNamespace(place=np.array([[50.0, 10.0, 0.0]])))  # fmt: skip
-    waves, _, steps = table.factor.shape
-    work = SimpleNamespace(window=np.ones((buoys.WATER, m)), rows=np.zeros((waves, 2, buoys.WATER)), place=np.zeros(2),
+    waves, _, steps = table.of_nodes.shape
+    work = SimpleNamespace(window=np.ones((buoys.WATER, m)), factor=table.of_nodes, place=np.zeros(2),
+                           rows=np.zeros((waves, 2, buoys.WATER)),
                            sums=np.zeros((2, buoys.WATER, 2, steps)))  # fmt: skip
     at = np.array([50.0 + 1.0 - 4.0, 10.0 - 2.0 - 5.0]) + table.center[0]
     for number in (0, 1):

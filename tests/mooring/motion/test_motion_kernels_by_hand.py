@@ -140,6 +140,39 @@ def test_lines_pull_a_body_where_their_fairleads_are():
     assert found[0] == pytest.approx([tensions[0], 0.0, tensions[2]], rel=1e-7)
 
 
+CHAINS = [
+    Leg(
+        UniformLine(f"chain {i}", KIND, 120.0 + i, "", ""), (125.0 * np.cos(a), 118.0 * np.sin(a), -30.0),
+        (10.0 * np.cos(a), 6.0 * np.sin(a), -1.0 - 0.1 * i),
+    )
+    for i, a in enumerate(np.linspace(0.1, 6.0, 11))
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("lost", [None, 2, 9])
+def test_chains_on_the_bed_pull_eight_at_once_as_each_alone(lost):
+    """Eleven chains along a path: closed forms of each, none of one that is lost, and none of all below the bed"""
+    lines = body_lines(moored_body(CHAINS, 30.0, PLACE, RHO, G), [] if lost is None else [(f"chain {lost}", -1.0)])
+    work, R, out = line_work(lines), np.zeros((1, 3, 3)), np.zeros((1, 6))
+    assert work.together.tolist() == [0, 0]
+    for share in (0.0, 0.5, 0.9, 1.0):
+        state = share * STATE
+        assert loads_at(lines, work, state[:6].reshape(1, 6), R, out)
+        wanted = np.zeros(6)
+        for i, leg in enumerate(CHAINS):
+            arm = rotation(*state[3:6]) @ (np.array(leg.fairlead) - PLACE)
+            away = PLACE + state[:3] + arm - np.array(leg.anchor)
+            span = np.hypot(*away[:2])
+            if i == lost:
+                continue
+            one = solve_lines(span, away[2], leg.line.length, 800.0, 3e8)
+            H, V = float(one.horizontal_fairlead), float(one.vertical_fairlead)
+            give_generalized(state, arm, np.array([-H * away[0] / span, -H * away[1] / span, -V]), wanted)
+            assert work.tension[i] == pytest.approx([H, V], rel=1e-7)
+        assert out[0] == pytest.approx(wanted, rel=1e-6) and (lost is None or not work.tension[lost].any())
+    assert not loads_at(lines, work, np.array([[0.0, 0.0, -40.0, 0.0, 0.0, 0.0]]), R, out) and not out.any()
+
+
 def test_a_fairlead_moves_as_its_body_does():
     """Velocities along heading axes and rates of the angles; by differences of its place"""
     h = 1e-6
@@ -230,6 +263,7 @@ def room(buoy, water=None):
     return BuoyWork(
         line_work(buoy.lines),
         np.zeros((7, 1)),
+        np.zeros((0, 2, 8)),
         np.zeros((0, 2, 7)),
         np.zeros((2, 7, 2, 8)),
         np.zeros(2),

@@ -348,6 +348,7 @@ def test_lines_that_lay_on_the_bed_are_followed_together_by_their_span_and_heigh
         kept=np.full((6, count), float(line_loads.GROUNDED)),
         ends=np.ones((4, count)),
         away=np.tile([30.0, 40.0, -50.0, -8.0], (count, 1)),
+        together=np.full(3, -1),
         uniform=None,
     )
     work.on_bed[[1, 2, 2 * wide]] = True
@@ -481,7 +482,7 @@ def test_lines_pull_by_their_table_their_curve_or_their_catenary_and_hawsers_at_
         sums=np.ones((2, 6)), push=np.ones(0), span=np.array([1.0, 0.0, 2.0]), terms=np.zeros(terms), given=given,
         whole=np.array([i != lost for i in range(4)]), away=np.tile([3.0, 4.0, -8.0, 1.0], (4, 1)),
         ends=np.full((4, 8), np.nan), kept=np.zeros((6, 4)), rows=np.zeros((4, 18)), tension=np.zeros((4, 2)),
-        arm=np.zeros((4, 2, 3)),
+        arm=np.zeros((4, 2, 3)), together=np.array([-1]),
     )  # fmt: skip
     work.arm[:, 0, 0], work.arm[:, 1, 0] = np.arange(4.0), 10 + np.arange(4.0)
     good = line_loads.line_loads(lines, work, np.zeros((2, 6)), np.zeros((2, 3, 3)), np.ones((2, 6)))

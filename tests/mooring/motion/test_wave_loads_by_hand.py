@@ -11,7 +11,8 @@ from hakobune.bem.database.between_frequencies import BetweenError
 from hakobune.bem.modes import Body
 from hakobune.mooring.environment.sea import Components
 from hakobune.mooring.motion import wave_loads
-from hakobune.mooring.motion.tables.wave_windows import HEADINGS
+from hakobune.mooring.motion.tables.interpolation import EDGE
+from hakobune.mooring.motion.tables.wave_windows import HEADINGS, ROWS, fill_window, meet, waves_of
 
 OMEGA = np.linspace(0.2, 2.0, 130)  # two parts of 64 and some
 RING = np.arange(HEADINGS) * (2 * np.pi / HEADINGS)
@@ -153,12 +154,13 @@ def test_components_beyond_what_is_stored_exert_no_force_but_the_nearest_drift(d
     assert same(table.force[0, 1, :, :6], wanted.real, rtol=1e-6, atol=1e-6)
     assert same(table.force[0, 1, :, 6:12], wanted.imag, rtol=1e-6, atol=1e-6)
     if not drift:
-        assert not table.force[..., 12:].any()
+        assert not table.drift.any()
     elif current is None:
-        assert same(table.force[0, :, :, 12:15], drift_at(held, RING), rtol=1e-6, atol=1e-6)
+        assert same(table.drift[0, :, :HEADINGS, :3], drift_at(held, RING), rtol=1e-6, atol=1e-6)
+        assert np.array_equal(table.drift[:, :, HEADINGS:], table.drift[:, :, :6])
     else:
         there = wave_loads.drift_on_current(forces, held, WAVES.direction, current, np.inf, G)
-        assert same(table.force[0, :, :, 12:15], there)
+        assert same(table.drift[0, :, :HEADINGS, :3], there)
     k = WAVES.omega**2 / G
     assert table.number == pytest.approx(k * np.array([np.cos(WAVES.direction), np.sin(WAVES.direction)]))
     doppler = 0.0 if current is None else np.array(current) @ table.number
@@ -167,6 +169,62 @@ def test_components_beyond_what_is_stored_exert_no_force_but_the_nearest_drift(d
     assert table.center == pytest.approx(np.array([[3.0, 4.0]]))
     assert table.arm == pytest.approx(np.array([[3 * c + 4 * s, 4 * c - 3 * s]]))
     assert table.step <= 0.3 / np.abs(table.omega).max() and table.steps == round(table.window / table.step) + 7
+
+
+def test_shares_on_nodes_are_those_of_a_polynomial_of_fifth_degree():
+    nodes, omega = np.linspace(0.2, 2.0, 19), np.array([0.2, 0.21, 0.733, 1.01, 1.99, 2.0])
+    near, share = wave_loads.on_nodes(omega, nodes)
+    at = nodes[near[:, None] + np.arange(6)]
+    for power in range(6):
+        assert (share * at**power).sum(axis=1) == pytest.approx(omega**power, rel=1e-12)
+    assert near.tolist() == [0, 0, 3, 6, 13, 13]
+
+
+def sea(directions):
+    """300 waves of 0.3 to 1.9 rad/s in bands of one width, like those of a sea"""
+    rng = np.random.default_rng(5)
+    omega = 0.3 + 1.6 * (np.arange(300) + rng.uniform(size=300)) / 300
+    return Components(
+        omega,
+        rng.uniform(0.1, 0.3, 300),
+        rng.uniform(-3, 3, 300),
+        np.asarray(directions)[np.arange(300) % len(directions)],
+    )
+
+
+@pytest.mark.parametrize("current", [None, (0.9, -1.2)])
+@pytest.mark.parametrize("directions, alone", [([0.4], False), ([0.4, 0.5], True)])
+def test_forces_of_a_sea_from_one_direction_are_those_of_few_frequencies(directions, alone, current, forces):
+    """Beside the sum over all its waves, on a moved and turned body; of two directions all waves are summed"""
+    waves, pose = sea(directions), np.array([3.0, -2.0, 0.1])
+    carrier = None if current is None else SimpleNamespace(velocity=current)
+    table = wave_loads.wave_table(forces, waves, np.inf, np.zeros(3), G, True, carrier)
+    assert (len(table.towards) == 300) == alone and (alone or len(table.towards) < 80)
+    window, given = np.zeros((ROWS, table.steps)), waves_of(table)
+    meet(given, 0, pose, 50.0)
+    fill_window(given, window, 0, pose, 50.0)
+    t = 50.0 + table.step * (np.arange(table.steps) - EDGE)
+    k, b = waves.omega**2 / G, waves.direction
+    met = waves.omega + (0.0 if current is None else k * (current[0] * np.cos(b) + current[1] * np.sin(b)))
+    phase = k * (pose[0] * np.cos(b) + pose[1] * np.sin(b)) + waves.phase - np.multiply.outer(t, met)
+    crest = waves.amplitude * np.exp(1j * phase)
+    X = np.array([force_at([w], [one - pose[2]])[0, 0] for w, one in zip(waves.omega, b, strict=True)])
+    wanted, rise = (crest @ X).real.T, crest.sum(axis=1).real
+    close = 1e-9 if alone else 2e-5
+    assert np.abs(window[:6] - wanted).max() <= max(close, 1e-7) * np.abs(wanted).max()
+    assert np.abs(window[9] - rise).max() <= close * np.abs(rise).max()
+
+
+def test_nodes_are_closer_where_forces_change_quickly():
+    """exp(i 40 ω) turns by 1.6 rad between nodes 0.04 rad/s apart, which six of them cannot follow, as they can ω³"""
+    omega = np.linspace(0.2, 2.0, 600)
+    force = np.zeros((600, HEADINGS, 12))
+    force[:, :, 0], force[:, :, 6] = np.cos(40 * omega)[:, None], np.sin(40 * omega)[:, None]
+    slow = wave_loads.WaveForces(omega, np.multiply.outer(omega**3, np.ones((HEADINGS, 12))), None)
+    quick = wave_loads.WaveForces(omega, force, None)
+    (few, _), (many, found) = slow.at_nodes, quick.at_nodes
+    assert 40 <= len(few) <= 50 and len(many) >= 1.9 * len(few)
+    assert found[0, :, 3, 0] == pytest.approx(np.cos(40 * many), abs=1e-4)
 
 
 @pytest.mark.parametrize("count, phase", [(40, 0.3), (41, 0.6)])
