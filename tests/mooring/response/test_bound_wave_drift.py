@@ -41,7 +41,7 @@ def test_between_solved_frequencies_it_is_the_force_of_the_pair(problem, forces,
 
 
 def test_seas_of_other_periods_and_directions_share_the_solutions_of_a_body(problem, tmp_path, monkeypatch):
-    """Highest differences of 0.36 and 0.4 rad/s end at 1.25⁻⁴ = 0.4096, one of 0.42 at 0.512; each is right by itself"""
+    """Highest differences of 0.36 and 0.4 rad/s end at 1.25⁻⁴ = 0.4096, one of 0.42 at 0.512; each is right"""
     monkeypatch.setattr(kept_fits, "cache_folder", lambda *_: tmp_path)
     solved = []
     with progress_callback(lambda stage, what: solved.append(what[1])):
