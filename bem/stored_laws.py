@@ -57,6 +57,11 @@ def _violated(db, laws, allowed):
     return found
 
 
+def reciprocity_defects(db):
+    """Largest |Z − Zᵀ| over √|Zᵢᵢ Zⱼⱼ| of a database with added mass and damping; shape (n,)"""
+    return next(values for law, values, _ in _radiation_laws(db, set()) if law == "reciprocity")
+
+
 def damping_errors(db):
     """Largest estimated error of stored damping over the size of damping, `bem.checks.damping_scale`; NaN without any;
     shape (n,)"""

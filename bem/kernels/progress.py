@@ -9,6 +9,7 @@ FINER = "finer"  # a frequency starts again on more panels: in place of a count 
 OWN = "own"  # a solution to compare another program's with begins: in place of a count (prepared problem, ω in rad/s)
 # forces of a long wave begin: in place of a count (prepared problem, ω in rad/s, its number, their count)
 LONG = "long"
+IN_TIME = "in time"  # a motion is followed in time: in place of a count its finished share, 0 to 1
 CYCLE = "cycle"  # a period of a limit cycle is followed: in place of a count (amplitude in rad, its change a period)
 _callback = ContextVar("progress callback", default=None)
 

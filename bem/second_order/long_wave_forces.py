@@ -27,8 +27,9 @@ LOWEST = 1e-3  # lowest frequency over √(g/h), in deep water over √(g/draft)
 def kept_forces(problem, omega, number):
     """Forces D of waves of frequencies (f,), rad/s, with wavenumbers (f, w, 2), rad/m; shape (f, w, 6), complex
 
-    A run of every sea of a database needs these forces again, so they are kept from one run to the next. problem :
-    `bem.methods.panel_problem.PanelProblem` of a body that does not bend
+    The potentials ψ depend on the frequencies alone. Seas of all heights, periods and directions need them again, so
+    they are kept from one run to the next. problem : `bem.methods.panel_problem.PanelProblem` of a body that does not
+    bend
     """
     body, mesh = LongWaveBody(problem), problem.mesh
     of = mesh.points, mesh.corners, mesh.symmetry, () if mesh.body is None else mesh.body, problem.transform
@@ -37,12 +38,13 @@ def kept_forces(problem, omega, number):
 
     def computed():
         out = []
-        for place, one in enumerate(zip(omega, number, strict=True)):
-            report_progress(LONG, (body.prepared, one[0], place, len(omega)))
-            out.append(body.forces(*one))
+        for place, one in enumerate(omega):
+            report_progress(LONG, (body.prepared, float(one), place, len(omega)))
+            out.append(np.concatenate([psi.ravel() for psi in body.run(one).potentials.values()]))
         return np.array(out)
 
-    return kept_array(__file__, computed, *of, water, way, omega, number)
+    kept = kept_array(__file__, computed, *of, water, way, omega)
+    return np.array([body.forces(*one) for one in zip(omega, number, kept, strict=True)])
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,16 +58,27 @@ class LongWaveBody:
         """The problem without lid, coarse mesh and band"""
         return replace(self.problem, lid=None, coarse=None, finer=None, band=None).prepared()
 
-    def forces(self, omega, number):
+    def run(self, omega):
+        """`PanelRun` of all motions at a frequency, by compressed equations where these take less memory and time"""
+        kind = PanelRun
+        if self.prepared.compressed and not self.prepared.axisymmetric_geometry.sectors:
+            from ..panels.compressed.one_frequency import CompressedRun as kind
+        return kind(self.prepared, max(omega, lowest(self.problem)), [0.0], {"added_mass"}, None, DOFS)
+
+    def forces(self, omega, number, kept=None):
         """Diffraction forces D of waves of one frequency and several wavenumbers, about the rotation centre, N/m, N
         m/m; shape (w, 6), complex.
 
-        omega : rad/s, positive or zero; number : (w, 2) rad/m, along x and y
+        omega : rad/s, positive or zero; number : (w, 2) rad/m, along x and y; kept : potentials of its run, one after
+        the other
         """
-        problem = self.problem
-        run = PanelRun(self.prepared, max(omega, lowest(problem)), [0.0], {"added_mass"}, None, DOFS)
+        run = self.run(omega)
+        if kept is not None:
+            counts = [len(moving) for moving, _ in run.columns.values()]
+            parts = np.split(kept.reshape(sum(counts), -1), np.cumsum(counts)[:-1])
+            run.potentials = dict(zip(run.columns, parts, strict=True))
         number = np.atleast_2d(np.asarray(number, float))
-        return long_wave_forces(run, number) @ problem.transform.T
+        return long_wave_forces(run, number) @ self.problem.transform.T
 
 
 def lowest(problem):

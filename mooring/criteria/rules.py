@@ -33,7 +33,7 @@ STATUSES = ("read", "secondary", "unverified")
 OWN = "own limit"  # rule of a criterion that belongs to no rule set
 TABLES = ("strength.csv", "motions.csv")
 UNITS = {
-    **dict.fromkeys(("surge", "sway", "heave", "transmitted wave height", "gap between hulls"), "m"),
+    **dict.fromkeys(("surge", "sway", "heave", "excursion", "transmitted wave height", "gap between hulls"), "m"),
     **{"hinge force": "kN", "hinge moment": "kN m"},
     **dict.fromkeys(("roll", "pitch", "yaw", "slewing amplitude"), "deg"),
     **dict.fromkeys(("service life", "return period"), "years"),

@@ -24,6 +24,7 @@ from ..environment.sea import Sea
 from .slow_drift import differences, force_spectrum, force_spectrum_with, held_beyond, sums
 
 FREQUENCIES, SPEEDS = 10, 8  # frequencies and speeds of the grid
+RUNG = 1.25  # ratio of the ends of grids: seas whose ends lie between the same two share the solutions of a body
 # samples of a record per shortest period: by cubic splines between them errors are those of LEAST, 2e-4 of σ; by
 # monotone cubics that took 64
 SAMPLES = 12
@@ -43,7 +44,8 @@ class BoundWaveForces:
     """D(Ω, Ω/κ) in waves of one direction as Chebyshev polynomials.
 
     direction : rad, relative to the body; highest : rad/s; speeds : (2,) m/s, smallest and largest Ω/κ
-    coefficients : (f, s, 6) complex, over Ω from 0 to `highest` and over Ω/κ; depth, gravity : m, m/s²
+    coefficients : (f, s, 6) complex, over Ω from 0 to `end` and over Ω/κ; depth, gravity : m, m/s²
+    end : rad/s, of the grid, by default `highest`
     """
 
     direction: float
@@ -52,6 +54,7 @@ class BoundWaveForces:
     coefficients: np.ndarray
     depth: float
     gravity: float
+    end: float | None = None
     level = "bound-wave"
 
     @property
@@ -84,7 +87,7 @@ class BoundWaveForces:
         with np.errstate(divide="ignore", invalid="ignore"):
             speed = np.where(kappa > 1e-12, size / kappa, group_speed(one, self.depth, self.gravity))
         low, high = self.speeds
-        x = np.clip(2 * size / self.highest - 1, -1, 1)
+        x = np.clip(2 * size / (self.highest if self.end is None else self.end) - 1, -1, 1)
         y = np.clip((2 * speed - low - high) / (high - low), -1, 1)
         value = self._polynomials(x.ravel(), y.ravel()).T.reshape(*x.shape, 6)
         value = np.where((bound.omega < 0)[..., None], value.conj(), value)
@@ -131,12 +134,13 @@ def bound_wave_forces(problem, band, mean, direction) -> BoundWaveForces:
     fast, slow = (float(group_speed(w, depth, g)) for w in band)
     x, y = (np.cos(np.pi * (np.arange(n) + 0.5) / n) for n in (FREQUENCIES, SPEEDS))
     speeds = 0.5 * (fast + slow) + 0.5 * (fast - slow) * y
-    omega, way = 0.5 * highest * (1 + x), np.array([np.cos(direction), np.sin(direction)])
+    end = float(RUNG ** np.ceil(np.log(highest) / np.log(RUNG)))
+    omega, way = 0.5 * end * (1 + x), np.array([np.cos(direction), np.sin(direction)])
     values = kept_forces(problem, omega, (omega[:, None] / speeds)[..., None] * way)
     basis_x = np.linalg.inv(np.polynomial.chebyshev.chebvander(x, FREQUENCIES - 1))
     basis_y = np.linalg.inv(np.polynomial.chebyshev.chebvander(y, SPEEDS - 1))
     coefficients = np.einsum("ap,bq,pqj->abj", basis_x, basis_y, values)
-    return BoundWaveForces(float(direction), highest, (slow, fast), coefficients, depth, g)
+    return BoundWaveForces(float(direction), highest, (slow, fast), coefficients, depth, g, end)
 
 
 def problem_of(db):

@@ -100,6 +100,11 @@ def wave_deviations(record, after):
     return motion.std(axis=0)
 
 
+def moves_in_waves(run):
+    """Whether a Run has wave motion"""
+    return bool(np.any(wave_deviations(run.record, run.full_waves) > 0))
+
+
 def settled_after(time, heading, final):
     """s after which a heading remains within SETTLED of its final value, rad; nan if the heading never settles"""
     away = np.abs(heading - final) > SETTLED

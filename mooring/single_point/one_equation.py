@@ -7,9 +7,11 @@ tests or coefficients, for all directions. Drift comes from every pair of waves,
 """
 
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
+from hakobune.bem.kernels.progress import IN_TIME, report_progress
 from hakobune.bem.modes import words_of
 from hakobune.bem.time_domain.memory import Memory
 from hakobune.bem.time_domain.memory_kernels import MemoryArrays
@@ -150,7 +152,7 @@ def run_in_one(steady: Equilibrium, body: Moored, duration, step, *, components=
     kind = "none" if drift else "newman"
     settings = Settings(duration, 0.0, step, tolerance, slow_drift=kind, wave_ramp=wave_ramp)
     try:
-        return simulate(body, weather, settings, seed)
+        return simulate(body, weather, settings, seed, partial(report_progress, IN_TIME))
     except SimulationError as error:
         raise SinglePointError(str(error)) from None
 

@@ -12,6 +12,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hakobune.bem.kernels.progress import IN_TIME, report_progress
+
 from .body import Hold, NotFollowedError, SinglePoint, SinglePointError
 
 LONGEST = 40.0, 2.0  # s, of a step in steady and in gusty wind
@@ -113,8 +115,13 @@ def slew(point: SinglePoint, start, duration, step, *, tolerance=1e-4, wind_spee
 
     rate, refused = _followed(point, wind_speed)
     time = step * np.arange(int(np.floor(duration / step + 1e-9)) + 1)
+
+    def telling(t, y):
+        report_progress(IN_TIME, t / duration)
+        return rate(t, y)
+
     with np.errstate(invalid="ignore"):
-        found = solve_ivp(rate, (0.0, duration), start, "DOP853", time, rtol=tolerance, atol=tolerance * UNITS,
+        found = solve_ivp(telling, (0.0, duration), start, "DOP853", time, rtol=tolerance, atol=tolerance * UNITS,
                           max_step=LONGEST[wind_speed is not None], first_step=min(FIRST, duration))  # fmt: skip
     if not found.success:
         raise SinglePointError(f"at {found.t[-1]:.4g} s the motion cannot be followed{refused[0]}")

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from hakobune.bem.kernels.progress import IN_TIME, report_progress
 from hakobune.bem.waves import wavenumber
 
 from ..on_current.waves import met_by_a_place
@@ -101,6 +102,7 @@ def two_scale(point: SinglePoint, start, steps: Steps, body: WaveBody | None = N
     newmark = None if body is None else _Newmark(body, steps.slow / count)
     mean_wind = 0.0 if point.loads.wind is None else point.loads.wind.speed
     for k in range(slow_steps):
+        report_progress(IN_TIME, k / slow_steps)
         rows = slice(k * count, (k + 1) * count)
         speed = mean_wind if wind_speed is None else float(wind_speed(k * steps.slow))
         slow[rows], wind[rows] = state[:3], speed

@@ -72,7 +72,7 @@ class LongWaves:
             if seconds >= WORTH_TELLING:  # measuring compiles kernels for a second
                 seconds = count * seconds_alone(prepared, max(omega, 1e-3))
             what = f"forces of bound long waves, {count} frequencies on {panels} panels:"
-            told(what, seconds, self.say, memory_alone(prepared, dense=True))
+            told(what, seconds, self.say, memory_alone(prepared))
             self.started = self.told = time.perf_counter()
         elif (now := time.perf_counter()) - self.told >= self.EVERY:
             self.told, left = now, (now - self.started) / done * (count - done)

@@ -42,7 +42,7 @@ def write_report(read, verdict, advice, paths, folder):
 def _context(read, verdict, advice, paths, folder):
     own, links = read.project.project, {one.case.name: _relative(one.path, folder) for one in verdict.ran}
     door, sources, method = read.kind.words(read.project, read.study)
-    head, parts = words.part_table(read, verdict)
+    (head, parts), warned = words.part_table(read, verdict), list(words.warnings(verdict))
     return {
         "name": own.name,
         "note": own.note,
@@ -70,7 +70,9 @@ def _context(read, verdict, advice, paths, folder):
         "records": list(records(verdict, folder)),
         "motions": list(words.motion_rows(verdict)),
         "use_picture": use_picture(verdict, folder),
-        "warnings": list(words.warnings(verdict)),
+        "warnings": [one for one in warned if not one["aside"]],
+        "aside": [one for one in warned if one["aside"]],
+        "band": words.band(verdict),
         "door": door,
         "sources": sources,
         "method": method,

@@ -9,8 +9,8 @@ from hakobune.meshing.seals import write_sealed
 from hakobune.mooring.criteria import verdict as of
 
 from .fatigue import QUANTITY as FATIGUE
-from .kinds.needs import ANCHOR, SCOPE
-from .running import worst_of
+from .kinds.needs import ANCHOR, EXCURSION, SCOPE
+from .running import excursion, worst_of
 
 H5 = {of.PRETENSION: "tension.at_rest", of.HOLDING: "anchor.largest_horizontal"}
 KEPT = {of.PRETENSION: "pretension", of.HOLDING: "horizontal", of.PARTIAL: "mean, values.largest", SCOPE: "length"}
@@ -84,16 +84,6 @@ def farthest(numbers):
     return numbers.bodies[number] if numbers.bodies else "", places[number]
 
 
-def excursion(one):
-    """m, the largest horizontal distance of a Ran from rest: in its runs in time, else by steady offset and motions"""
-    if one.runs is not None and "excursion" in one.runs:
-        return float(one.runs["excursion"])
-    r = one.numbers
-    steady = np.hypot(*np.reshape(r.place, (-1, 3))[:, :2].T)
-    moving = np.hypot(*np.reshape(r.motions, (-1, 6))[:, :2].T) if len(r.motions) else 0.0
-    return float((steady + moving).max())
-
-
 def _criterion_rows(verdict):
     for one in verdict.judged:
         c, use = one.criterion, one.governing
@@ -140,6 +130,8 @@ def origin(read, ran, criterion):
         return path, "tension.at_rest" if quantity == of.PRETENSION else "line.length"
     if quantity in (of.PRETENSION, SCOPE) or quantity in ran.numbers.parts:
         return beside["_runs_numbers"], _kept(quantity, tension)
+    if quantity == EXCURSION:
+        return beside["_runs_extremes"], "values.excursion"
     if quantity == FATIGUE:
         return beside["_runs_extremes"], "values.cycles"
     moved = "values.ranges" if criterion.statistic == "peak to peak" else "values.motions"

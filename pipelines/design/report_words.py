@@ -1,5 +1,6 @@
 """Words and rows of a report: verdict, states, lines, criteria, cases."""
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -11,12 +12,15 @@ from hakobune.mooring.criteria.rules import read_rules
 from ..common.weather.seas import period_of
 from ..printing.number import fixed
 from .fatigue import QUANTITY as FATIGUE
+from .kinds.mooring import BESIDE
 from .kinds.numbers import Numbers
 from .report_tables import CASE_HEAD, OF_PROJECT, WORDS, case_row, farthest
 from .verdict import FAILS, NUMBER, OPEN
 
 COUNTED = ("stable headings",)  # a count without a utilisation: if the criterion is met its use is 0
 THE_PROJECT = "the project"  # origin of values that belong to no load case
+# of a finding: "solve 0.3 to 5.9 rad/s as well", "solve from 0.3 rad/s", "solve to 5.9 rad/s"
+BAND = re.compile(r"solve (?:([\d.e-]+) to ([\d.e-]+)|from ([\d.e-]+)|to ([\d.e-]+)) rad/s")
 WAYS = {"size": "larger sizes", "number": "more lines"}  # words for ways that differ from their names
 MOTIONS = tuple(dof.lower() for dof in DOFS)
 MARK = {True: "passes", False: "fails", None: "open"}
@@ -239,11 +243,17 @@ def criterion(one, found_in):
         found |= {
             "value": f"{use.value if abs(use.value) > 1e-9 * abs(c.limit) else 0:.4g}",
             "used": percent(use.utilisation),
-            "margin": f"{100 * (1 - use.utilisation):+.0f} %",
+            "margin": _margin(use.utilisation),
             "by": THE_PROJECT if c.quantity in OF_PROJECT else f"{use.case}, {use.item}",
         }
         found["link"], found["key"] = found_in(use.case, c)
     return found
+
+
+def _margin(used):
+    """1 less a utilisation in words; with its digits where whole percents are zero"""
+    left = 100 * (1 - used)
+    return f"{left:+.0f} %" if round(left) or not left else f"{left:+.1g} %"
 
 
 def _statistic(c):
@@ -309,13 +319,36 @@ def _place_words(row, body=""):
 
 
 def warnings(verdict):
-    """Findings of the cases; of findings that differ only in numbers, the one with the largest first number"""
+    """Findings of the cases; of findings that differ only in numbers and names of lines, the one with the largest first
+    number; those of the simplified method beside runs in time are marked, without what the runs say too"""
     found = {}
     for one in verdict.ran:
         for text in one.numbers.warnings if one.numbers else ():
-            found.setdefault(NUMBER.sub("#", text), []).append((text, one.case.name))
-    for group in found.values():
+            found.setdefault(_alike(text, one.numbers.names), []).append((text, one.case.name))
+    for key, group in found.items():
+        if key.startswith(BESIDE) and key.removeprefix(BESIDE) in found:
+            continue
         text, name = max(group, key=lambda pair: float((NUMBER.search(pair[0]) or "0")[0]))
         own = ", each with its own numbers" if len({pair[0] for pair in group}) > 1 else ""
         more = f"; likewise{own}, in {len(group) - 1} more case{'s' * (len(group) > 2)}" if len(group) > 1 else ""
-        yield {"text": text, "cases": f"{name}{more}"}
+        yield {"text": text.removeprefix(BESIDE), "cases": f"{name}{more}", "aside": key.startswith(BESIDE)}
+
+
+def _alike(text, names):
+    """A finding without its numbers and names of lines"""
+    for name in sorted(names, key=len, reverse=True):
+        text = text.replace(name, "@")
+    return NUMBER.sub("#", text)
+
+
+def band(verdict):
+    """Words on the band of frequencies that serves every load case, "" where no finding asks for a longer one"""
+    asked = []
+    for one in verdict.ran:
+        for text in (*(one.numbers.warnings if one.numbers else ()), one.fault or ""):
+            asked += [(low or low_alone, high or high_alone) for low, high, low_alone, high_alone in BAND.findall(text)]
+    lows, highs = (
+        ([float(value) for value in each if value] for each in zip(*asked, strict=True)) if asked else ([], [])
+    )
+    parts = [f"{word} {pick(values):.4g}" for word, pick, values in (("from", min, lows), ("to", max, highs)) if values]
+    return f"One band of frequencies serves all load cases: solve {' '.join(parts)} rad/s." if parts else ""

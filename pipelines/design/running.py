@@ -18,7 +18,7 @@ from ..common.quantities import StudyError
 from ..common.typed import read_toml
 from ..moor.study import make_study
 from .cases import LoadCase, file_name, intact_cases, without_line
-from .kinds.needs import ANCHOR, SCOPE
+from .kinds.needs import ANCHOR, EXCURSION, SCOPE
 from .kinds.numbers import Numbers
 from .project import MEAN, scenes, worn_diameters
 
@@ -133,7 +133,21 @@ def judged_case(read, ran, others):
     else:
         tensions = {factor: _tensions(read, one, largest) for factor, largest in one.runs["largest"].items()}
     parts = given_parts(read, case, one.numbers) | one.numbers.parts | anchors_used(one)
+    if read.kind.MOVED and not case.apart:
+        parts[EXCURSION] = {"from rest": excursion(one)}
     return Case(case.name, case.kind, case.lines, "quasi-static", tensions, motions, others, parts, case.apart, ranges)
+
+
+def excursion(one):
+    """m, the largest horizontal distance of a Ran from rest: in its runs in time, else by steady offset and motions"""
+    r = one.numbers
+    if EXCURSION in r.parts:
+        return max(r.parts[EXCURSION].values())
+    if one.runs is not None and "excursion" in one.runs:
+        return float(one.runs["excursion"])
+    steady = np.hypot(*np.reshape(r.place, (-1, 3))[:, :2].T)
+    moving = np.hypot(*np.reshape(r.motions, (-1, 6))[:, :2].T) if len(r.motions) else 0.0
+    return float((steady + moving).max())
 
 
 def _motions(bodies, amplitudes):

@@ -68,7 +68,7 @@ class Study(Table):
     hulls : a table like [hull] for each moving body by name, where there are several
     lines_file : file of lines of MoorDyn, MoorPy, RAFT, OrcaFlex or `hakobune lines`, in place of types and lines
     lines_body : name of the body that these lines hold, where there are several
-    allowable : fraction of the breaking load that a line may carry, above 0, at most 1
+    allowable : fraction of the breaking load that a line or rope may carry (OCIMF MEG4: 0.5 of ropes, 0.55 of wires)
     """
 
     water: DepthTable

@@ -39,16 +39,15 @@ def single_point(
 
 def _pictures(found, names, picture):
     """Plan if requested, run and maps of a study that has them; their paths"""
-    from . import maps, running
+    from . import maps
+    from .pictures import draw_plan, draw_run
 
     if picture is not None:
-        from .pictures import draw_plan
-
         draw_plan(found.study, found.point, found.rest, picture)
         yield picture
     if found.run is not None:
         path = _beside(*names, "run")
-        running.draw(found.study, found.run, path)
+        draw_run(found.study, found.run, path)
         yield path
     for i, one in enumerate(found.maps, 1):
         path = _beside(*names, f"slewing{f'_{i}' if len(found.maps) > 1 else ''}")

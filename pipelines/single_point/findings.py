@@ -4,13 +4,19 @@ import numpy as np
 
 from hakobune.mooring.criteria.overuse import overused
 from hakobune.mooring.loads.turning import FITTED
+from hakobune.mooring.motion.simulation.trial import TOO_LARGE
 from hakobune.mooring.single_point.equilibria import bow
+from hakobune.mooring.single_point.history import moves_in_waves
 from hakobune.mooring.single_point.in_time import pulls, used_in
 
 from ..common.quantities import force
 
 BALANCED = 0.05  # change of a buoy's draft by its lines, over its draft, that is not told
 HELP = "give a stronger type or more lines"
+SNAPS = (
+    "left out: inertia and drag of the chains, so that {}; hakobune simulate takes hull and buoy as two bodies, with "
+    'the hawser between them and dynamic_lines = "auto"'
+)
 STEADY = (
     "left out: pulls by waves and gusts; tensions are those of steady loads and smaller than the largest ones in the "
     "sea: [slewing] runs the body in time, with the waves where --database is given"
@@ -21,8 +27,10 @@ def findings(found):
     """Findings of a `result.Found`, one line each"""
     best, water = found.best, found.point.loads.water
     yield from _pulled_down(found.study.buoy, found.point.system, best)
-    if found.study.waves is not None and found.run is None:
-        yield STEADY
+    if found.run is None:
+        yield from [STEADY] if found.study.waves is not None else []
+    elif moves_in_waves(found.run):
+        yield SNAPS.format(TOO_LARGE)
     if water.turning and water.speed > 0:
         drift = np.abs(np.arctan(np.tan(water.direction - best.heading)))
         if drift > FITTED * (1 + 1e-9):
@@ -42,12 +50,19 @@ def findings(found):
         )
 
 
+def drafts_of(buoy, system, best):
+    """m, draft of a buoy with mass alone, and with its lines and the hull at an Equilibrium"""
+    alone = 1e3 * buoy.mass / (system.density * 0.25 * np.pi * buoy.diameter**2)
+    return alone, alone + system.bodies[0].position[2] - best.lines.position[0, 2]
+
+
 def _pulled_down(buoy, system, best):
     """A line on a buoy that its lines pull down by more than `BALANCED` of its draft: [buoy] z is that without them"""
     if buoy.mass is None:
         return
-    area, alone = 0.25 * np.pi * buoy.diameter**2, system.bodies[0].position[2]
-    draft, sunk = 1e3 * buoy.mass / (system.density * area), alone - best.lines.position[0, 2]
+    area = 0.25 * np.pi * buoy.diameter**2
+    draft, sunk = drafts_of(buoy, system, best)
+    sunk -= draft
     if abs(sunk) > BALANCED * draft:
         carried = buoy.mass - 1e-3 * system.density * area * sunk
         yield (

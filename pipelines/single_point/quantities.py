@@ -5,7 +5,7 @@ import numpy as np
 from hakobune.mooring.lines.system.parts import UniformLine
 from hakobune.mooring.single_point.criterion import routh_hurwitz, undamped, undamped_stable
 from hakobune.mooring.single_point.equilibria import bow
-from hakobune.mooring.single_point.history import wave_deviations
+from hakobune.mooring.single_point.history import watch_circle, wave_deviations
 from hakobune.mooring.single_point.in_time import ropes_of
 from hakobune.mooring.single_point.scope import length_without_uplift
 from hakobune.mooring.single_point.yaw_criteria import yaw_stability
@@ -14,7 +14,7 @@ from ..common.quantities import force
 from ..results.quantity import Quantity, quantities
 from ..results.result import labels, records
 from . import running
-from .findings import used
+from .findings import drafts_of, used
 
 # range of line lengths, over the given one, and number of steps of the search for changes of stability
 REACH, LENGTHS = (0.02, 20.0), 200
@@ -73,6 +73,7 @@ def state_of(found):
         "place.y": (y, "m", "centre of mass, y"),
         "buoy.x": (one.buoy[0], "m", "buoy, x"),
         "buoy.y": (one.buoy[1], "m", "buoy, y"),
+        **_draft(found),
         "pull": (one.pull, "N", "steady pull"),
         "slewing": ("stable" if s.stable else "unstable", "", "slewing"),
         "slewing.time": (1 / abs(s.growth), "s", f"{'grows' if s.growth > 0 else 'decays'} by a factor of e in"),
@@ -83,6 +84,14 @@ def state_of(found):
         state["hawser.used"] = (max(one.hawser) / load, "%", "steady pull over the hawser's breaking load")
     growth = {"slewing.growth": (s.growth, "1/s", "growth, below 0 for decay")}
     return quantities(title, state) | quantities("", growth) | _scope(found) | _criteria(one), {}
+
+
+def _draft(found):
+    """Draft of a buoy that floats"""
+    buoy = found.study.buoy
+    if buoy.mass is None:
+        return {}
+    return {"buoy.draft": (drafts_of(buoy, found.point.system, found.best)[1], "m", "draft of the buoy")}
 
 
 def _scope(found):
@@ -176,6 +185,8 @@ def run_of(found):
         "run.amplitude": (float(c.amplitude), "rad", "heading amplitude at the end"),
         "run.period": (float(c.period), "s", "period at the end"),
         "run.settled": (float(run.settled), "s", "time to come within 0.2° of rest"),
+        "run.excursion": (watch_circle(r.buoy, run.steady.point.origin), "m",
+                          "buoy, largest distance from its place without the hull"),
         "run.radius": (float(run.radius), "m", "watch circle about the buoy at rest, radius"),
     })  # fmt: skip
     wave, motions = wave_deviations(r, run.full_waves), ["surge", "sway", "heave", "roll", "pitch", "yaw"]

@@ -3,19 +3,16 @@ time."""
 
 from __future__ import annotations
 
-import sys
-import time
+import math
 import tomllib
 from typing import TYPE_CHECKING, NamedTuple
 
-import numpy as np
-
-from hakobune.bem.kernels.progress import CYCLE, progress_callback
+from hakobune.bem.kernels.progress import progress_callback
 from hakobune.mooring.criteria.failing import failing, fails
 from hakobune.mooring.single_point.body import NotFollowedError, SinglePoint, SinglePointError
 from hakobune.mooring.single_point.equilibria import Equilibrium, equilibria, preferred
 from hakobune.mooring.single_point.in_time import Run
-from hakobune.mooring.single_point.limit_cycle import MOST, LimitCycle, limit_cycle
+from hakobune.mooring.single_point.limit_cycle import LimitCycle, limit_cycle
 
 from ..common.bounds import told
 from ..results.given import File, Tables, database_of, given
@@ -28,17 +25,19 @@ from .quantities import cycle_of, hull_of, lines_at, maps_of, notes_of, rest_of,
 from .reading import read_study
 from .study import check_buoy, make
 from .tables import Study, make_study
+from .telling import Telling
 
 if TYPE_CHECKING:
     from hakobune.bem.database import Database
 
 
-TOLD = 10.0  # s between two lines on a limit cycle
 A_CYCLE = 15.0  # s, of a box on six chains
+PERIODS = 6  # of slewing, in a run that is to show it fully grown
 
 
 class Found(NamedTuple):
-    """study : Study; point : SinglePoint; rest : every Equilibrium; best : the chosen one; cycle : LimitCycle or None
+    """study : Study; point : SinglePoint; rest : every Equilibrium; best : the chosen one; cycle : LimitCycle or None,
+    which is not computed where the run shows the slewing
 
     run : `mooring.single_point.in_time.Run` or None; maps : a Map each
     """
@@ -73,8 +72,9 @@ def single_point(study: File | Tables | Study, database: File | Database | None 
     for one in rest:
         check_buoy(made, one)
     best = preferred(rest)
-    run = None if read.slewing is None else running.run(read, best, db)  # first: it refuses what it cannot do
-    cycle, none = _cycle_of(best)
+    with progress_callback(Telling()):
+        run = None if read.slewing is None else running.run(read, best, db)
+        cycle, none = _cycle_of(best, run, _grown(read.slewing, best))
     maps = tuple(computed(raw, i, db) for i, _ in enumerate(read.maps))
     found = Found(read, made.point, rest, best, cycle, run, maps)
     lost = () if none is None else (none,)
@@ -87,41 +87,45 @@ def _read(path: File) -> tuple[Study, str]:
     return study, text
 
 
-def _cycle_of(one):
+def _grown(table, one):
+    """s, length of a run that shows the slewing about an Equilibrium fully grown: `PERIODS`, and the time in which the
+    start offset grows to 1 rad; inf if it turns away, or without [slewing] or offset"""
+    if table is None or not (table.offset_deg and math.isfinite(one.slewing.period) and one.slewing.growth > 0):
+        return math.inf
+    return max(PERIODS * one.slewing.period, -math.log(math.radians(abs(table.offset_deg))) / one.slewing.growth)
+
+
+def _cycle_of(one, run=None, grown=math.inf):
     """LimitCycle of an Equilibrium that is not stable, or the reason for none; None for both if it is stable
 
-    It fails where the body slews beyond the range of the mooring: line tensions there are unknown.
+    A Run that lasts for `grown` s shows the slewing with waves and gusts, so that no cycle is computed. The cycle fails
+    where the body slews beyond the range of the mooring: line tensions there are unknown.
     """
     if one.slewing.stable:
         return None, None
-    told("the body slews; its limit cycle takes minutes to compute if nothing damps it, otherwise", A_CYCLE)
+    if run is not None and run.record.time[-1] >= grown:
+        return (
+            None,
+            f"limit cycle: not computed, since the run in time shows the slewing (it grows within {grown:.0f} s)",
+        )
+    told(_why(run, grown), A_CYCLE)
     try:
-        with progress_callback(_telling()):
-            return limit_cycle(one), None
+        return limit_cycle(one), None
     except NotFollowedError as error:
         return None, fails(f"limit cycle: {error}")
     except SinglePointError as error:
         return None, f"limit cycle: {error}"
 
 
-def _telling():
-    """Callback of `bem.kernels.progress` that tells a period of the limit cycle to stderr every `TOLD` s"""
-    periods, last = 0, time.monotonic()
-
-    def callback(stage, what):
-        nonlocal periods, last
-        if stage != CYCLE:
-            return
-        periods += 1
-        if time.monotonic() - last >= TOLD:
-            last, (amplitude, change) = time.monotonic(), what
-            print(
-                f"limit cycle, period {periods} of at most {MOST}: the heading swings {np.degrees(amplitude):.3g}° to "
-                f"either side, {100 * change:+.2g} % a period",
-                file=sys.stderr,
-            )
-
-    return callback
+def _why(run, grown):
+    """Words on a limit cycle that is computed, before its time"""
+    takes = "its limit cycle takes minutes to compute if nothing damps it, otherwise"
+    if run is None or not math.isfinite(grown):
+        return f"the body slews; {takes}"
+    return (
+        f"the body slews, and a run of {run.record.time[-1]:.6g} s is too short to show it fully grown; give "
+        f"slewing.duration = {100 * math.ceil(grown / 100)}, or wait: {takes}"
+    )
 
 
 def result_of(found, first, notes, text, db):

@@ -8,21 +8,19 @@ import numpy as np
 from hakobune.mooring.lines.ropes import RopePart
 from hakobune.mooring.motion.buoy import BuoyBody
 from hakobune.mooring.response.viscous import in_sea
-from hakobune.mooring.single_point.history import wave_deviations
+from hakobune.mooring.single_point.history import moves_in_waves
 from hakobune.mooring.single_point.in_time import Run
 from hakobune.mooring.single_point.one_equation import body_at
 from hakobune.mooring.single_point.runs import Times, full_run, sea_components, slow_run, two_scale_run
 from hakobune.mooring.single_point.two_scale import wave_body
 
 from ..common.quantities import StudyError, force, positive
-from ..common.units import KN
 from ..common.weather.seas import sea_with_swell
 from ..results.heard import heard
 from .loads import waves_carrier
 
 SCHEMES = ("slow", "two_scale", "full")
 MOST_SAMPLES = 1_000_000
-STILL = 1e-4  # variation over the largest value of a record, or over 1, that counts as rounding
 
 
 def check(study, db=None):
@@ -108,48 +106,13 @@ def words(run: Run):
         yield f"the heading decays from {first:.2g}° to within 0.2° of rest in {run.settled:.0f} s"
     else:
         yield f"the heading is still {np.degrees(c.amplitude):.2g}° about its mean at the end of the run"
-    if not run.drifts and np.any(wave_deviations(run.record, run.full_waves) > 0):
+    if not run.drifts and moves_in_waves(run):
         yield "the run does not include slow drift; the SR179 report adds 20 % for it"
+    slack = np.mean(run.record.hawser == 0.0, axis=0)
+    if run.steady.point.lengths[0] and np.any(slack > 0):
+        shares = ", ".join(f"hawser {i} for {100 * share:.2g} %" for i, share in enumerate(slack, 1) if share > 0)
+        yield f"the hawser falls slack and comes taut again: {shares} of the run"
     yield from run.findings
-
-
-def draw(study, run: Run, path):
-    """Heading, tensions and the track of a run"""
-    from matplotlib.figure import Figure
-
-    from ..common.picture import save
-    from .pictures import draw_hull, draw_lines
-
-    figure = Figure(figsize=(12, 7), layout="constrained")
-    grid = figure.add_gridspec(3, 2, width_ratios=[3, 2])
-    heading, hawser, lines = (figure.add_subplot(grid[i, 0]) for i in range(3))
-    plan = figure.add_subplot(grid[:, 1])
-    heading.plot(run.record.time, np.degrees(run.record.heading + run.record.wave[:, 5]), lw=0.8)
-    heading.axhline(np.degrees(run.steady.heading), color="0.6", lw=0.8, label="of rest")
-    heading.legend(fontsize=8)
-    heading.set_ylabel("heading, °")
-    hawser.plot(run.record.time, run.record.hawser / KN, lw=0.8)
-    hawser.set_ylabel("hawser, kN" if run.steady.point.lengths[0] else "pull on buoy, kN")
-    worst = int(np.argmax(run.record.lines.max(axis=0)))
-    lines.plot(run.record.time, run.record.lines[:, worst] / KN, lw=0.8, color="tab:red")
-    for axes in (heading, hawser, lines):  # a constant record is drawn as a level line
-        low, high = axes.dataLim.intervaly
-        least = STILL * max(1.0, abs(low), abs(high))
-        if high - low < least:
-            axes.set_ylim((low + high) / 2 - least, (low + high) / 2 + least)
-    lines.set(ylabel=f"{run.steady.point.system.line_names[worst]}, kN", xlabel="time, s")
-    draw_lines(plan, run.steady.lines)
-    point = run.steady.point
-    for at in np.linspace(0, len(run.record.time) - 1, 7).astype(int):
-        draw_hull(plan, study, point, run.record.place[at], run.record.heading[at], color="0.7", lw=0.8)
-    L = study.hull.length
-    plan.set_xlim(run.record.place[:, 0].min() - 0.8 * L, run.record.place[:, 0].max() + 1.2 * L)
-    plan.set_ylim(run.record.place[:, 1].min() - 1.2 * L, run.record.place[:, 1].max() + 1.2 * L)
-    plan.plot(*run.record.place.T, "k", lw=0.8, label="centre of mass")
-    plan.plot(*run.record.buoy.T, "tab:red", lw=0.8)
-    plan.set(xlabel="x, m", ylabel="y, m", aspect="equal", title="track of the centre of mass and the buoy")
-    plan.legend(fontsize=8)
-    save(figure, path, 150)
 
 
 def _check(s):

@@ -240,7 +240,7 @@ class SlewingTable(Table):
 class Study(Table):
     """A hull on a buoy or turret
 
-    allowable : fraction of the breaking load that a line may carry, above 0, at most 1
+    allowable : fraction of the breaking load that a line or rope may carry (OCIMF MEG4: 0.5 of ropes, 0.55 of wires)
     """
 
     water: DepthTable

@@ -20,7 +20,7 @@ from ..common.typed import typed
 from ..printing.verdict import tell
 from ..scene.methods import METHODS
 from ..scene.scene import Scene, SceneError
-from .report import CHECKED, checked, checks_table, not_applied, resonances_of, way_out
+from .report import CHECKED, checked, checks_table, laws_of_imported, not_applied, resonances_of, way_out
 
 
 def check(path, console, repair=False):
@@ -48,7 +48,8 @@ def check(path, console, repair=False):
     lines += [
         fails(
             f"{one.name}, {CHECKED[one.name]}, is {_beyond(one.largest, one.limit)} at ω = {one.omega:.4g} rad/s, "
-            f"{one.exceeding} of {len(db.omega)} frequencies above {one.limit:g}{_weak(one, db)}; {way}"
+            f"{one.exceeding} of {len(db.omega)} frequencies above {one.limit:g}{_weak(one, db)}; "
+            f"{_unfit(one, db)}{way}"
         )
         for one in checks
         if not one.passed
@@ -58,6 +59,13 @@ def check(path, console, repair=False):
             fails(f"{int(db.rows.sum())} of {len(db.rows)} frequencies are stored; run the command again to continue")
         )
     return tell(lines, console, "")
+
+
+def _unfit(one, db):
+    """What the energy of an imported set compares"""
+    if one.name != "energy" or "imported" not in db.attributes:
+        return ""
+    return "its damping does not follow from its forces: check the depth, the units and the heading of the files, or "
 
 
 def _beyond(value, limit):
@@ -82,7 +90,8 @@ def _broken(db):
     for name in db.names:
         if name not in LIMITS or db.complete:
             db[name]  # every number against its checksum
-    laws = broken_laws(db, float(db.attributes.get("tolerance", 0.01)))
+    told = laws_of_imported(db)  # these are checks of their own
+    laws = [one for one in broken_laws(db, float(db.attributes.get("tolerance", 0.01))) if one[0] not in told]
     return [
         Finding(
             "error",

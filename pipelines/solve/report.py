@@ -9,7 +9,9 @@ from hakobune.bem.bodies.one_of_several import each_body
 from hakobune.bem.database.between_frequencies import BetweenError
 from hakobune.bem.database.natural_periods import natural_periods
 from hakobune.bem.database.resonances import resonances
-from hakobune.bem.stored_laws import SUMS, damping_errors, unequal_drift
+from hakobune.bem.formats.judging.laws import energy_defects
+from hakobune.bem.formats.values import Values
+from hakobune.bem.stored_laws import SUMS, damping_errors, reciprocity_defects, unequal_drift
 from hakobune.mooring.criteria.failing import fails
 
 from ..common.resonances import resonance_lines
@@ -48,8 +50,26 @@ class Check:
 
 
 def checked(db):
-    """[Check] of a database against its own tolerance: stored checks, and damping relative to its own size"""
-    return [*stored_checks(db), _check("damping", damping_errors(db), db.omega, _tolerance(db))]
+    """[Check] of a database against its own tolerance: stored checks, those that an imported set tells by itself, and
+    damping relative to its own size"""
+    told = laws_of_imported(db)
+    stored = [
+        _check(one.name, told[one.name], db.omega, one.limit) if one.name in told else one for one in stored_checks(db)
+    ]
+    return [*stored, _check("damping", damping_errors(db), db.omega, _tolerance(db))]
+
+
+def laws_of_imported(db):
+    """{check: (n,) violation} of laws that A, B and X of an imported set can tell by themselves, else {}"""
+    if "imported" not in db.attributes or not {"added_mass", "radiation_damping"} <= set(db.names):
+        return {}
+    found = {"reciprocity": reciprocity_defects(db)}
+    if "excitation_force" in db.names and not (db.bodies or db.modes):
+        names = "added_mass", "radiation_damping", "excitation_force"
+        values = Values(db.omega, db.wave_direction, db.water_depth, db.density, db.gravity, {n: db[n] for n in names},
+                        {"hydrostatic_stiffness": db.hydrostatic_stiffness})  # fmt: skip
+        found["energy"] = energy_defects(values)
+    return found
 
 
 def stored_checks(db):

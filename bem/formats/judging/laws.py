@@ -37,6 +37,7 @@ SCATTERS = 0.5  # relative spread of a ratio between its 10 % and 90 % quantiles
 FAINT = 1e-3  # damping below this fraction of the largest is rounding
 DECKED = 0.4  # least −ω²A₃₃/C₃₃ in long waves of a hull that panels close at the surface; else near 0
 CANCELS = 0.1  # moment, over force times body length, below which it is a small difference of large terms
+ROUNDS = 1e-4  # of the largest inertia and damping of forces, or of moments: less moves no water
 EVEN = 1e-3  # terms below this fraction of the largest diagonal vanish by symmetry
 SURGE, SWAY, HEAVE = 0, 1, 2
 
@@ -179,6 +180,32 @@ def haskind_ratios(values):
         if clear.sum() >= few:
             found[i] = (B[clear, i] / np.maximum(far[clear], 1e-300), values.omega[clear])
     return found or None
+
+
+def energy_defects(values):
+    """Largest |B_ii − k/(8πρgC_g) ∮ |X_i|² dβ| over ω|A_ii + iB_ii/ω| of six motions; shape (n,)
+
+    It is the energy of the radiated waves by Haskind's relation. NaN without excitation, without headings all round or
+    their mirror images, and where headings are too far apart for the waves.
+    """
+    X, out = values.get("excitation_force"), np.full(len(values.omega), np.nan)
+    circle = _circle(values) if X is not None and X.size else None
+    if circle is None:
+        return out
+    weights, step = circle
+    k, kL = _waves(values)
+    A, B = (np.einsum("nii->ni", values.get(name)) for name in ("added_mass", "radiation_damping"))
+    w = values.omega[:, None]
+    speed = group_factor(k, values.water_depth) * values.omega / k
+    rate = k / (8 * np.pi * values.density * values.gravity * speed)
+    size = np.abs(w * A + 1j * B)
+    for part in (slice(0, 3), slice(3, 6)):
+        floor = ROUNDS * size[:, part].max(axis=1, keepdims=True)
+        size[:, part] = np.where(size[:, part] > floor, size[:, part], np.inf)
+    far = rate[:, None] * np.einsum("nmi,m->ni", np.abs(X) ** 2, weights)
+    good = (kL < 0.4 * np.pi / step) & np.isfinite(far).all(axis=1)
+    out[good] = (np.abs(B - far) / size).max(axis=1)[good]
+    return out
 
 
 def _haskind(values):

@@ -58,13 +58,11 @@ def cost(geometry, band, gravity):
     return Cost(matrices + BYTES_OF_PROGRAM, stages)
 
 
-def memory_alone(prepared, dense=False):
+def memory_alone(prepared):
     """Bytes at the peak of frequencies without shared work (`bem.panels.one_frequency`, `bem.panels.compressed`,
     `bem.panels.zero_draft`, `bem.panels.axisymmetric_frequency`)
-
-    dense : whether matrices are full where others would be compressed
     """
-    if prepared.compressed and not dense and not prepared.axisymmetric_geometry.sectors:
+    if prepared.compressed and not prepared.axisymmetric_geometry.sectors:
         n = len(prepared.geometry.elements.nodes)
         kept = BYTES_KEPT * n * (n < MOST_KEEPING)
         return BYTES_PER_DOUBLING * n * np.log2(n) + kept + BYTES_OF_PROGRAM

@@ -25,7 +25,7 @@ from ...common.quantities import StudyError
 from ...common.weather.streams import OF_HULL, STREAMS, with_hull
 from ...moor.checked import check_weather
 from ...moor.study import make_study, read_raw
-from .needs import COEFFICIENT, DOLPHIN, GAP, HINGE_FORCE, HINGE_MOMENT, OF_FENDERS, Need, of_lines
+from .needs import COEFFICIENT, DOLPHIN, EXCURSION, GAP, HINGE_FORCE, HINGE_MOMENT, OF_FENDERS, Need, of_lines
 from .numbers import Numbers, held_by_hinges, strength, types_of
 from .stored import numbers_of
 
@@ -40,6 +40,7 @@ SIMPLIFIED = (
     "5.1.1). Slow drift is not included. Where a natural period lies near the wave periods, give the project "
     "[simulation]."
 )
+BESIDE = "simplified method: "  # before findings of that method beside runs in time
 IN_TIME = (
     "Tensions and motions come from simulations in time, with lines in motion of their own where dynamic_lines or "
     "its trial requires it. The simplified method gives the place under steady forces only; its findings "
@@ -141,8 +142,8 @@ def needs(raw):
 
 
 def finds(raw):
-    """Motions, and quantities of fenders, earthquakes, hinges and hulls side by side"""
-    found = tuple(dof.lower() for dof in DOFS)
+    """Motions, excursion, and quantities of fenders, earthquakes, hinges and hulls side by side"""
+    found = *(dof.lower() for dof in DOFS), EXCURSION
     found += (*OF_FENDERS, DOLPHIN, COEFFICIENT) if raw.get("fender") else ()
     found += (HINGE_FORCE, HINGE_MOMENT) if raw.get("hinges") else ()
     named = any(table.get("body") for key in (*HELD, "spreads", "fender") for table in raw.get(key, ()))
@@ -208,7 +209,7 @@ def run(study, database, path, factors):
     if "simulation" not in study:
         return stored, None
     runs = simulated(path.with_suffix(".toml"), database, runs_path, factors)
-    beside = (f"simplified method: {text}" for text in stored.warnings if FINDINGS_IN_TIME not in text)
+    beside = (f"{BESIDE}{text}" for text in stored.warnings if FINDINGS_IN_TIME not in text)
     found = {"breaking": runs["breaking"], "warnings": (*runs["findings"], *beside)}
     return stored._replace(**found, parts=stored.parts | runs["parts"]), runs
 

@@ -12,6 +12,7 @@ OF_ALLOWABLE, OF_ENERGY = "fender strain / allowable strain", "fender energy / r
 OF_FENDERS = OF_ALLOWABLE, OF_ENERGY, TOTAL, SLOW
 DOLPHIN = "design load of a dolphin / fender reaction"
 SCOPE = "line length / (5 depths + tidal range)"
+EXCURSION = "excursion"  # m, largest horizontal distance of a body, or of a buoy, from its place at rest
 ANCHOR = "anchor pull x safety / capacity"  # of the study's own anchors
 COEFFICIENT = "horizontal seismic coefficient"
 GAP, HINGE_FORCE, HINGE_MOMENT = "gap between hulls", "hinge force", "hinge moment"  # between several bodies

@@ -16,7 +16,7 @@ from ...common.quantities import StudyError, force
 from ...common.weather.streams import OF_HULL, with_hull
 from ...single_point.reading import read_study
 from ...single_point.tables import make_study
-from .needs import of_lines
+from .needs import EXCURSION, of_lines
 from .numbers import Numbers
 from .stored import numbers_of
 
@@ -113,8 +113,8 @@ def needs(raw):
 
 
 def finds(raw):
-    """Headings of rest, and slewing if the study computes slewing"""
-    return (STABLE, SLEWING) if "slewing" in raw else (STABLE,)
+    """Headings of rest, excursion of the buoy, and slewing if the study computes slewing"""
+    return (STABLE, SLEWING, EXCURSION) if "slewing" in raw else (STABLE, EXCURSION)
 
 
 def lost(study):
@@ -196,11 +196,19 @@ def _numbers(study, best, stable, cycle, ran, hawsers, line_names, warnings):
         uplift=np.concatenate([none, share * -lines.lines.vertical_a]),
         place=np.array([*(best.buoy - best.point.origin), np.arctan2(np.sin(best.heading), np.cos(best.heading))]),
         motions=np.zeros(0),
-        parts={STABLE: {"at rest": float(stable)}}
+        parts={STABLE: {"at rest": float(stable)}, EXCURSION: {"buoy": _farthest(best, ran)}}
         | ({} if ran is None else {SLEWING: {"heading": float(np.degrees(ran.cycle.amplitude))}}),
         hawsers=tuple(hawsers),
         warnings=warnings,
     )
+
+
+def _farthest(best, ran):
+    """m, of the buoy from its place without the hull: under steady loads, and in the run"""
+    from hakobune.mooring.single_point.history import watch_circle
+
+    places = [best.buoy[None, :2], *([] if ran is None else [ran.record.buoy])]
+    return watch_circle(np.concatenate(places), best.point.origin)
 
 
 def _alone(best):

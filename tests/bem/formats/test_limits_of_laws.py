@@ -599,3 +599,40 @@ def test_beside_other_bodies_surge_and_heave_both_have_to_tell_the_channel():
                         ({0: surge, 2: (heave[0][:4], omega[:4])}, False)):  # fmt: skip
         said = laws._of_channel(a_set(omega=omega, others=1), found)
         assert said == ("this is the damping in a channel 5 m wide, not in open water" if told else "")
+
+
+def round_set(omega=1.0, headings=range(0, 360, 30), wrong=1.0):
+    """A body of revolution of 1 m² in deep water: X₁ = 50 cos β, X₃ = 80 N/m.  k = ω²/g, C_g = g/2ω, so that
+    B = ω³/(4πρg³) ∮|X|²dβ, of which ∮cos² = π and ∮1 = 2π"""
+    beta = np.radians(headings)
+    X = np.zeros((1, len(beta), 6), complex)
+    X[0, :, 0], X[0, :, 2] = 50j * np.cos(beta), 80.0
+    B = omega**3 / (4 * np.pi * RHO * G**3) * np.array([np.pi * 50**2, 0, wrong * 2 * np.pi * 80**2, 0, 0, 0])
+    A = spread(1e-3, 1e-3, 1e-6, 1.0, 1.0, 1e-9)
+    return a_set(
+        (omega,),
+        headings,
+        np.inf,
+        stiffness(RHO * G),
+        added_mass=A,
+        radiation_damping=np.diag(B)[None],
+        excitation_force=X,
+    )
+
+
+def test_damping_is_that_of_the_waves_that_the_forces_tell():
+    """Heave has no added mass to speak of, so that its defect is that of damping alone; 1.1 B is off by 0.1/1.1"""
+    assert laws.energy_defects(round_set()) == pytest.approx([0.0], abs=1e-9)
+    assert laws.energy_defects(round_set(wrong=1.1)) == pytest.approx([0.1 / 1.1], rel=1e-6)
+
+
+@pytest.mark.parametrize("headings", [[0.0, 90.0], [10.0, 100.0, 200.0, 300.0]])
+def test_headings_that_do_not_go_round_tell_no_energy(headings):
+    assert np.isnan(laws.energy_defects(round_set(headings=headings))).all()
+
+
+def test_waves_too_short_for_their_headings_tell_no_energy():
+    """A body 1 m long: kL = ω²/g below 0.4 π / step = 2.4, so up to ω = 4.9 rad/s"""
+    assert (
+        np.isfinite(laws.energy_defects(round_set(4.8))).all() and np.isnan(laws.energy_defects(round_set(5.0))).all()
+    )

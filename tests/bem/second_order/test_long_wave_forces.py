@@ -9,7 +9,9 @@ from exact.second_order_cylinder import free_surface_force, long_wave_force, qua
 
 from hakobune.bem import DOFS
 from hakobune.bem.kernels.progress import LONG, progress_callback
+from hakobune.bem.methods import panel_problem
 from hakobune.bem.methods.panel_problem import PanelProblem
+from hakobune.bem.panels.compressed.one_frequency import CompressedRun
 from hakobune.bem.second_order.bound_waves import bound_waves
 from hakobune.bem.second_order.long_wave_forces import LongWaveBody, kept_forces
 from hakobune.bem.time_domain import kept_fits
@@ -65,6 +67,17 @@ def test_the_sums_on_the_cylinder_are_whole_with_the_forcing_of_the_surface():
     whole = squares + free_surface_force(RADIUS, DEPTH, one, two)
     assert abs(whole) / (RHO * G * RADIUS) == pytest.approx(2.880, abs=5e-4)
     assert abs(squares) / (RHO * G * RADIUS) == pytest.approx(2.886, abs=5e-4)
+
+
+def test_equations_by_blocks_of_low_rank_give_the_forces_of_full_ones(monkeypatch):
+    problem, number = PanelProblem(box(100, 50, 10, panels=400), depth=DEPTH), np.array([[0.03, 0.02], [0.0, 0.05]])
+    exact = LongWaveBody(problem).forces(0.2, number)
+    monkeypatch.setattr(panel_problem, "WORTH_COMPRESSING", 0)
+    body = LongWaveBody(problem)
+    assert isinstance(body.run(0.2), CompressedRun)
+    found = body.forces(0.2, number)
+    for part in (slice(0, 3), slice(3, 6)):
+        assert np.abs(found - exact)[:, part].max() < 1e-4 * np.abs(exact)[:, part].max()
 
 
 def test_forces_that_are_kept_are_those_of_the_body_in_its_own_water(tmp_path, monkeypatch):

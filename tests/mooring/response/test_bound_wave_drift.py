@@ -3,9 +3,11 @@
 import numpy as np
 import pytest
 
+from hakobune.bem.kernels.progress import progress_callback
 from hakobune.bem.methods.panel_problem import PanelProblem
 from hakobune.bem.second_order.bound_waves import bound_waves
 from hakobune.bem.second_order.long_wave_forces import LongWaveBody
+from hakobune.bem.time_domain import kept_fits
 from hakobune.meshing.shapes import box
 from hakobune.mooring.environment.sea import Components
 from hakobune.mooring.environment.spectra import jonswap
@@ -36,6 +38,22 @@ def test_between_solved_frequencies_it_is_the_force_of_the_pair(problem, forces,
     exact = exact if sign > 0 else exact.conj()
     for part in (slice(0, 3), slice(3, 6)):
         assert np.abs(found - exact)[part].max() < 3e-3 * np.abs(exact[part]).max()
+
+
+def test_seas_of_other_periods_and_directions_share_the_solutions_of_a_body(problem, tmp_path, monkeypatch):
+    """Highest differences of 0.36 and 0.4 rad/s end at 1.25⁻⁴ = 0.4096, one of 0.42 at 0.512; each is right"""
+    monkeypatch.setattr(kept_fits, "cache_folder", lambda *_: tmp_path)
+    solved = []
+    with progress_callback(lambda stage, what: solved.append(what[1])):
+        for mean, heading, count in ((0.6, 0.3, 10), (2 / 3, 2.0, 10), (0.7, 0.3, 20)):
+            found = bound_wave_forces(problem, (0.5 * mean, 2 * mean), mean, heading)
+            assert len(solved) == count
+            assert found.highest == pytest.approx(0.6 * mean) and found.end == pytest.approx(
+                1.25 ** (-4 + (mean == 0.7))
+            )
+            bound = bound_waves((1.1 * mean, heading), (mean, heading), DEPTH)
+            exact = LongWaveBody(problem).forces(bound.omega, bound.number)[0] * bound.amplitude
+            assert np.abs(found(1.1 * mean, mean) - exact)[:2].max() < 3e-3 * np.abs(exact[:2]).max()
 
 
 def test_the_force_of_a_pair_is_hermitian_and_none_beyond_the_highest_difference(forces):

@@ -12,7 +12,7 @@ from hakobune.pipelines.common.bounds import LongWaves
 def test_long_work_is_told_before_it_begins_and_short_work_is_not(seconds, first, monkeypatch):
     said = []
     monkeypatch.setattr(cost, "seconds_alone", lambda prepared, omega: seconds)
-    monkeypatch.setattr(cost, "memory_alone", lambda prepared, dense: 2.4e9 if first else 1e8)
+    monkeypatch.setattr(cost, "memory_alone", lambda prepared: 2.4e9 if first else 1e8)
     prepared, told = SimpleNamespace(problem=SimpleNamespace(mesh=SimpleNamespace(total=2500))), LongWaves(said.append)
     told("waves", 3)
     told("long", (prepared, 0.1, 0, 10))

@@ -75,8 +75,8 @@ def test_lines_of_a_count_have_headings_all_around_from_the_first():
     assert single_point.lost(base) == ["line at 15°", "line at 105°", "line at 195°", "line at 285°"]
     assert single_point.without(base, "line at 195°")["mooring"]["headings_deg"] == [15.0, 105.0, 285.0]
     assert len(base["mooring"]["headings_deg"]) == 4
-    assert single_point.finds({"slewing": {}}) == (single_point.STABLE, single_point.SLEWING)
-    assert single_point.finds({}) == (single_point.STABLE,)
+    assert single_point.finds({"slewing": {}}) == (single_point.STABLE, single_point.SLEWING, "excursion")
+    assert single_point.finds({}) == (single_point.STABLE, "excursion")
 
 
 def test_every_place_of_rest_has_its_buoy_checked_and_all_are_in_the_plan(monkeypatch):

@@ -453,7 +453,8 @@ def test_numbers_of_a_single_point_are_of_its_hawsers_and_then_of_its_lines(monk
         hawser=hawser,
         mooring=SimpleNamespace(type="", segments=[SimpleNamespace(type="chain"), SimpleNamespace(type="wire")]),
     )
-    run = SimpleNamespace(cycle=SimpleNamespace(amplitude=math.radians(7.0)))
+    away = SimpleNamespace(buoy=np.array([[1.0, 2.0], [7.0, 10.0]]))  # 10 m from (1, 2)
+    run = SimpleNamespace(cycle=SimpleNamespace(amplitude=math.radians(7.0)), record=away)
     found = single_point._numbers(study, best, 1, None, run, ["h1", "h2"], ["l1", "l2"], ("w",))
     assert asked == [(best, None, run, False)]
     assert found.names == ("h1", "h2", "l1", "l2") and found.hawsers == ("h1", "h2") and found.warnings == ("w",)
@@ -468,7 +469,9 @@ def test_numbers_of_a_single_point_are_of_its_hawsers_and_then_of_its_lines(monk
     assert found.parts[single_point.STABLE] == {"at rest": 1.0} and found.parts[single_point.SLEWING][
         "heading"
     ] == pytest.approx(7.0)
+    assert found.parts["excursion"] == {"buoy": 10.0}
     one = single_point._numbers(study, best, 2, None, None, [], ["l1", "l2"], ())
+    assert one.parts["excursion"] == {"buoy": pytest.approx(math.hypot(4.0, 5.0))}
     assert one.names == ("l1", "l2") and single_point.SLEWING not in one.parts and one.largest.tolist() == [150, 200]
     best.point.lengths = np.array([40.0])
     alone = single_point._numbers(study, best, 2, None, None, ["h1"], ["l1", "l2"], ())

@@ -13,7 +13,7 @@ from hakobune.pipelines.moor import study as moored
 from hakobune.pipelines.solve import report as checks
 
 WORDS = ("issue", "summary", "advice_words", "return_words", "time_words", "state_row", "line_rows", "criterion",
-         "case", "rule_set", "motion_rows", "warnings", "part_table")  # fmt: skip
+         "case", "rule_set", "motion_rows", "band", "part_table")  # fmt: skip
 
 
 class Asked:
@@ -40,7 +40,11 @@ def page(monkeypatch):
     def noted(name):
         return lambda *given: iter([(name, *given)])
 
-    words = Asked(part_table=lambda *given: ("head", "rows") if given == (read, verdict) else None)
+    told = [{"text": "t", "aside": False}, {"text": "u", "aside": True}]
+    words = Asked(
+        warnings=lambda given: told if given is verdict else None,
+        part_table=lambda *given: ("head", "rows") if given == (read, verdict) else None,
+    )
     monkeypatch.setattr(report, "words", words)
     monkeypatch.setattr(report, "CSS", {"holds": "good"})
     monkeypatch.setattr(report, "WORDS", {True: "met", False: "not met"})
@@ -74,7 +78,8 @@ def test_every_part_of_a_page_is_made_of_what_it_tells(page):
         ],
         "part_head": "head", "parts": "rows", "plans": [("plans", read, verdict, "paths", "/p/out")],
         "records": [("records", verdict, "/p/out")], "motions": ["motion_rows", verdict],
-        "use_picture": ("use", verdict, "/p/out"), "warnings": ["warnings", verdict], "door": "door",
+        "use_picture": ("use", verdict, "/p/out"), "warnings": [{"text": "t", "aside": False}],
+        "aside": [{"text": "u", "aside": True}], "band": ["band", verdict], "door": "door",
         "sources": "sources", "method": ("method", "study"),
         "inputs": {"project": "project text", "study": "study text", "scene": "scene text"},
         "versions": "hakobune 1.0, numpy 2.4",

@@ -185,6 +185,7 @@ def judged(monkeypatch):
     monkeypatch.setattr(running, "_motions", lambda bodies, amplitudes: (bodies, amplitudes))
     monkeypatch.setattr(running, "given_parts", lambda read, case, numbers: {"given": 1, "own": 2})
     monkeypatch.setattr(running, "anchors_used", lambda ran: {})
+    monkeypatch.setattr(running, "excursion", lambda ran: 7.0)
 
 
 def test_a_case_of_statics_has_the_tensions_of_each_factor_that_ran(judged):
@@ -193,18 +194,18 @@ def test_a_case_of_statics_has_the_tensions_of_each_factor_that_ran(judged):
         factor: SimpleNamespace(name=f"x{factor}", case=case(), numbers=there, runs=None, largest=f"L{factor}")
         for factor, there in ((1.0, of_ship), (1.5, None), (2.0, of_ship))
     }
-    found = running.judged_case("read", ran, "others")
+    found = running.judged_case(SimpleNamespace(kind=SimpleNamespace(MOVED=True)), ran, "others")
     assert found.tensions == {1.0: ("x1.0", "L1.0"), 2.0: ("x2.0", "L2.0")} and found.motions == (("ship",), "m")
     assert found.ranges is None
     assert found[:4] == ("storm", "abnormal", "intact", "quasi-static")
     assert found.others == "others" and found.partial is False
-    assert found.parts == {"given": 1, "own": {"a": 1}}
+    assert found.parts == {"given": 1, "own": {"a": 1}, "excursion": {"from rest": 7.0}}
 
 
 def test_a_case_in_time_has_the_tensions_and_motions_of_its_runs(judged):
     one = SimpleNamespace(name="x", case=case(apart=True), numbers=numbers(),
                           runs={"motions": "in time", "ranges": "whole", "largest": {1.0: "A", 1.5: "B"}})  # fmt: skip
-    found = running.judged_case("read", {1.0: one}, "others")
+    found = running.judged_case(SimpleNamespace(kind=SimpleNamespace(MOVED=True)), {1.0: one}, "others")
     assert found.tensions == {1.0: ("x", "A"), 1.5: ("x", "B")} and found.motions == ((), "in time") and found.partial
     assert found.ranges == ((), "whole")
 

@@ -56,9 +56,9 @@ def test_a_case_without_lines_or_numbers_has_empty_cells():
         "no equilibrium",
     )
     in_time = running.Ran(CASE, None, none, {"excursion": 7.5})
-    assert report_tables.excursion(in_time) == 7.5
-    assert report_tables.excursion(running.Ran(CASE, None, none, {"largest": {}})) == 5.0  # runs of fixed bodies
-    assert report_tables.excursion(running.Ran(CASE, None, numbers(), {"largest": {}})) == pytest.approx(6.0)
+    assert running.excursion(in_time) == 7.5
+    assert running.excursion(running.Ran(CASE, None, none, {"largest": {}})) == 5.0  # runs of fixed bodies
+    assert running.excursion(running.Ran(CASE, None, numbers(), {"largest": {}})) == pytest.approx(6.0)
 
 
 @pytest.mark.parametrize(

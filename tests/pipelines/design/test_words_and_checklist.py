@@ -202,7 +202,7 @@ def test_the_worst_criterion_stands_in_the_summary():
 
 def test_findings_of_cases_that_differ_in_numbers_are_told_once_with_the_largest():
     def ran(name, *texts):
-        return SimpleNamespace(case=SimpleNamespace(name=name), numbers=SimpleNamespace(warnings=texts))
+        return SimpleNamespace(case=SimpleNamespace(name=name), numbers=SimpleNamespace(warnings=texts, names=()))
 
     verdict = SimpleNamespace(
         ran=[ran("a", "uplift of 12 kN"), ran("b", "uplift of 30 kN", "slack"), ran("c", "slack")]
@@ -212,6 +212,42 @@ def test_findings_of_cases_that_differ_in_numbers_are_told_once_with_the_largest
         "uplift of 30 kN": "b; likewise, each with its own numbers, in 1 more case",
         "slack": "b; likewise, in 1 more case",
     }
+
+
+def told_of(name, *texts, names=("fore 1", "fore 10"), fault=""):
+    numbers = None if fault else SimpleNamespace(warnings=texts, names=names)
+    return SimpleNamespace(case=SimpleNamespace(name=name), numbers=numbers, fault=fault)
+
+
+def test_findings_of_different_lines_are_one_and_those_of_the_simplified_method_stand_aside():
+    """What the runs say too is not repeated"""
+    ran = [
+        told_of("a", "fore 1 pulls 40 kN", "the drift is a guess", "simplified method: the drift is a guess"),
+        told_of("b", "fore 10 pulls 90 kN", "simplified method: 2 of 8 lines lift"),
+    ]
+    found = list(report_words.warnings(SimpleNamespace(ran=ran)))
+    assert [(one["text"], one["aside"]) for one in found] == [
+        ("fore 10 pulls 90 kN", False), ("the drift is a guess", False), ("2 of 8 lines lift", True),
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize(("texts", "said"), [
+    (("solve 0.3 to 5.94 rad/s as well", "solve to 5 rad/s (1.26 s) too"), "solve from 0.3 to 5.94 rad/s."),
+    (("solve to 5 rad/s (1.26 s) too", "solve to 5.55 rad/s (1.13 s) too"), "solve to 5.55 rad/s."),
+    (("solve from 0.2 rad/s too", "solve 0.3 to 1.73 rad/s as well"), "solve from 0.2 to 1.73 rad/s."),
+    (("add frequencies near 3 rad/s",), ""),
+])  # fmt: skip
+def test_one_band_serves_all_cases_those_that_could_not_run_too(texts, said):
+    first, *rest = texts
+    for ran in ([told_of("a", *texts)], [told_of("a", first), *(told_of("b", fault=text) for text in rest)]):
+        words = report_words.band(SimpleNamespace(ran=ran))
+        assert words.endswith(said) and bool(words) is bool(said)
+
+
+@pytest.mark.parametrize(("used", "said"), [(1.001, "-0.1 %"), (0.999, "+0.1 %"), (1.0, "+0 %"), (0.4, "+60 %"),
+                                            (1.37, "-37 %"), (1.00004, "-0.004 %")])  # fmt: skip
+def test_a_margin_is_zero_at_the_limit_alone(used, said):
+    assert report_words._margin(used) == said
 
 
 def test_a_line_is_told_in_metres_and_kilonewtons():

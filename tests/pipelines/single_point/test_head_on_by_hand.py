@@ -148,12 +148,14 @@ def test_a_body_that_begins_at_rest_stays_there_in_time(tmp_path, asked, picture
         assert row == pytest.approx([1e3 * force] * 4, rel=1e-5)
         assert found[f"run[{rope}].significant_with_drift"] == pytest.approx(1.2e3 * force, rel=1e-5)
     assert found["run.radius"] == pytest.approx(D + HAWSER + BOW, rel=1e-5)
-    heading, hawser, lines, plan = pictures[0].axes
-    assert [axis.get_ylabel() for axis in pictures[0].axes] == ["heading, °", "hawser, kN", "line 1, kN", "y, m"]
+    assert found["run.excursion"] == pytest.approx(D, rel=1e-5)
+    heading, hawser, lines, plan, *_ = pictures[0].axes
+    labels = ["heading, °", "hawser, kN", "line 1, kN", "y, m", "y, m"]
+    assert [axis.get_ylabel() for axis in pictures[0].axes] == labels
     assert np.abs(heading.lines[0].get_ydata()).max() < 0.01
     assert hawser.lines[0].get_ydata() == pytest.approx(np.full(61, PULL), rel=1e-3)
     assert lines.lines[0].get_xydata() == pytest.approx(np.stack([np.arange(61.0), np.full(61, LEADING)], 1), rel=1e-3)
-    track = next(line for line in plan.lines if line.get_label() == "centre of mass")
+    track = next(line for line in plan.lines if line.get_label() == "track of the centre of mass")
     assert track.get_xydata() == pytest.approx(np.tile([-D - HAWSER - BOW, 0.0], (61, 1)), abs=0.02)
     assert found["run.hawser_tension"] == pytest.approx(np.full((61, 1), 1e3 * PULL), rel=1e-5)
     assert found["run.wind_speed"] == pytest.approx(np.full(61, U))

@@ -6,12 +6,13 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from hakobune.bem.kernels.progress import CYCLE
+from hakobune.bem.kernels.progress import CYCLE, IN_TIME
 from hakobune.mooring.loads.turning import FITTED
 from hakobune.mooring.single_point.equilibria import preferred
 from hakobune.mooring.single_point.history import Cycle, Record
 from hakobune.mooring.single_point.in_time import Run, largest_of
-from hakobune.pipelines.single_point import result, running
+from hakobune.pipelines.common.progress import duration
+from hakobune.pipelines.single_point import result, running, telling
 from hakobune.pipelines.single_point.findings import findings, overloads
 from hakobune.pipelines.single_point.quantities import maps_of, rest_of, run_of
 from hakobune.pipelines.single_point.running import words
@@ -77,8 +78,22 @@ def test_headings_that_are_stable_are_counted():
 def test_steady_tensions_in_waves_are_told_to_be_less_than_the_largest():
     (said,) = findings(found([one()], waves="waves"))
     assert said.startswith("left out: pulls by waves and gusts") and "[slewing]" in said
-    assert list(findings(found([one()], waves="waves", run="run"))) == []
-    assert list(findings(found([one()], run="run"))) == []
+    assert list(findings(found([one()], waves="waves", run=ran()))) == list(findings(found([one()], run=ran()))) == []
+
+
+def test_chains_in_their_static_shape_are_told_of_where_waves_move_the_hull():
+    (said,) = findings(found([one()], waves="waves", run=ran(wave=1.0)))
+    assert said.startswith("left out: inertia and drag of the chains") and "snap loads 1.6 to 9 times" in said
+    assert 'dynamic_lines = "auto"' in said
+
+
+def test_a_hawser_that_falls_slack_is_told_with_its_share_of_the_run():
+    """3 of 800 samples; a contact buoy has no hawser"""
+    run = ran()
+    run.record.hawser[100:103] = 0.0
+    assert "the hawser falls slack and comes taut again: hawser 1 for 0.38 % of the run" in words(run)
+    run.steady.point.lengths[0] = 0.0
+    assert not any("slack" in line for line in words(run))
 
 
 @pytest.mark.parametrize("angle, told", [(59.9, False), (60.1, True), (119.0, True), (121.0, False)])
@@ -143,7 +158,9 @@ def ran(cycle=None, heading=0.0, wave=0.0, gusts=0.0, drifts=False, settled=np.n
     hawser, lines = np.full((n, 1), 2e5), np.full((n, 2), 3e5)
     hawser[9], lines[7, 1] = 5e5, 9e5
     record = Record(TIME, still, np.full(n, heading), motion, still, hawser, lines, 10 + gusts * np.sin(TIME))
-    point = SimpleNamespace(system=SimpleNamespace(line_names=["a", "b"]), lengths=np.array([30.0]))
+    point = SimpleNamespace(
+        system=SimpleNamespace(line_names=["a", "b"]), lengths=np.array([30.0]), origin=np.array([3.0, 4.0])
+    )
     steady = SimpleNamespace(
         heading=0.0, hawser=np.array([1e5]), lines=SimpleNamespace(tension=np.array([2e5, 3e5])),
         slewing=SimpleNamespace(stable=stable), point=point,
@@ -202,6 +219,7 @@ def test_tensions_of_a_run_are_kept_with_the_fifth(drifts):
         assert values[f"run.{name}"] / 1e3 == pytest.approx(tension), name
     assert values["run.significant_with_drift"] == pytest.approx(1.2 * values["run.significant"])
     assert bool(made["run.significant_with_drift"].table) is not drifts
+    assert values["run.excursion"] == 5.0  # the buoy stays at 0, 0
     assert values["run.radius"] == 12.34 and values["run.amplitude"] == pytest.approx(math.radians(5))
 
 
@@ -244,30 +262,69 @@ def test_a_run_in_time_is_taken_up_to_its_limits(good, bad, says):
     assert says in str(refused.value)
 
 
-@pytest.mark.parametrize(("seconds", "told"), [(9.0, 0), (11.0, 1), (33.0, 3)])
-def test_a_limit_cycle_is_told_of_every_ten_seconds(monkeypatch, capsys, seconds, told):
-    """Three periods in so many seconds"""
+@pytest.mark.parametrize(("seconds", "lines"), [(9.0, 0), (11.0, 1), (33.0, 2)])
+def test_a_limit_cycle_is_told_of_every_ten_seconds(monkeypatch, capsys, seconds, lines):
+    """Three periods in so many seconds; the first begins the clock, so that 97 more take 97/3 of them"""
     clock = [0.0]
-    monkeypatch.setattr(result, "time", SimpleNamespace(monotonic=lambda: clock[0]))
-    now = result._telling()
+    monkeypatch.setattr(telling, "time", SimpleNamespace(monotonic=lambda: clock[0]))
+    now = telling.Telling()
     now("waves", 5)
     for part in (1, 2, 3):
         clock[0] = seconds * part / 3
         now(CYCLE, (math.radians(7.0), 0.02))
     said = capsys.readouterr().err.splitlines()
-    assert len(said) == told
-    if told:
+    assert len(said) == lines
+    if lines:
         assert said[-1].startswith("limit cycle, period 3 of") and "swings 7° to either side, +2 % a period" in said[-1]
+        assert said[-1].endswith(f"; at most {duration(seconds / 3 * 97)} left")
+
+
+def test_a_run_in_time_is_told_of_with_the_time_left(monkeypatch, capsys):
+    """A fifth in 15 s, so four fifths in 60 s more; a run that begins again has its own clock"""
+    clock = [0.0]
+    monkeypatch.setattr(telling, "time", SimpleNamespace(monotonic=lambda: clock[0]))
+    now = telling.Telling()
+    for at, share in ((0.0, 0.0), (15.0, 0.2), (20.0, 0.9), (21.0, 0.1), (41.0, 0.6)):
+        clock[0] = at
+        now(IN_TIME, share)
+    assert capsys.readouterr().err.splitlines() == [
+        "run in time: 20 %, 1 min 00 s left", "run in time: 60 %, 16 s left",
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize(("offset", "period", "growth", "lasts"), [
+    (2.0, 900.0, 1e-3, 5400.0),  # six periods
+    (2.0, 90.0, 1e-3, 3355.1),  # ln(1/0.0349066) = 3.3551
+    (-0.01, 90.0, 1e-3, 8653.4),  # ln(1/1.745329e-4) = 8.65340
+    (0.0, 90.0, 1e-3, math.inf),
+    (2.0, math.inf, 1e-3, math.inf),
+])  # fmt: skip
+def test_a_run_shows_slewing_after_periods_and_after_it_has_grown(offset, period, growth, lasts):
+    found = result._grown(SlewingTable(offset_deg=offset), one(growth, period=period))
+    assert found == pytest.approx(lasts, abs=0.1)
+
+
+def test_a_run_that_shows_the_slewing_takes_the_place_of_the_limit_cycle(monkeypatch, capsys):
+    """The run lasts for 399.5 s"""
+    monkeypatch.setattr(result, "limit_cycle", lambda one: "cycle")
+    slews, run = one(1e-3), ran()
+    none, why = result._cycle_of(slews, run, 399.0)
+    assert none is None and why.startswith("limit cycle: not computed, since the run in time shows the slewing")
+    assert result._cycle_of(slews, run, 401.0) == ("cycle", None)
+    assert (
+        "a run of 399.5 s is too short to show it fully grown; give slewing.duration = 500" in capsys.readouterr().err
+    )
+    assert result._cycle_of(slews) == ("cycle", None)
 
 
 def test_a_run_refuses_before_the_limit_cycle_is_computed(monkeypatch):
     """It took minutes to find that the waves lie outside the database"""
     made = SimpleNamespace(point="point", findings=())
     study = SimpleNamespace(slewing="slewing", maps=())
-    for name, value in {"given": (study, ""), "make": made, "equilibria": [1], "preferred": 1, "check_maps": None,
+    for name, value in {"given": (study, ""), "make": made, "equilibria": [1], "preferred": one(), "check_maps": None,
                         "check_buoy": None}.items():  # fmt: skip
         monkeypatch.setattr(result, name, lambda *given, value=value: value)
-    monkeypatch.setattr(result, "_cycle_of", lambda one: pytest.fail("the limit cycle was computed"))
+    monkeypatch.setattr(result, "_cycle_of", lambda *given: pytest.fail("the limit cycle was computed"))
     monkeypatch.setattr(running, "check", lambda study, db: None)
 
     def refused(*given):

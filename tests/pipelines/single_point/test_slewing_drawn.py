@@ -25,7 +25,10 @@ def run_of(hawser=True, still=False):
         lines=np.column_stack([np.full(n, 3e5), LINE, np.full(n, 4e5)]), place=place, buoy=place + 50.0,
     )  # fmt: skip
     point = SimpleNamespace(
-        lengths=np.array([30.0 if hawser else 0.0]), system=SimpleNamespace(line_names=("a", "b", "c"))
+        lengths=np.array([30.0 if hawser else 0.0]),
+        ends=np.zeros((1, 2)),
+        origin=np.zeros(2),
+        system=SimpleNamespace(line_names=("a", "b", "c")),
     )
     return SimpleNamespace(record=record, steady=SimpleNamespace(heading=0.5, point=point, lines="lines at rest"))
 
@@ -33,23 +36,23 @@ def run_of(hawser=True, still=False):
 @pytest.fixture
 def drawn(monkeypatch, tmp_path):
     made = []
-    monkeypatch.setattr("hakobune.pipelines.common.picture.save", lambda *given: made.append(given))
+    monkeypatch.setattr("hakobune.pipelines.single_point.pictures.save", lambda *given: made.append(given))
     monkeypatch.setattr(pictures, "draw_hull", lambda axes, *given, **style: made.append((axes, given, style)))
     monkeypatch.setattr(pictures, "draw_lines", lambda axes, lines: made.append((axes, lines)))
 
     def call(**more):
         made.clear()
         run, study = run_of(**more), SimpleNamespace(hull=SimpleNamespace(length=100.0))
-        running.draw(study, run, tmp_path / "s.png")
+        pictures.draw_run(study, run, tmp_path / "s.png")
         (figure, path, dpi) = made[-1]
-        assert (path, dpi) == (tmp_path / "s.png", 150) and figure.get_size_inches().tolist() == [12.0, 7.0]
+        assert (path, dpi) == (tmp_path / "s.png", 150) and figure.get_size_inches().tolist() == [14.0, 8.0]
         return figure.axes, made[:-1], run, study
 
     return call
 
 
 def test_heading_hawser_and_the_worst_line_are_drawn_over_time_in_degrees_and_kilonewtons(drawn):
-    (heading, hawser, lines, _), *_ = drawn()
+    (heading, hawser, lines, *_), *_ = drawn()
     course, rest = heading.lines
     assert course.get_xdata().tolist() == TIME.tolist()
     assert course.get_ydata() == pytest.approx(np.degrees(0.02 * np.arange(13) + 0.1))
@@ -61,28 +64,27 @@ def test_heading_hawser_and_the_worst_line_are_drawn_over_time_in_degrees_and_ki
 
 
 def test_without_a_hawser_the_hull_pulls_on_the_buoy_and_a_constant_record_is_a_level_line(drawn):
-    (heading, hawser, _, _), *_ = drawn(hawser=False, still=True)
+    (heading, hawser, *_), *_ = drawn(hawser=False, still=True)
     assert hawser.get_ylabel() == "pull on buoy, kN"
     for axes, value in ((heading, np.degrees(0.5)), (hawser, 400.0)):
         low, high = axes.get_ylim()
-        assert 0.5 * (low + high) == pytest.approx(value) and 0.5 * (high - low) == pytest.approx(running.STILL * value)
+        assert 0.5 * (low + high) == pytest.approx(value) and 0.5 * (high - low) == pytest.approx(
+            pictures.STILL * value
+        )
 
 
-def test_the_plan_has_seven_hulls_the_tracks_and_room_for_the_hull_around_them(drawn):
-    (*_, plan), (lines, *hulls), run, study = drawn()
-    assert lines == (plan, "lines at rest") and len(hulls) == 7
-    assert [one[1][3] for one in hulls] == pytest.approx([0.02 * i for i in (0, 2, 4, 6, 8, 10, 12)])
-    axes, (of, point, place, _), style = hulls[3]
-    assert axes is plan and of is study and point is run.steady.point and place.tolist() == [6.0, -12.0]
-    assert style == {"color": "0.7", "lw": 0.8}
-    centre, buoy = plan.lines
-    assert (
-        centre.get_xydata().tolist() == run.record.place.tolist()
-        and buoy.get_xydata().tolist() == run.record.buoy.tolist()
-    )
-    assert plan.get_xlim() == pytest.approx((-80.0, 132.0)) and plan.get_ylim() == pytest.approx((-24 - 120.0, 120.0))
+def test_the_plan_has_the_hull_at_both_ends_of_its_swing_and_the_buoy_its_own_track(drawn):
+    """The heading rises from begin to end: two hulls"""
+    (*_, plan, buoy), (lines, *hulls), run, study = drawn()
+    assert lines == (plan, "lines at rest") and len(hulls) == 2
+    assert [one[1][3] for one in hulls] == pytest.approx([0.0, 0.02 * 12])
+    axes, (of, point, place, _), style = hulls[1]
+    assert axes is plan and of is study and point is run.steady.point and place.tolist() == [12.0, -24.0]
+    assert style["label"] == "hull at 12 s, 13.8°"
+    assert plan.lines[-1].get_xydata().tolist() == run.record.place.tolist()
     assert (plan.get_xlabel(), plan.get_ylabel(), plan.get_aspect()) == ("x, m", "y, m", 1.0)
-    assert plan.get_title() == "track of the centre of mass and the buoy"
+    assert buoy.lines[0].get_xydata().tolist() == run.record.buoy.tolist()
+    assert buoy.get_title() == "buoy: 70.7 m at most from + (without the hull)"  # (50, 50) from (0, 0)
 
 
 GOOD = {"duration": 100.0, "slow_step": 1.0, "tolerance": 1e-3, "step": None, "scheme": None, "waves_after": 100.0,

@@ -51,7 +51,13 @@ def system(weight=1000.0):
 
 
 def point(**more):
-    return SimpleNamespace(lengths=[30.0, 30.0], system=system(), ends=np.array([[50.0, 4.0], [50.0, -6.0]]), **more)
+    return SimpleNamespace(
+        lengths=[30.0, 30.0],
+        system=system(),
+        origin=np.array([1.0, 2.0]),
+        ends=np.array([[50.0, 4.0], [50.0, -6.0]]),
+        **more,
+    )
 
 
 def test_all_headings_of_rest_are_in_one_table():
@@ -98,7 +104,8 @@ def test_all_headings_of_rest_are_in_one_table():
 def test_the_final_heading_has_place_pull_and_the_scope_of_its_most_loaded_line():
     """The catenary without uplift: s² = h² + 2 h H/w, of the tension T at the top: H = T − w h"""
     one, title = at_rest(), "at 270°, the heading at which it comes to rest"
-    hawser = SimpleNamespace(hawser=SimpleNamespace(breaking_load_kN=800.0, breaking_load_tonf=None))
+    rope, fixed = SimpleNamespace(breaking_load_kN=800.0, breaking_load_tonf=None), SimpleNamespace(mass=None)
+    hawser = SimpleNamespace(hawser=rope, buoy=fixed)
     made, axes = quantities.state_of(SimpleNamespace(best=one, point=point(), study=hawser))
     scope, height, w, T = "scope without uplift, under steady loads", 38.5, 1000.0, 4e5
     assert axes == {} and told(made) == {
@@ -208,6 +215,7 @@ def test_a_run_is_kept_with_its_records(wave):
     assert {name: of[name] for name in of if not name.startswith("run.s") and name[4:] not in ("mean", "largest")} == {
         "run.amplitude": ("rad", "heading amplitude at the end", title),
         "run.period": ("s", "period at the end", title),
+        "run.excursion": ("m", "buoy, largest distance from its place without the hull", title),
         "run.radius": ("m", "watch circle about the buoy at rest, radius", title),
         "run.wave_sigma": (
             ("m", "m", "m", "rad", "rad", "rad"),
@@ -328,21 +336,20 @@ def test_the_heading_decays_from_where_it_began_relative_to_rest():
 
 @pytest.mark.parametrize("length", [0.0, 30.0])
 def test_a_run_is_drawn_with_rest_tensions_and_its_track(monkeypatch, tmp_path, length):
-    from hakobune.pipelines.common import picture
     from hakobune.pipelines.single_point import pictures
 
     made, hulls = [], []
-    monkeypatch.setattr(picture, "save", lambda figure, path, dpi: made.append((figure, path)))
+    monkeypatch.setattr(pictures, "save", lambda figure, path, dpi: made.append((figure, path)))
     monkeypatch.setattr(pictures, "draw_lines", lambda axes, lines: hulls.append(lines))
     monkeypatch.setattr(
         pictures, "draw_hull", lambda axes, study, point, place, heading, **_: hulls.append((*place, heading))
     )
     run = ran(wave=1.0)
     run.steady.point.lengths[0] = length
-    running.draw(SimpleNamespace(hull=SimpleNamespace(length=10.0)), run, tmp_path / "r.png")
+    pictures.draw_run(SimpleNamespace(hull=SimpleNamespace(length=10.0)), run, tmp_path / "r.png")
     ((figure, path),) = made
     assert path == tmp_path / "r.png"
-    heading, hawser, lines, plan = figure.axes
+    heading, hawser, lines, plan, buoy = figure.axes
     assert heading.lines[0].get_xydata() == pytest.approx(
         np.column_stack([TIME, np.degrees(np.radians([2, 4, 6]) + [0, 0.3, 0])]))  # fmt: skip
     assert heading.lines[1].get_ydata() == pytest.approx([1, 1]) and heading.lines[1].get_label() == "of rest"
@@ -350,25 +357,28 @@ def test_a_run_is_drawn_with_rest_tensions_and_its_track(monkeypatch, tmp_path, 
     assert lines.lines[0].get_xydata() == pytest.approx(np.column_stack([TIME, [200, 300, 600]]))  # b, the most loaded
     assert (heading.get_ylabel(), lines.get_ylabel(), lines.get_xlabel()) == ("heading, °", "b, kN", "time, s")
     assert hawser.get_ylabel() == ("hawser, kN" if length else "pull on buoy, kN")
-    assert hulls[0] is run.steady.lines and len(hulls) == 8
+    assert hulls[0] is run.steady.lines and len(hulls) == 3  # begin, which is the least heading, and the largest
     assert hulls[1][:2] == (0, 1) and hulls[-1] == (4, 5, pytest.approx(math.radians(6)))
-    assert plan.get_xlim() == pytest.approx((-8, 16)) and plan.get_ylim() == pytest.approx((1 - 12, 5 + 12))
-    track, buoy = plan.lines[-2:]
-    assert track.get_xydata() == pytest.approx(run.record.place) and buoy.get_xydata() == pytest.approx(run.record.buoy)
-    assert plan.get_title() == "track of the centre of mass and the buoy" and plan.get_aspect() == 1.0
+    assert (
+        plan.lines[-1].get_xydata() == pytest.approx(run.record.place) and plan.get_aspect() == buoy.get_aspect() == 1.0
+    )
+    track, circle, place = buoy.lines
+    assert track.get_xydata() == pytest.approx(run.record.buoy)
+    reach = max(np.hypot(*(run.record.buoy - [1.0, 2.0]).T))
+    assert np.hypot(*(circle.get_xydata() - [1.0, 2.0]).T) == pytest.approx(np.full(181, reach))
+    assert place.get_xydata().tolist() == [[1.0, 2.0]] and f"{reach:.3g} m at most" in buoy.get_title()
 
 
 def test_a_constant_record_is_drawn_as_a_level_line(monkeypatch, tmp_path):
-    from hakobune.pipelines.common import picture
     from hakobune.pipelines.single_point import pictures
 
     made = []
-    monkeypatch.setattr(picture, "save", lambda figure, path, dpi: made.append(figure))
+    monkeypatch.setattr(pictures, "save", lambda figure, path, dpi: made.append(figure))
     for name in ("draw_lines", "draw_hull"):
         monkeypatch.setattr(pictures, name, lambda *given, **_: None)
     run = ran()
     run.record.hawser[:] = 2e5 + np.array([[0.0], [1e-3], [0.0]])
-    running.draw(SimpleNamespace(hull=SimpleNamespace(length=10.0)), run, tmp_path / "r.png")
+    pictures.draw_run(SimpleNamespace(hull=SimpleNamespace(length=10.0)), run, tmp_path / "r.png")
     low, high = made[0].axes[1].get_ylim()
     assert (low, high) == pytest.approx((200 - 0.02, 200 + 0.02), abs=1e-4)
     low, high = made[0].axes[2].get_ylim()

@@ -22,7 +22,9 @@ def at_rest(growth=-0.01, period=200.0):
 
 def state(one):
     point = SimpleNamespace(system=SimpleNamespace(lines=(None, None), depth=20.0))
-    return state_of(SimpleNamespace(best=one, point=point, study=SimpleNamespace(hawser=None)))[0]
+    return state_of(
+        SimpleNamespace(best=one, point=point, study=SimpleNamespace(hawser=None, buoy=SimpleNamespace(mass=None)))
+    )[0]
 
 
 def test_growth_of_an_equilibrium_is_told_as_the_time_of_a_factor_e():

@@ -144,6 +144,27 @@ def test_checks_that_were_not_applied_to_an_imported_set_have_their_reason():
     assert report.not_applied(checks, SimpleNamespace(attributes={})) == ()
 
 
+def test_an_imported_set_has_the_checks_that_it_tells_by_itself(monkeypatch):
+    """Reciprocity and energy in place of none; a database of hakobune keeps what it stored"""
+    none = {name: np.full(2, np.nan) for name in ("reciprocity", "Haskind", "energy")}
+    db = SimpleNamespace(omega=np.array([0.5, 1.0]), attributes={"imported": "a.1"}, checks=lambda: none)
+    told = {"reciprocity": np.array([1e-3, 2e-3]), "energy": np.array([0.2, np.nan])}
+    monkeypatch.setattr(report, "damping_errors", lambda db: np.full(2, np.nan))
+    monkeypatch.setattr(report, "laws_of_imported", lambda db: told)
+    found = {one.name: one for one in report.checked(db)}
+    assert (found["reciprocity"].largest, found["reciprocity"].omega, found["reciprocity"].passed) == (2e-3, 1.0, True)
+    assert (found["energy"].largest, found["energy"].exceeding) == (0.2, 1) and np.isnan(found["Haskind"].largest)
+    monkeypatch.setattr(report, "laws_of_imported", lambda db: {})
+    assert all(np.isnan(one.largest) for one in report.checked(db))
+
+
+def test_energy_of_an_imported_set_names_what_it_compares():
+    energy, other = SimpleNamespace(name="energy"), SimpleNamespace(name="reciprocity")
+    of = SimpleNamespace(attributes={"imported": "a.1"})
+    assert checking._unfit(energy, of).startswith("its damping does not follow from its forces: check the depth")
+    assert checking._unfit(other, of) == checking._unfit(energy, SimpleNamespace(attributes={})) == ""
+
+
 def test_the_table_of_checks_has_a_name_and_a_side_for_each_column():
     """Numbers stand on the right"""
     table = report.checks_table([])
