@@ -70,11 +70,11 @@ def test_counts_of_a_mesh_are_found_again():
 def test_counts_for_a_tolerance_are_at_least_a_few_in_each_direction(monkeypatch):
     asked = []
     monkeypatch.setattr(panel_counts, "panels_for", lambda one, tolerance: (one.shape, tolerance))
-    for shape, least in (("box", (3, 3, 3)), ("buoy", (4, 3, 3)), ("ship", (12, 3, 3))):
+    for shape, least in (("box", (3, 3, 3)), ("buoy", (4, 3, 3)), ("ship", (12, 3, 6))):
         monkeypatch.setitem(
             panel_counts.MAKERS, shape, (None, lambda *all, **more: asked.append((all, more)) or (1, 9, 2))
         )
-        assert panel_counts.fine_counts(body(shape), 0.02, 5.0) == (least[0], 9, 3)
+        assert panel_counts.fine_counts(body(shape), 0.02, 5.0) == (least[0], 9, least[2])
     assert asked[0] == ((100.0, 40.0, 10.0), {"panels": ("box", 0.02), "longest": 5.0})
     panel_counts.fine_counts(body(), 0.02, 5.0, bottom=False)
     assert asked[-1][1]["bottom"] is False
