@@ -25,7 +25,7 @@ class NaturalPeriods:
     inside : (n,) False where the added mass had to be held at the end of the stored frequencies, and where the
     water of a gap or a moonpool resonates
     water : (m,) rad/s, lowest stored frequency at which water in a gap or a moonpool, above its resonance, makes the
-        inertia of each motion of the body negative; nan without
+        inertia of each motion of the body negative; nan if there is none
     """
 
     names: tuple[str, ...]

@@ -55,7 +55,8 @@ class Memory(Causal):
     added_mass_infinity : (6, 6) kg …, stored or by causality
     error : (6, 6) largest difference of the system from the fitted transform, from ω = 0 to beyond the band, couplings
     and their motions by √(ii · jj) of the largest transform
-    deviation : (6, 6) of the fitted transform from the database in its band, likewise; error + deviation bound the rest
+    deviation : (6, 6) of the fitted transform from the database in its band, in the same unit; error + deviation bound
+        the rest
     band : rad/s, first and last stored frequency; groups : indices of coupled motions; words : words of the motions
     """
 

@@ -3,8 +3,8 @@
     η = a cos(k·x − ωt),    u = aω cosh ks / sinh kh · k̂ cos(k·x − ωt),    w = aω sinh ks / sinh kh · sin(k·x − ωt)
 
 of linear theory, s = z + h.  Above and below still water they are Wheeler's (1970): those at s h/(h + η), so that the
-water at the crest moves as at z = 0 in linear theory.  The current profile is stretched likewise; the current does not
-change the wave length.
+water at the crest moves as at z = 0 in linear theory.  The current profile is stretched in the same way; the current
+does not change the wave length.
 """
 
 from dataclasses import dataclass

@@ -66,7 +66,7 @@ def two_scale_run(steady, times: Times, body) -> Run:
 def full_run(steady, times: Times, moved, components=None, drift=True, carrier=None) -> Run:
     """Run of slow and wave motion in one equation.
 
-    moved : `one_equation.body_at` the begin of the run; components : components of the waves, None without
+    moved : `one_equation.body_at` the begin of the run; components : components of the waves, None in still water
     drift : whether pairs of waves drive slow drift, in place of the mean drift of the loads
     carrier : `mooring.on_current.waves.Carrier` of the waves, None in still water
     """

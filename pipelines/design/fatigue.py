@@ -77,7 +77,7 @@ def wear_words(read):
 
 
 def wear_of(read, name):
-    """mm of its diameter that a type loses by [wear] or its corrosion_mm, 0 without"""
+    """mm of its diameter that a type loses by [wear] or its corrosion_mm, 0 if it loses none"""
     worn = worn_diameters(read.project, read.study)
     return worn[name][1] if name in worn else read.study["types"][name].get("corrosion_mm") or 0.0
 

@@ -285,7 +285,9 @@ def _own_anchors(ran):
 
 
 def anchors_used(ran):
-    """{ANCHOR: {line: pull times safety over capacity}} of the study's own anchors of known capacity; empty without"""
+    """{ANCHOR: {line: pull times safety over capacity}} of the study's own anchors of known capacity; empty if there
+    are none
+    """
     pulls = dict(zip(ran.numbers.names, ran.at_anchors.T, strict=True))
     used = {name: float(one.used(*pulls[name])) for name, one in _own_anchors(ran).items() if one}
     used = {name: value for name, value in used.items() if not np.isnan(value)}

@@ -38,7 +38,9 @@ SEED = 1987
 
 
 class Detail(NamedTuple):
-    """study; hindcast; limits; verdicts : `answers.Verdicts`; simulated : `simulated.Simulated`, None without"""
+    """study; hindcast; limits; verdicts : `answers.Verdicts`; simulated : `simulated.Simulated`, None if nothing is
+    simulated
+    """
 
     study: DowntimeStudy
     hindcast: Hindcast

@@ -65,8 +65,8 @@ def sea(
 
     spectrum : path of a record that is analysed (CSV), a `mooring.environment.spectrum.Spectrum`, or the command's
         flags, such as {"height": 3.0, "mean_period": 8.0}
-    record : likewise of a generated record, such as {"duration": 3600.0, "seed": 2}, {} for the default; its direction
-        in degrees
+    record : keys or flags of a generated record, such as {"duration": 3600.0, "seed": 2}, {} for the default; its
+        direction in degrees
     reading : likewise of a record that is read: column, segment, and step (s) if it has no times
     depth : m, of the water, deep without
     returns : Result, in SI; its `detail` is a Findings

@@ -96,7 +96,7 @@ def simulate(asked, database, output, console, executor, seeds=None, duration=No
     """Complete the file of a simulation; returns its Outcome.
 
     asked : Input of the study; database : open; console : for the progress, None for none
-    seeds : number of seeds instead of the study's; duration : s, likewise; fresh : replace existing runs
+    seeds : number of seeds instead of the study's; duration : s, instead of the study's; fresh : replace existing runs
     windows : s, length of windows of a record, which must then be stored; pictures : whether some are drawn afterwards
     raises : ValueError, with a message of one line, before anything is written
     """

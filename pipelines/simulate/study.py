@@ -43,7 +43,7 @@ MOST_MISSED = 0.25
 class Plan:
     """weather, settings : see `mooring.motion.weather`; seeds : seeds of all runs; split : rad/s, of slow and wave part
 
-    mean_period : s, of the waves, None without; findings : one line each
+    mean_period : s, of the waves, None in still water; findings : one line each
     sides : `mooring.fenders.gaps.Side` of several bodies
     shapes : units of the shapes of bodies that bend, after the motions; stations : `mooring.response.points.Station`
     told : methods chosen and effects that are not included, one line each; pace : s of computing for a simulated second

@@ -12,7 +12,7 @@ from .tables import MassTable
 def checked(study, body=None):
     """Raises StudyError for a Study that no run supports
 
-    body : `moor.checked.Body` of its database or scene, None without
+    body : `moor.checked.Body` of its database or scene, None if the study names none
     """
     known, is_round = study, body is not None and body.ring is not None and body.ring.is_round
     if body is not None:

@@ -237,7 +237,7 @@ def _by_current(drift, still, current):
 
 
 def _between_waves(body, sea):
-    """A line on mean drift against the bow that stored waves do not tell well; as if all errors were of one sign"""
+    """A warning if the mean drift in head waves is uncertain between the stored frequencies, all errors of one sign"""
     omega = frequencies(body)
     value, error = body.at(omega, "drift_force", [np.pi])
     density = sea.spectrum.density(omega)

@@ -42,7 +42,7 @@ class Taken(NamedTuple):
 
     depth : path of its water depth, () if the database gives the water; states : {key of a state: its table}
     period : its name of the mean wave period; ways : whether a table of a state must exist already for its direction
-    coefficient : path of the seismic coefficient, () without
+    coefficient : path of the seismic coefficient, () if the study has none
     """
 
     depth: tuple = ("water", "depth")

@@ -79,7 +79,7 @@ def _current(study, values):
 
 
 def _climate(values):
-    """Picture and laws of the joint law of height and period, None without"""
+    """Picture and laws of the joint law of height and period, None if the site has no such law"""
     if values.climate is None:
         return None
     law = values.climate.law

@@ -46,7 +46,7 @@ def climate_of(table, years, folder, findings):
 
 
 def profile_of(study, wind_10):
-    """CurrentProfile along x of the current, None without"""
+    """CurrentProfile along x of the current, None for water at rest"""
     if study.current is None:
         return None
     own, depth = study.current, study.site.depth

@@ -2,7 +2,7 @@
 
 With x to the right, y up and z towards the camera, which is at a distance D from the origin, a point is inside the
 right side of the picture, of slope t, if x − c ≤ t (D − z).  Both sides of all points together give the least D, max(x
-+ tz) + max(−x + sz) = (t + s) D, and the place c across; likewise the upper and the lower side.
++ tz) + max(−x + sz) = (t + s) D, and the place c across; the upper and the lower side follow in the same way.
 """
 
 import math

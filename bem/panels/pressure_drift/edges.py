@@ -206,8 +206,8 @@ def _planes(mesh):
 
 
 def _continuations(mesh):
-    """Panel beyond each side, without an edge between and with corners in the same order; shape (n, 4); −1 without
-    one"""
+    """Panel beyond each side, without an edge between and with corners in the same order; shape (n, 4); −1 if there is
+    none"""
     one, other = _neighbours(mesh)
     smooth = np.sum(mesh.normals[one // 4] * mesh.normals[other // 4], axis=1) > np.cos(SHARP)
     same_layout = smooth & (one % 4 == (other + 2) % 4)

@@ -104,7 +104,7 @@ def pretension_of(breakwater, tides):
 
 
 def snapping(breakwater, tides, held):
-    """`Snapping` at the first level where a line goes slack, at the period of its largest tension; None without"""
+    """`Snapping` at the first level where a line goes slack, at the period of its largest tension; None if none does"""
     if held is None or not held.slack or breakwater.lines.stretch is None:
         return None
     from ...breakwater.snap import frequencies, snap

@@ -41,7 +41,7 @@ def check_solved_depth(depth, solved, name, period=None):
 
     Deep-water waves are the same in any depth above half their length.
 
-    name : name of what is solved; period : s, mean, of the waves, None without
+    name : name of what is solved; period : s, mean, of the waves, None in still water
     """
     if math.isclose(depth, solved, rel_tol=1e-6):
         return

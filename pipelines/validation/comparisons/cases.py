@@ -57,7 +57,8 @@ def series_case(length_beam, depth_draft, method=None, xi=XI):
 def model_case(model, method, xi, wave_height=None):
     """A model of Table 2.4.4.1, rotations about its centre of gravity.
 
-    model : one of `MODELS`; wave_height : m, with the roll damping of Yamashita linearised in it; None without
+    model : one of `MODELS`; wave_height : m, with the roll damping of Yamashita linearised in it; None for no such
+        damping
     """
     raw = read_scene(SCENES / f"{MODELS[model]}.toml")
     raw["method"] = method
