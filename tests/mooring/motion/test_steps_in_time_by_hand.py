@@ -240,7 +240,7 @@ class Lines:
         self.lines = SimpleNamespace(number=np.array([2, 0]))
         work = SimpleNamespace(given="given", span=np.zeros(3), whole="whole")
         self.scene = SimpleNamespace(line_work=work, lines=SimpleNamespace(body=np.array([0, 0, 1])),
-                                     body=SimpleNamespace(shapes="shapes"))  # fmt: skip
+                                     body=SimpleNamespace(bent="shapes"))  # fmt: skip
         replaced = dict(
             foresee=lambda lines, kept, h, given: self.note("foresee", h, given),
             rates=lambda scene, buoy, links, t, y, k: self.note("rates", buoy, links, t, y, k) or self.good.pop(0),
