@@ -44,6 +44,7 @@ class Table(NamedTuple):
     bessel: np.ndarray
 
 
+@lru_cache(maxsize=4)  # meshes of one body, solved for the estimated error, have one table
 def wave_table(omega, depth, gravity, reach, draft, accuracy=1e-5):
     """Table of frequency `omega` rad/s for horizontal distances up to `reach` and points down to `draft` (m).
 
