@@ -5,7 +5,10 @@ The error of a step is the difference of the two orders.  The limit of this erro
 to the scale of each motion, times the step over the time in which an error decays. Positions and velocities count.
 Where a
 line becomes taut or a fender is touched, the force has a corner, and the error of a step over it falls only like h².
-Such a step may have the error of a share of the usual step, which is the mean of steps over time.  Steps end where a
+Such a step may have the error of a share of the usual step, which is the mean of steps over time.  Where no force has a
+corner (lines in their static shape, and neither fenders, ropes, hawsers nor hinges) the error E of the fourth order is
+far above that of the fifth, which is kept: it counts as E min(1, SMOOTH E/D) with D of the third divided difference of
+the rates, which falls by one order less than E.  Steps end where a
 window of wave forces ends and where a line breaks, so that no step contains a jump.  Samples between steps are Hermite
 polynomials, of fifth degree for quantities with known velocity and acceleration.
 
@@ -40,6 +43,9 @@ AT_ONCE = 1e-9  # s below which two instants are equal
 ROUNDING = 2e-9  # uncertainty of sample times, over the step between samples
 # step over the usual step, below which the error of a step over a corner counts in proportion; a corner takes six steps
 CORNER = 0.1
+# factor of the ratio of errors of smooth forces.  Chains at a tolerance of 1e-3: 1e-4 σ off with 26 % fewer steps than
+# by the fourth order alone, 3e-5 σ off; of 120 random studies 7 in place of 5 are beyond their tolerance, 6 are told so
+SMOOTH = 20.0
 MEMORY = 20.0  # number of usual steps in their mean
 TIME, STEP, WINDOW, USUAL = range(4)  # places in `Clock.now`
 STEPS, REFUSED, SAMPLES, WINDOWS, SHORT = range(5)  # places in `Clock.counts`
@@ -58,6 +64,7 @@ A = np.array(
 )
 C = np.array([0.0, 1 / 5, 3 / 10, 4 / 5, 8 / 9, 1.0, 1.0])
 E = np.array([71 / 57600, 0.0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525, -1 / 40])
+THIRD = np.array([-25 / 6, 0.0, 200 / 21, -25 / 2, 0.0, 0.0, 50 / 7]) / 24  # of rates at 0, 3/10, 4/5 and 1 of a step
 
 
 @in_memory
@@ -70,6 +77,7 @@ class Clock(NamedTuple):
     scale : (N, 12) allowed error a second of each position and velocity, float_scale : (6,) of those of a buoy
     bent_scale : (G, 12) of those of groups of shapes
     y, stages : state (n,), its rates (7, n); pose : (3,) slow pose of a body foreseen for the end of the window
+    smooth : SMOOTH of forces without corners, inf of others
     """
 
     now: np.ndarray
@@ -84,10 +92,14 @@ class Clock(NamedTuple):
     trial: np.ndarray
     stages: np.ndarray
     pose: np.ndarray
+    smooth: float
 
 
-def clock_at_rest(y, end, sample_step, fixed_step, scale, groups=0):
-    """Clock of a run from a state y (n,) at 0 s; scale : (N + groups, 12), of groups of shapes after bodies"""
+def clock_at_rest(y, end, sample_step, fixed_step, scale, groups=0, smooth=False):
+    """Clock of a run from a state y (n,) at 0 s; scale : (N + groups, 12), of groups of shapes after bodies
+
+    smooth : whether no force has a corner
+    """
     first = fixed_step or FIRST_STEP
     scale = np.asarray(scale, float).reshape(-1, 12)
     scale, bent = scale[: len(scale) - groups], scale[len(scale) - groups :]
@@ -105,6 +117,7 @@ def clock_at_rest(y, end, sample_step, fixed_step, scale, groups=0):
         np.zeros_like(y),
         np.zeros((7, len(y))),
         np.zeros(3),
+        SMOOTH if smooth else np.inf,
     )
 
 
@@ -129,30 +142,32 @@ def take_step(scene, buoy, links, clock, t, h):
     for s in range(1, 7):
         stage(trial, clock.y, k, h, s)
         good = rates(scene, buoy, links, t + C[s] * h, trial, k[s]) and good
-    worst, count = 0.0, clock.scale.shape[0]
+    worst, rough, count = 0.0, 0.0, clock.scale.shape[0]
     for b in range(count):
-        for i in range(12):
-            total = 0.0
-            for j in range(7):
-                total += E[j] * k[j, BLOCK * b + i]
-            if not np.isfinite(total):
-                return np.inf, good  # `max` leaves out what is not a number
-            worst = max(worst, abs(total) / clock.scale[b, i])  # h·total over scale·h
+        worst, rough = worse(k, BLOCK * b, clock.scale[b], worst, rough)
     for g in range(clock.bent_scale.shape[0]):
-        for i in range(12):
-            total = 0.0
-            for j in range(7):
-                total += E[j] * k[j, BLOCK * count + 6 + OF_SHAPES * g + i]
-            worst = max(worst, abs(total) / clock.bent_scale[g, i])
+        worst, rough = worse(k, BLOCK * count + 6 + OF_SHAPES * g, clock.bent_scale[g], worst, rough)
     if buoy is not None:
-        for i in range(6):
-            total = 0.0
-            for j in range(7):
-                total += E[j] * k[j, BLOCK * count + i]
-            if not np.isfinite(total):
-                return np.inf, good
-            worst = max(worst, abs(total) / clock.float_scale[i])
+        worst, rough = worse(k, BLOCK * count, clock.float_scale, worst, rough)
+    if clock.smooth * worst < rough:
+        worst *= clock.smooth * worst / rough
     return worst, good
+
+
+@kernel(counted=False)
+def worse(k, first, scale, worst, rough):
+    """Larger ones of the errors of order 4 and the third differences so far, and those of the states from `first` on,
+    over the limit; inf and 0 for what is not a number
+    """
+    for i in range(scale.size):
+        total = third = 0.0
+        for j in range(7):
+            total += E[j] * k[j, first + i]
+            third += THIRD[j] * k[j, first + i]
+        if not np.isfinite(total):
+            return np.inf, 0.0  # `max` leaves out what is not a number
+        worst, rough = max(worst, abs(total) / scale[i]), max(rough, abs(third) / scale[i])  # h·total over scale·h
+    return worst, rough
 
 
 @kernel(counted=False)
@@ -345,6 +360,7 @@ def advance(scene, waves, clock, samples, most, buoy, links, moving):
     now, counts, k, fixed = clock.now, clock.counts, clock.stages, clock.fixed_step
     lines, length = scene.lines, waves.table.window
     safety = SAFETY if moving is None else WITH_LINES
+    order = 4 if clock.smooth == np.inf else 5  # in h, of the error over the limit
     again = False  # after a rejected step, as over a corner; a step cut short by a window is none
     for _ in range(most):
         t = now[TIME]
@@ -385,7 +401,7 @@ def advance(scene, waves, clock, samples, most, buoy, links, moving):
         if error > 1.0 and fixed == 0.0:
             counts[REFUSED] += 1
             again = True
-            now[STEP] = h * max(SMALLEST, safety * error**-0.25)
+            now[STEP] = h * max(SMALLEST, safety * error ** (-1 / order))
             if now[STEP] < min(SHORTEST, OF_USUAL * now[USUAL]):
                 return TOO_SHORT
             continue
@@ -419,7 +435,7 @@ def advance(scene, waves, clock, samples, most, buoy, links, moving):
             for i in range(clock.y.size):
                 k[0, i] = k[6, i]
         if not cut or error > 0.0:
-            grown = h * min(LARGEST, max(SMALLEST, safety * max(error, 1e-8) ** -0.25))
+            grown = h * min(LARGEST, max(SMALLEST, safety * max(error, 1e-8) ** (-1 / order)))
             now[STEP] = max(now[STEP], grown) if cut else grown
     return RUNNING
 

@@ -10,7 +10,6 @@ import numpy as np
 
 from .tables.interpolation import ring_table
 from .tables.wave_windows import HEADINGS
-from .wave_loads import drift_damping
 
 PLANE = (0, 1, 5)
 SLOW = 0.5  # natural frequencies below this fraction of the mean wave frequency count as slow
@@ -18,16 +17,16 @@ TOO_MUCH = 2.0  # largest damping over that at the natural frequency
 LIGHT = 0.02  # damping ratio below which slow motion counts as lightly damped
 
 
-def drift_damping_ring(forces, weather, depth, gravity):
+def drift_damping_ring(omega, slopes, weather):
     """Damping B, N s/m …, over headings of the body, rows (surge, sway, yaw) by (surge, sway), in its axes; shape
     (HEADINGS + 3, 6)
 
+    omega : (q,) rad/s; slopes : (q, HEADINGS, 3, 2) B of unit waves there (`wave_loads.drift_damping`)
     Wave drift damping (`mooring.response.wave_drift_damping`) of all seas together, from the drift of `WaveForces`.
     The damping acts on the slow velocity over ground. The drift B V that a current adds at rest is part of the drift of
     `wave_loads.wave_table`.
     """
-    headings, omega = np.arange(HEADINGS) * (2 * np.pi / HEADINGS), forces.omega
-    B = drift_damping(forces, omega, depth, gravity)[1].reshape(len(omega), HEADINGS, 6)
+    headings, B = np.arange(HEADINGS) * (2 * np.pi / HEADINGS), slopes.reshape(len(omega), HEADINGS, 6)
     if weather.regular is not None:
         w = weather.regular
         place = np.clip(w.omega, omega[0], omega[-1])

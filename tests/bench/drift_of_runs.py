@@ -54,7 +54,7 @@ def drift_on_the_way(body, weather, settings, seed, run):
         for j in range(3):
             up, down = (np.sqrt(np.maximum(sign * d[..., j].T, 0.0)) for sign in (1, -1))
             out[some, j] = np.abs((E * up).sum(1)) ** 2 - np.abs((E * down).sum(1)) ** 2
-    B = drift_damping_ring(body.waves, weather, *place)
+    B = drift_damping_ring(body.waves.omega, *body.drift_slopes, weather)
     at_rest = B[(len(B) - HEADINGS) // 2].reshape(3, 2)
     (u, v), psi = np.gradient(run.slow[:, :2], run.time, axis=0).T, run.slow[:, 2]
     along = np.stack([np.cos(psi) * u + np.sin(psi) * v, np.cos(psi) * v - np.sin(psi) * u], axis=-1)

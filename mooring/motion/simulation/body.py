@@ -40,7 +40,8 @@ def body_of(moored, weather, settings, components, drag, munk):
     each, ring = moored.waves.each[: rigid // 6], np.zeros((rigid // 6, 4, 6))
     drifts = all(one.drift is not None for one in each) and settings.slow_drift != "none"
     if components is not None and settings.wave_drift_damping and drifts:
-        ring = np.array([slow_damping.drift_damping_ring(one, weather, reader.depth, reader.gravity) for one in each])
+        pairs_of = zip(each, moored.drift_slopes, strict=True)
+        ring = np.array([slow_damping.drift_damping_ring(one.omega, B, weather) for one, B in pairs_of])
     shapes = shapes_of(reader, groups, moored.spring)
     inverse, free = np.zeros_like(damping), np.ix_(moored.free, moored.free)
     inverse[free] = np.linalg.inv((reader.inertia + added)[free])

@@ -27,7 +27,7 @@ from ..contacts import (
 from ..force_tables import TOLERANCE
 from ..line_loads import body_lines, but_berth, tables_of
 from ..links import links_of
-from ..wave_loads import WaveForces, wave_forces
+from ..wave_loads import WaveForces, drift_damping, wave_forces
 from .bending import check_bending
 from .body import in_space, of_each
 from .linked import check_held
@@ -91,6 +91,13 @@ class Moored:
         more = driven(self.reader).damping - self.reader.damping
         body = self.reader.restrained(stiffness=0.5 * (K + K.T), damping=self.damping + more)
         return body.dynamic_stiffness(omega, *body.coefficients(omega))
+
+    @cached_property
+    def drift_slopes(self):
+        """Wave drift damping of each body by unit waves at the frequencies of `waves` (q, HEADINGS, 3, 2), where each
+        knows its drift"""
+        place = self.waves.omega, self.reader.depth, self.reader.gravity
+        return [drift_damping(one, *place)[1] for one in self.waves.each[: self.reader.rigid // 6]]
 
     def __repr__(self):
         lines = 0 if self.system is None else len(self.system.lines)

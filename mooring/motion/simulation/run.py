@@ -167,7 +167,8 @@ def _followed(moored, settings, begun, progress):
     if moored.buoy is not None:
         y[buoy_at(count) : shapes_at(count) - 3] = moored.buoy.start
     scale = SHARE * settings.tolerance / FORGOTTEN * begun.expected
-    clock = integrator.clock_at_rest(y, end, settings.step, settings.fixed_step, scale, groups.count)
+    smooth = moving is None and moored.buoy is None and held is None and without_corners(scene)
+    clock = integrator.clock_at_rest(y, end, settings.step, settings.fixed_step, scale, groups.count, smooth)
     ends = np.cumsum([SAMPLED * count, OF_SHAPES * groups.count, 0 if moored.buoy is None else 6])
     samples = np.zeros((rows, ends[-1]))
     scene = scene._replace(line_work=line_work(scene.lines), contact_work=contact_work(scene.contacts))
@@ -189,6 +190,11 @@ def _followed(moored, settings, begun, progress):
         if state != integrator.RUNNING:
             stuck = -1 if pair is None else int(pair[1].stuck[0])
             raise stopped(state, clock, settings, scene, moored, hung, stuck)
+
+
+def without_corners(scene):
+    """Whether a `Scene` has neither fenders, ropes nor hawsers, nor lines that are read from tables"""
+    return not len(scene.contacts.numbers) and not np.any((scene.lines.hawser >= 0) | (scene.lines.table >= 0))
 
 
 def begin(moored, offset=(0.0,)):

@@ -17,9 +17,9 @@ def moored(heading=0.0, free=tuple(range(6)), **changes):
         gravity=10.0, axes_at_rest=np.array([[0.0, 0, 0, 0, 0, heading]]), stiffness=np.diag([0.0, 0, 7, 8, 9, 0]),
         coefficients=lambda omega: (np.full((1, 6, 6), 0.0) + omega[0] * np.eye(6), np.full((1, 6, 6), 0.5)),
     )  # fmt: skip
-    each = [SimpleNamespace(drift="D"), SimpleNamespace(drift=None)]
+    each = [SimpleNamespace(drift="D", omega="ω"), SimpleNamespace(drift=None)]
     given = {"reader": reader, "quadratic": np.arange(6.0), "slow_added_mass": np.diag(np.full(6, 0.5)), "free": free,
-             "spring": np.diag([10.0, 20, 0, 0, 0, 0]), "waves": SimpleNamespace(each=each),
+             "spring": np.diag([10.0, 20, 0, 0, 0, 0]), "waves": SimpleNamespace(each=each), "drift_slopes": ["B"],
              "damping": np.diag(np.full(6, 0.125)), "memory": SimpleNamespace(added_mass_infinity=9 * np.eye(6),
                                                                              band=(0.2, 3.0))} | changes  # fmt: skip
     return SimpleNamespace(**given)
@@ -54,7 +54,7 @@ def test_a_body_has_its_mass_with_added_mass_its_damping_and_what_pushes_it(monk
     assert told["given"] == (("given", "pairs", "halves"), 60.0, 600.0, 1)
     assert found.filter_rate == pytest.approx(0.25 * 0.8) and (found.ramp, found.munk) == (60.0, 1.0)
     assert found.wave_ramp.tolist() == [0.0, 60.0] and found.given_step == 1.5 and len(found.memory.decay) == 0
-    assert told["ring"][2:] == (20.0, 10.0) and np.all(found.drift_damping == 3.0)
+    assert told["ring"][:2] == ("ω", "B") and np.all(found.drift_damping == 3.0)
 
 
 def test_a_study_s_springs_hold_the_body_along_its_own_axes(monkeypatch):

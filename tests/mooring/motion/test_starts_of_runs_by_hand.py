@@ -36,6 +36,7 @@ def followed(monkeypatch):
         return integrator.RUNNING if clock.now[integrator.TIME] < 150 else seen.last
 
     monkeypatch.setattr(run, "line_work", lambda lines: ("work of", lines))
+    monkeypatch.setattr(run, "without_corners", lambda scene: True)
     monkeypatch.setattr(run, "contact_work", lambda contacts: ("work of", contacts))
     monkeypatch.setattr(run, "links_of", lambda reader: None)
     monkeypatch.setattr(run, "buoy_of", lambda buoy, table, rows: ("arrays", SimpleNamespace(kept=(table, rows))))
@@ -79,6 +80,7 @@ def test_a_run_begins_at_rest_with_its_offset_along_the_axes_and_its_velocity(fo
     assert len(seen.y) == 2 * BLOCK + 6 + STATES and not rest.any()
     clock, samples, most, hung, pair = seen.calls[0]
     assert (clock.end, clock.sample_step, clock.fixed_step) == (130.0, 0.5, 0.0)
+    assert clock.smooth == integrator.SMOOTH  # static lines alone
     assert clock.scale == pytest.approx(np.full((2, 12), 0.3 * 1e-3 / 20.0))
     assert samples.shape == (261, 2 * SAMPLED) and most == 5000 and hung is None and pair is None
     assert seen.scene.line_work == ("work of", seen.scene.lines) and seen.scene.contact_work == ("work of", "contacts")
@@ -94,7 +96,17 @@ def test_a_buoy_begins_after_the_bodies_and_its_place_and_speed_are_sampled(foll
     assert seen.y[2 * BLOCK : 2 * BLOCK + 6] == pytest.approx([20.0, 21.0, 22.0, 0.0, 0.0, 0.0])
     assert seen.calls[0][1].shape == (261, 2 * SAMPLED + 6)
     assert course.buoy[1] == pytest.approx(2 * SAMPLED + 6 + 2 * SAMPLED + np.arange(6.0))
-    assert course.hung == ("table", 261)
+    assert course.hung == ("table", 261) and seen.calls[0][0].smooth == np.inf
+
+
+@pytest.mark.parametrize("fenders, hawser, table, smooth", [
+    (0, [-1, -1], [-1, -1], True), (1, [-1, -1], [-1, -1], False), (0, [-1, 0], [-1, -1], False),
+    (0, [-1, -1], [0, -1], False),
+])  # fmt: skip
+def test_fenders_hawsers_and_lines_of_tables_have_corners(fenders, hawser, table, smooth):
+    lines = SimpleNamespace(hawser=np.array(hawser), table=np.array(table))
+    scene = SimpleNamespace(lines=lines, contacts=SimpleNamespace(numbers=np.zeros((fenders, 3))))
+    assert run.without_corners(scene) == smooth
 
 
 def test_shapes_begin_bent_as_at_rest_and_as_far_as_their_offset(followed):

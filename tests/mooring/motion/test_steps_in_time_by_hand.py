@@ -153,9 +153,13 @@ def test_given_steps_are_kept_and_their_error_is_of_fifth_order(monkeypatch):
     assert math.log2(errors[0] / errors[1]) == pytest.approx(5, abs=0.4) and errors[1] < 1e-4
 
 
-def test_the_error_of_a_step_is_that_of_both_orders_over_what_is_allowed(monkeypatch):
-    """Dormand and Prince (1980): weights of fifth and fourth order of the same stages; x″ = −x by powers of a matrix"""
+@pytest.mark.parametrize("smooth", [np.inf, 2e3, 8.0])
+def test_the_error_of_a_step_is_that_of_both_orders_over_what_is_allowed(smooth, monkeypatch):
+    """Dormand and Prince (1980): weights of fifth and fourth order of the same stages; x″ = −x by powers of a matrix.
+    Of smooth forces times its ratio to the third derivative h³f‴/144, by Newton's divided differences, if below 1
+    """
     run, h = Run(monkeypatch, 2, tolerance=1e-3), 0.7
+    run.clock = run.clock._replace(smooth=smooth)
     run.clock.scale[1, 9] = 1e-5
     fifth = np.array([35 / 384, 0, 500 / 1113, 125 / 192, -2187 / 6784, 11 / 84, 0])
     fourth = np.array([5179 / 57600, 0, 7571 / 16695, 393 / 640, -92097 / 339200, 187 / 2100, 1 / 40])
@@ -165,7 +169,13 @@ def test_the_error_of_a_step_is_that_of_both_orders_over_what_is_allowed(monkeyp
     wanted = max(
         np.abs(off[:12]).max() / 1e-3, np.abs(off[BLOCK : BLOCK + 12]).max() / 1e-3, abs(off[BLOCK + 9]) / 1e-5
     )
-    assert worst == pytest.approx(wanted) and good
+    at, column = np.array([0.0, 0.3, 0.8, 1.0]), run.clock.stages[[0, 2, 3, 6]]
+    for n in (1, 2, 3):
+        column = np.diff(column, axis=0) / (at[n:] - at[:-n])[:, None]
+    third = np.abs(column[0]) / 24
+    third = max(third[:12].max() / 1e-3, third[BLOCK : BLOCK + 12].max() / 1e-3, third[BLOCK + 9] / 1e-5)
+    assert (smooth * wanted < third) == (smooth == 8.0)
+    assert worst == pytest.approx(wanted * min(1.0, smooth * wanted / third)) and good
     assert run.clock.trial[0] == pytest.approx(math.cos(h), abs=1e-4)
     assert run.times[1:7] == pytest.approx([h / 5, 0.3 * h, 0.8 * h, 8 * h / 9, h, h])
 

@@ -54,7 +54,8 @@ def test_mean_drift_in_a_stream_is_that_at_rest_less_the_damping_of_the_way_thro
     of = [window(on_springs, parts, one, pose, 0.0, True)[1][6:9].mean(axis=1) for one in (None, carrier)]
     weather = Weather((SEA,), carrier=carrier)
     still = replace(weather, carrier=None)
-    rings = [drift_damping_ring(on_springs.waves, one, on_springs.reader.depth, 9.80665) for one in (weather, still)]
+    unit = on_springs.waves.omega, *on_springs.drift_slopes
+    rings = [drift_damping_ring(*unit, one) for one in (weather, still)]
     assert np.array_equal(*rings)
     place = heading * HEADINGS / (2 * np.pi) + (len(rings[0]) - HEADINGS) // 2
     B = np.array([np.interp(place, np.arange(len(rings[0])), column) for column in rings[0].T]).reshape(3, 2)
