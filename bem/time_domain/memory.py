@@ -353,8 +353,8 @@ def _tell_neglected(coupled, deviation, words):
         i, j = np.unravel_index(coupled.argmax(), coupled.shape)
         warn(
             f"the memory of the water neglects couplings of up to {coupled.max():.2g} of the largest ({words[i]}–"
-            f"{words[j]}): added mass and damping contradict each other by {deviation:.2g}, so that weaker couplings are "
-            "noise",
+            f"{words[j]}): added mass and damping contradict each other by {deviation:.2g}, so that weaker "
+            "couplings are noise",
             stacklevel=4,
         )
 
