@@ -326,8 +326,8 @@ def test_newmark_s_steps_follow_a_swing_and_what_waves_and_the_mooring_pull(monk
 
 
 def test_a_frigate_in_shallow_water_is_pushed_as_in_the_published_example():
-    """FFG-7 broadside in 1.5 m/s, in MN over T/d: UFC 4-159-03 (2005), table 4-6.  The first and the last give ½ρV²LT and
-    C₀; the others follow"""
+    """FFG-7 broadside in 1.5 m/s, in MN over T/d: UFC 4-159-03 (2005), table 4-6.  The first and the last give ½ρV²LT
+    and C₀; the others follow"""
     draft_over_depth = np.array([0.096, 0.288, 0.576, 0.72, 0.96])
     published = np.array([0.55, 0.66, 1.03, 1.30, 1.90])
     x = draft_over_depth[[0, -1]] ** 2

@@ -1,4 +1,4 @@
-"""Natural periods of a breakwater: motions are largest there, found by scanning; and pictures have places around them."""
+"""Natural periods of a breakwater: motions are largest there, by a scan; and pictures have places around them."""
 
 import numpy as np
 import pytest
