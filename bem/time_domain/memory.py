@@ -54,7 +54,7 @@ class Memory(Causal):
     storage : (n, n) P, J a unit of states squared; loss : (n, q) with power ½ |lossᵀx|² W
     added_mass_infinity : (6, 6) kg …, stored or by causality
     error : (6, 6) largest difference of the system from the fitted transform, from ω = 0 to beyond the band, couplings
-    and their motions by √(ii · jj) of the largest transform
+    and their motions by √(ii · jj) of the largest transform; 0 of couplings that are neglected as noise
     deviation : (6, 6) of the fitted transform from the database in its band, in the same unit; error + deviation bound
         the rest
     band : rad/s, first and last stored frequency; groups : indices of coupled motions; words : words of the motions
@@ -171,14 +171,17 @@ def goal_of_database(body, motions=None):
 def _memory(body, tolerance, goal):
     band, axis, at, wanted, size, scale, deviation, damping = goal
     _check_deviation(deviation, band, damping, size, body.words, _ringing(body))
-    groups = _groups(_relative(np.abs(wanted).max(axis=0), scale) > 0.1 * tolerance)
+    coupled = _relative(np.abs(wanted).max(axis=0), scale)
+    groups = _groups(coupled > max(0.1 * tolerance, deviation.max() * (deviation.max() > CLOSE[0])))
+    noise = ~_within(groups, len(size)) & (coupled > 0.1 * tolerance)
+    _tell_neglected(coupled * noise, deviation.max(), body.words)
     answered = sensitivity(body, at, wanted, axis.added_mass_infinity, size, body.rigid)
     answered[(at < band[0]) | (at > band[1])] = 0.0  # damping outside the band is an assumed power law
     near = [max(tolerance, WORTH * deviation[np.ix_(group, group)].max()) for group in groups]
     parts = _parts(at, wanted, size, groups, near, answered, body.words)
     arrays, storage, loss = _joined(parts, groups, size)
     made = _transfer(arrays, at).conj()
-    error = _relative(np.abs(made - wanted).max(axis=0), scale)
+    error = np.where(noise, 0.0, _relative(np.abs(made - wanted).max(axis=0), scale))
     return Memory(arrays, storage, loss, axis.added_mass_infinity, error, deviation, band, groups, body.words)
 
 
@@ -335,6 +338,26 @@ def _groups(coupled):
         found.append(tuple(sorted(group)))
         left = [i for i in left if i not in group]
     return tuple(found)
+
+
+def _within(groups, count):
+    """Whether two motions belong to one group; shape (count, count)"""
+    found = np.zeros((count, count), bool)
+    for group in groups:
+        found[np.ix_(group, group)] = True
+    return found
+
+
+def _tell_neglected(coupled, deviation, words):
+    """Warn of couplings (6, 6) that are neglected, 0 of others, since the numbers contradict each other by more"""
+    if coupled.any():
+        i, j = np.unravel_index(coupled.argmax(), coupled.shape)
+        warn(
+            f"the memory of the water neglects couplings of up to {coupled.max():.2g} of the largest ({words[i]}–"
+            f"{words[j]}): added mass and damping contradict each other by {deviation:.2g}, so that weaker "
+            "couplings are noise",
+            stacklevel=4,
+        )
 
 
 def _parts(omega, wanted, size, groups, near, answered, words):

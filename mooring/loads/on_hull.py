@@ -31,10 +31,10 @@ from .coefficients import HullCoefficients, hull_force
 from .members import C_D
 
 # C_D of a rough circular cylinder, post-critical (DNV-RP-C205, 2019, section 6.7), without relief at its ends; API RP
-# 2A-WSD has 1.00 to 1.10 with marine growth (commentary on drag coefficients)
+# 2A-WSD has 1.00 to 1.10 with marine growth (commentary on drag coefficients; not held against the print)
 ROUGH = 1.05
 STEADY = 0.4  # V/v above which C_D is steady, in line (API RP 2A-WSD, commentary on drag coefficients, current/wave
-# velocity ratio)
+# velocity ratio; not held against the print)
 STILL = 0.5  # the same cylinder in an oscillation below a third of its diameter, KC < 2: 0.47 × 1.05 (same section)
 
 

@@ -3,6 +3,8 @@
 import numpy as np
 
 from hakobune.mooring.studies.breakwater.breakwater import KN
+from hakobune.mooring.studies.breakwater.curves import response
+from hakobune.mooring.studies.breakwater.natural import around
 
 from ..common.picture import save
 
@@ -14,13 +16,17 @@ def draw(path, study, breakwater, found, measured):
     import matplotlib
     from matplotlib.figure import Figure
 
-    held = [curve for curve in found.curves if np.isfinite(curve.response.front).all()]
+    period = around(breakwater.waves.period, found.natural)
+    curves = [
+        one._replace(response=response(breakwater, one.holding, one.theory, 0.0, 2 * np.pi / period))
+        for one in found.curves
+    ]
     with matplotlib.rc_context({"font.size": 9, "svg.fonttype": "none"}):
         wide = found.front is not None
         figure = Figure(figsize=(16 if wide else 11, 8), layout="constrained")
         grid = figure.subplots(2, 3 if wide else 2)
-        _transmission(grid[0, 0], found, breakwater.waves.period, measured)
-        _tensions(grid[0, 1], held, breakwater.waves.period, measured)
+        _transmission(grid[0, 0], curves, period, measured)
+        _tensions(grid[0, 1], curves, period, measured)
         _sea(grid[1, 0], found.sea)
         _section(grid[1, 1], breakwater)
         if wide:
@@ -36,8 +42,8 @@ def _style(curve):
     return {"color": COLORS[curve.holding], "linestyle": "-" if curve.name == curve.holding else "--", "linewidth": 1.3}
 
 
-def _transmission(axis, found, period, measured):
-    for curve in found.curves:
+def _transmission(axis, curves, period, measured):
+    for curve in curves:
         axis.plot(period, abs(curve.response.transmission), label=curve.name, **_style(curve))
     if measured is not None:
         axis.plot(measured["period_s"], measured["transmission"], "o", color="C3", markersize=4, label="measured")
@@ -47,9 +53,10 @@ def _transmission(axis, found, period, measured):
     axis.legend(frameon=False, fontsize=8)
 
 
-def _tensions(axis, held, period, measured):
+def _tensions(axis, curves, period, measured):
+    held = [curve for curve in curves if np.isfinite(curve.response.front).all()]
     if not held:
-        axis.set_axis_off()
+        _motions(axis, [curve for curve in curves if curve.response.heave.any()], period)
         return
     for curve in held:
         axis.plot(period, abs(curve.response.front) / KN, label=curve.name, **_style(curve))
@@ -62,6 +69,19 @@ def _tensions(axis, held, period, measured):
     axis.set_title("tension amplitude (back line paler)", loc="left", fontsize=9)
     axis.legend(frameon=False, fontsize=8, ncols=2, loc="upper right")
     axis.set_ylim(0, 1.35 * axis.get_ylim()[1])
+
+
+def _motions(axis, moving, period):
+    """Heave and sway of what floats without lines"""
+    if not moving:
+        axis.set_axis_off()
+        return
+    for curve in moving:
+        axis.plot(period, abs(curve.response.heave), label=f"{curve.name}, heave", **_style(curve))
+        axis.plot(period, abs(curve.response.sway), label=f"{curve.name}, sway", alpha=0.45, **_style(curve))
+    axis.set(xlabel="period  s", ylabel="m per m of amplitude", ylim=(0, None))
+    axis.set_title("motions", loc="left", fontsize=9)
+    axis.legend(frameon=False, fontsize=8)
 
 
 def _sea(axis, sea):

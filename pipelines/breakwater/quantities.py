@@ -40,6 +40,21 @@ def curves_of(asked, found):
     return made, axes
 
 
+def natural_of(asked, found):
+    """Natural periods of what floats, with K_T and tension there"""
+    if not found.natural:
+        return {}, {}
+    title = "natural periods, by potential theory"
+    made = {
+        "natural.period": Quantity([one.period for one in found.natural], ("natural",), "s", "natural period", title),
+        "natural.transmission": Quantity([one.transmission for one in found.natural], ("natural",), "", "K_T", title),
+    }
+    fronts = [one.front for one in found.natural]
+    if np.isfinite(fronts).any():
+        made["natural.front"] = Quantity(fronts, ("natural",), "N/m2", "front tension per metre of amplitude", title)
+    return made, labels("natural", [f"{one.holding}, {one.motion}" for one in found.natural])
+
+
 def _moduli(name, values, axes, unit, words, table):
     return {
         name: Quantity(np.abs(values), axes, unit, words, table),

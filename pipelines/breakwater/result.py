@@ -27,6 +27,7 @@ from .quantities import (
     curves_of,
     front_of,
     lee_of,
+    natural_of,
     pretension_of,
     snapping_of,
 )
@@ -85,7 +86,7 @@ def _results(study, asked, db):
 def result_of(found, text, db=None):
     """Result of a Found; text : text of its study"""
     quantities, axes = {}, {}
-    for part in (curves_of, pretension_of, anchors_of, behind_of, snapping_of, front_of, lee_of, checks_of):
+    for part in (curves_of, natural_of, pretension_of, anchors_of, behind_of, snapping_of, front_of, lee_of, checks_of):
         made, labels = part(found.asked, found.results)
         quantities, axes = quantities | made, axes | labels
     optimisation, front = found.study.optimisation, found.results.front

@@ -18,7 +18,7 @@ from ..results.quantity import Quantity
 from ..results.result import Result, labels
 from .project import read_project
 from .report_tables import WORDS
-from .report_words import advice_words, fatigue_words, method_words, percent, summary
+from .report_words import advice_words, band, fatigue_words, method_words, percent, summary
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -128,6 +128,7 @@ def result_of(verdict, change, names, origin, told=()):
     failed = [_fails(one) for one in judged if not one.met]
     failed += [fails(f"{one.case.name} could not be run: {one.fault}") for one in ran if one.numbers is None]
     notes = (f"the mooring {verdict.word}{summary(verdict)}", *fatigue_words(verdict), *advice_words(change, verdict))
+    notes += (band(verdict),) if band(verdict) else ()
     axes = labels("criterion", rules) | labels("load_case", [one.case.name for one in ran])
     return Result("design", made, axes, (*failed, *verdict.broken), notes, told, origin, (verdict, names))
 

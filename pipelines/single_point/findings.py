@@ -26,7 +26,6 @@ STEADY = (
 def findings(found):
     """Findings of a `result.Found`, one line each"""
     best, water = found.best, found.point.loads.water
-    yield from _pulled_down(found.study.buoy, found.point.system, best)
     if found.run is None:
         yield from [STEADY] if found.study.waves is not None else []
     elif moves_in_waves(found.run):
@@ -56,7 +55,7 @@ def drafts_of(buoy, system, best):
     return alone, alone + system.bodies[0].position[2] - best.lines.position[0, 2]
 
 
-def _pulled_down(buoy, system, best):
+def pulled_down(buoy, system, best):
     """A line on a buoy that its lines pull down by more than `BALANCED` of its draft: [buoy] z is that without them"""
     if buoy.mass is None:
         return
@@ -68,7 +67,7 @@ def _pulled_down(buoy, system, best):
         yield (
             f"buoy: {buoy.mass:.4g} t alone float with a draft of {draft:.3g} m, and the lines pull it down with "
             f"{1e-3 * system.density * system.gravity * area * sunk:.4g} kN to {draft + sunk:.3g} m; buoy.z is the "
-            f"height without lines; limit {100 * BALANCED:g} % of the draft; for {draft:.3g} m with lines give "
+            f"height without lines; if {draft:.3g} m is meant as the draft with lines, give "
             f"buoy.mass = {carried:.4g}, and raise buoy.z by {sunk:.2g} m"
         )
 

@@ -14,7 +14,7 @@ from ..common.quantities import force
 from ..results.quantity import Quantity, quantities
 from ..results.result import labels, records
 from . import running
-from .findings import drafts_of, used
+from .findings import drafts_of, pulled_down, used
 
 # range of line lengths, over the given one, and number of steps of the search for changes of stability
 REACH, LENGTHS = (0.02, 20.0), 200
@@ -247,8 +247,9 @@ def hull_of(found):
 
 
 def notes_of(found):
-    """Notes in addition to tables: where slewing begins or ends, and on the run"""
+    """Notes in addition to tables: the buoy's draft, where slewing begins or ends, and on the run"""
     one = found.best
+    yield from pulled_down(found.study.buoy, found.point.system, one)
     if one.quartic is not None:
         low, high = (part * one.lateral.length for part in REACH)
         turn = ", ".join(f"{length:.4g} m" for length in yaw_of(one).lengths) or "none"

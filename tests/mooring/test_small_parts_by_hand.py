@@ -325,6 +325,17 @@ def test_newmark_s_steps_follow_a_swing_and_what_waves_and_the_mooring_pull(monk
     assert wave[:, 2] == pytest.approx(exact, abs=2.5e-4) and not wave[:, [0, 1, 3, 4, 5]].any()
 
 
+def test_a_frigate_in_shallow_water_is_pushed_as_in_the_published_example():
+    """FFG-7 broadside in 1.5 m/s, in MN over T/d: UFC 4-159-03 (2005), table 4-6.  The first and the last give ½ρV²LT
+    and C₀; the others follow"""
+    draft_over_depth = np.array([0.096, 0.288, 0.576, 0.72, 0.96])
+    published = np.array([0.55, 0.66, 1.03, 1.30, 1.90])
+    x = draft_over_depth[[0, -1]] ** 2
+    pushed, pressure = np.linalg.solve(np.column_stack([1 - x, 3.2 * x]), published[[0, -1]])
+    found = [pressure * shallow_coefficient(pushed / pressure, share, 1.0) for share in draft_over_depth]
+    assert found == pytest.approx(published, abs=0.01)
+
+
 def test_a_shallow_coefficient_rises_with_the_square_of_draft_over_depth():
     """C₀ + (C₁ − C₀)(T/d)^K (UFC 4-159-03, eq. 11)"""
     assert shallow_coefficient(0.6, 10.0, 20.0) == pytest.approx(0.6 + 2.6 / 4)

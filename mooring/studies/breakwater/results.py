@@ -8,6 +8,7 @@ import numpy as np
 from .anchors import Anchors, anchors_needed
 from .curves import curves
 from .in_sea import SeaBehind, rougher, sea_behind
+from .natural import natural
 from .tides import Pretension, Snapping, breaking, pretension_of, snapping, tides_of
 
 NONE = Anchors()
@@ -15,7 +16,7 @@ NONE = Anchors()
 
 class Results(NamedTuple):
     """curves : list of `Curve`; tides : list of Tide, None without lines; anchors : [AnchorRow]; warned : one line each
-    front : from `pareto`; lee : from `lee`"""
+    front : from `pareto`; lee : from `lee`; natural : [Natural]"""
 
     curves: list
     tides: list | None
@@ -26,6 +27,7 @@ class Results(NamedTuple):
     snapping: Snapping | None = None
     front: object = None
     lee: object = None
+    natural: tuple = ()
 
 
 def results(breakwater, anchors=NONE):
@@ -34,6 +36,7 @@ def results(breakwater, anchors=NONE):
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         made, left_out = curves(breakwater, 2 * np.pi / period)
+        periods = natural(breakwater)
         tides = tides_of(breakwater, period) if breakwater.lines is not None else None
         has_tensions = tides is not None and np.isfinite(tides[0].front)
         held = pretension_of(breakwater, tides) if has_tensions else None
@@ -51,4 +54,4 @@ def results(breakwater, anchors=NONE):
             f"for holding {breakwater.design[0]} the tension of these lines is not computed, so neither "
             f"pretension nor anchors are given"
         )
-    return Results(made, tides, held, sea, rows, warned, snapping(breakwater, tides, held))
+    return Results(made, tides, held, sea, rows, warned, snapping(breakwater, tides, held), natural=periods)

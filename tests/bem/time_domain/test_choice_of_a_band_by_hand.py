@@ -69,22 +69,30 @@ def test_a_band_is_cut_where_one_motion_deviates_and_the_stored_limit_goes_where
     assert asked["check"] == (last.deviation, last.band, None, last.size, BODY.words, "")
 
 
-def test_a_fit_has_its_groups_tolerances_and_answers_and_tells_the_largest_error(monkeypatch, asked):
-    """Motions are coupled by more than a tenth of the tolerance of √(ii · jj); no answer counts outside the band"""
+@pytest.mark.parametrize(("off", "strong", "weak", "told_of"), [(0.0299, 1.01e-4, 0.99e-4, 0), (0.06, 0.061, 0.059, 1)])
+def test_a_fit_has_its_groups_tolerances_and_answers_and_tells_the_largest_error(
+    monkeypatch, asked, recwarn, off, strong, weak, told_of
+):
+    """Motions are coupled by more than a tenth of the tolerance of √(ii · jj), or by more than numbers that contradict
+    each other by 3 % and more do; no answer counts outside the band"""
     scale, wanted = np.outer(np.arange(1, 7.0), np.arange(1, 7.0)), np.zeros((4, 6, 6), complex)
     wanted[2, range(6), range(6)] = np.diag(scale)
-    wanted[1, 0, 4] = wanted[1, 4, 0] = 1.01e-4 * scale[0, 4]
-    wanted[1, 1, 3] = wanted[1, 3, 1] = 0.99e-4 * scale[1, 3]
-    one = goal(0.06, wanted=wanted, scale=scale)
+    wanted[1, 0, 4] = wanted[1, 4, 0] = strong * scale[0, 4]
+    wanted[1, 1, 3] = wanted[1, 3, 1] = weak * scale[1, 3]
+    one = goal(off, wanted=wanted, scale=scale)
     found = module._memory(BODY, 1e-3, one)
     groups = ((0, 4), (1,), (2,), (3,), (5,))
     at, given, size, told, near, answered, words = asked["parts"]
     assert told == groups and words is BODY.words and given is wanted and at is one.at and size is one.size
-    assert near == pytest.approx([1e-3, 1e-3, 0.002, 1e-3, 1e-3])  # a thirtieth of 6 % of heave
+    assert near == pytest.approx([1e-3, 1e-3, max(1e-3, off / 30), 1e-3, 1e-3])  # of heave
     assert answered.tolist() == [[0.0] * 6, [1.0] * 6, [1.0] * 6, [0.0] * 6]
     assert asked["felt"][1:] == (one.at, wanted, one.axis.added_mass_infinity, one.size, 6)
     assert asked["joined"] == ("parts", groups, one.size)
     error = np.abs(1.5 + 0.5j - wanted).max(axis=0) / scale
+    if told_of:
+        error[1, 3] = error[3, 1] = 0.0
+    said = [str(one.message) for one in recwarn]
+    assert len(said) == told_of and all("couplings of up to 0.059 of the largest" in one for one in said)
     assert found.error == pytest.approx(error) and found.groups == groups
     assert (found.arrays, found.storage, found.loss) == ("arrays", "stored", "lost")
     assert found.added_mass_infinity is one.axis.added_mass_infinity and found.words is BODY.words

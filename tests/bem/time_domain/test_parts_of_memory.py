@@ -86,6 +86,7 @@ def test_motions_are_fitted_as_near_as_their_own_data_agree(monkeypatch):
     goal = module._Goal((0.5, 2.0), *goal[1:], deviation, None)
     asked, body = [], SimpleNamespace(words=(), rigid=(), between=SimpleNamespace(span=(0.5, 2.0)))
     monkeypatch.setattr(module, "_check_deviation", lambda *_: None)
+    monkeypatch.setattr(module, "_tell_neglected", lambda *_: None)
     monkeypatch.setattr(module, "_ringing", lambda body: "")
     monkeypatch.setattr(module, "sensitivity", lambda *_: np.ones((5, 6)))
     monkeypatch.setattr(module, "_groups", lambda coupled: ((0, 4), (2,)))

@@ -13,7 +13,7 @@ from hakobune.mooring.single_point.history import Cycle, Record
 from hakobune.mooring.single_point.in_time import Run, largest_of
 from hakobune.pipelines.common.progress import duration
 from hakobune.pipelines.single_point import result, running, telling
-from hakobune.pipelines.single_point.findings import findings, overloads
+from hakobune.pipelines.single_point.findings import findings, overloads, pulled_down
 from hakobune.pipelines.single_point.quantities import maps_of, rest_of, run_of
 from hakobune.pipelines.single_point.running import words
 from hakobune.pipelines.single_point.tables import SlewingTable
@@ -30,10 +30,10 @@ def one(growth=-1e-3, heading=0.0, period=250.0, hawser=(1e5, 2e5), used=(0.3, n
     )  # fmt: skip
 
 
-def found(rest, turning=False, speed=0.0, direction=0.0, waves=None, run=None, buoy=None):
+def found(rest, turning=False, speed=0.0, direction=0.0, waves=None, run=None):
     water = SimpleNamespace(turning=turning, speed=speed, direction=direction)
     point = SimpleNamespace(loads=SimpleNamespace(water=water), lengths=[30.0, 30.0], system=rest[0].point.system)
-    study = SimpleNamespace(waves=waves, buoy=SimpleNamespace(mass=None) if buoy is None else buoy)
+    study = SimpleNamespace(waves=waves)
     return SimpleNamespace(best=preferred(rest), rest=rest, point=point, study=study, run=run)
 
 
@@ -59,7 +59,7 @@ def test_a_buoy_that_its_lines_pull_down_is_told_with_the_mass_that_balances(sun
     rest = one()
     rest.point.system.density, rest.point.system.gravity = 1025.0, 9.80665
     rest.point.system.bodies = [SimpleNamespace(position=np.array([0.0, 0.0, -1.0 + sunk]))]
-    said = list(findings(found([rest], buoy=SimpleNamespace(mass=200.0, diameter=10.0))))
+    said = list(pulled_down(SimpleNamespace(mass=200.0, diameter=10.0), rest.point.system, rest))
     assert bool(said) is told
     if told:
         per_metre = 1.025 * math.pi * 25.0

@@ -322,10 +322,11 @@ def test_criteria_of_slewing_are_told_with_the_lengths_where_it_begins(monkeypat
     assert quantities._criteria(one)["criterion.straight"].values.item() is False
     assert quantities._criteria(one)["criterion.static"].values == "stable"
     said = "slewing begins or ends at effective line lengths of {} (range 2 to 2e+03 m)"
-    assert list(quantities.notes_of(SimpleNamespace(best=one, run=None))) == [said.format("12.35 m, 50 m")]
+    of = {"best": one, "study": SimpleNamespace(buoy=SimpleNamespace(mass=None)), "point": point()}
+    assert list(quantities.notes_of(SimpleNamespace(**of, run=None))) == [said.format("12.35 m, 50 m")]
     yaw.lengths = []
     monkeypatch.setattr(running, "words", lambda run: [f"of {run}"])
-    assert list(quantities.notes_of(SimpleNamespace(best=one, run="it"))) == [said.format("none"), "of it"]
+    assert list(quantities.notes_of(SimpleNamespace(**of, run="it"))) == [said.format("none"), "of it"]
     assert quantities._criteria(at_rest()) == {}
 
 
