@@ -3,10 +3,10 @@
     D(λ) = λ² M + λ Z(λ) + C,      Z(iω) = iω A(ω) + B(ω),      λ = −β₁/2 + i √(Ω² − β₁²/4)
     det(D + z eᵢeᵢᵀ) = 0,          z = −1 / (D⁻¹)ᵢᵢ = λ b + k
 
-A body released in roll turns about an axis of its own, with the sway that its coupling with roll makes, and radiates much less (a
-barge: a third) than in roll about the origin.  b is the linear damping, and k the stiffness, that motion i of the
-database needs besides its waves to decay as recorded: β₁ = B1/M and Ω are those of `decay`.  Z is continued from the
-real frequency Ω by the first term of its series, which holds the energy of the waves near the body (½ω dA/dω).
+A body released in roll turns about an axis of its own, with the sway that its coupling with roll makes, and radiates
+much less (a barge: a third) than in roll about the origin.  b is the linear damping, and k the stiffness, that motion i
+of the database needs besides its waves to decay as recorded: β₁ = B1/M and Ω are those of `decay`.  Z is continued from
+the real frequency Ω by the first term of its series, which holds the energy of the waves near the body (½ω dA/dω).
 """
 
 from typing import NamedTuple

@@ -23,7 +23,7 @@ def damping(
     ] = None,
     database: Annotated[
         Path | None,
-        Parameter(help="database of the body: gives the mass, and what its waves damp is left out of the keys"),
+        Parameter(help="database of the body: gives the mass; the keys leave out what its waves damp"),
     ] = None,
     motion: Annotated[str | None, Parameter(help='the recorded motion, "roll", for --database')] = None,
     output: Annotated[Path | None, Parameter(help="result, .h5 or .csv")] = None,

@@ -174,7 +174,7 @@ def _of_database(made, mass, body, mode):
         )
     if mass is not None and abs(mass / water.mass - 1) > NEAR:
         notes.append(
-            f"mass is {significant(mass / 1e3)} {unit}, that of {motion} in the database {significant(water.mass / 1e3)} "
+            f"mass is {significant(mass / 1e3)} {unit}, of {motion} in the database {significant(water.mass / 1e3)} "
             f"{unit}, limit {100 * NEAR:g} % apart; B1 and B2 are by that of the database, which a study moves"
         )
     if abs(made.omega / water.natural - 1) > NEAR:
