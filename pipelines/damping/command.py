@@ -16,10 +16,14 @@ def damping(
     *,
     mass: Annotated[
         float | None,
-        Parameter(help="mass with added mass, t (for a rotation t m²); for a decay only", allow_leading_hyphen=True),
+        Parameter(
+            help="mass with added mass, t (for a rotation t m²); for a decay without --database",
+            allow_leading_hyphen=True,
+        ),
     ] = None,
     database: Annotated[
-        Path | None, Parameter(help="database of the body: its radiation damping is subtracted from B1 in the keys")
+        Path | None,
+        Parameter(help="database of the body: gives the mass; the keys leave out what its waves damp"),
     ] = None,
     motion: Annotated[str | None, Parameter(help='the recorded motion, "roll", for --database')] = None,
     output: Annotated[Path | None, Parameter(help="result, .h5 or .csv")] = None,
@@ -29,7 +33,8 @@ def damping(
 
     With force_kN (reaction of the water on a body in sinusoidal motion) it finds B1, B2 and added mass. Without, the
     record is a free decay: a and b of its extinction, and with --mass B1 and B2. B1 contains the damping by waves,
-    which a study has from its database: --database and --motion subtract it.
+    which a study has from its database: --database and --motion subtract it, of a decay with the other motions free,
+    and give the mass. Leave out the first swings after the release, which hold other motions too.
     """
     from ..common.picture import PLOTS, check_picture
     from ..results.output import check_result, finish, write_result

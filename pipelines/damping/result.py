@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from hakobune.bem.database.natural_periods import GIVE_GYRATION
 from hakobune.mooring.criteria.failing import fails
+from hakobune.mooring.identification.coupled import coupled
 from hakobune.mooring.identification.decay import decay
 from hakobune.mooring.identification.forced import forced
 
@@ -24,6 +26,8 @@ if TYPE_CHECKING:
 
 ANGLES = {"deg": 1.0, "degrees": 1.0, "°": 1.0, "rad": 180 / np.pi}  # units of a column, in degrees
 LEFT = 0.25  # largest part of a record that a fit may leave unexplained
+ANOTHER = 2.0  # ratio of a given mass and that of the database, above which the unit or the body is another
+NEAR = 0.1  # relative difference of masses and periods below which nothing is said
 COLUMNS = ("time_s", "motion_m", "force_kN", "motion_deg", "moment_kNm")
 TURNED = {
     "m": "rad",
@@ -48,8 +52,10 @@ def damping(
 
     record : path of a CSV of time_s, motion_m, and force_kN of the water where the body is moved, or {column: values};
         of a rotation motion_deg and moment_kNm; a decay may have other names with their units, "t (s), roll (deg)"
-    mass : mass with added mass, of a free decay, kg, or of a rotation kg m²
-    database : of the body; its radiation damping at the period of the record is subtracted from B1 in the keys
+    mass : mass with added mass, of a free decay, kg, or of a rotation kg m²; with a database it is only compared
+    database : of the body; what its waves damp is subtracted from B1 in the keys: of a forced oscillation the radiation
+        damping of this motion alone, of a decay that of the motion coupled with the others, which are free; the mass of
+        a decay is then that of the database
     motion : the recorded one, "roll", of several bodies "barge roll"; needed with a database
     returns : Result, in SI
     raises : ValueError, with a message of one line
@@ -65,15 +71,17 @@ def damping(
         if force and mass is not None:
             raise ValueError(f"mass is given and the record has {names[1]}; mass is needed for a decay only")
         moved = np.radians(moved) if turned else moved
+        body = None if database is None else database_of(database).bodies_reader
+        given = None if body is None else (body, _mode(body, motion, turned))
         found, findings, notes = (
-            _forced(time, moved, 1e3 * force[0]) if force else _decay(time, moved, mass, "rad" if turned else "m")
+            _forced(time, moved, 1e3 * force[0], given)
+            if force
+            else _decay(time, moved, mass, "rad" if turned else "m", given)
         )
     except ValueError as error:
         raise ValueError(str(error) if isinstance(record, dict) else f"{record}: {error}") from None
     if turned:
         found = {name: replace(one, unit=TURNED.get(str(one.unit), one.unit)) for name, one in found.items()}
-    of_waves = () if database is None else _of_waves(found, database_of(database).bodies_reader, motion, turned)
-    found |= quantities("damping without waves", dict(of_waves))
     notes += _to_paste(found, motion or ("roll" if turned else "heave"))
     source = {} if isinstance(record, dict) else {"record": str(record)}
     return Result("damping", found, labels("time", time, "s"), findings, notes, provenance=provenance(**source))
@@ -129,22 +137,54 @@ def _check_columns(columns, names):
         )
 
 
-def _of_waves(found, body, motion, turned):
-    """Rows of the waves' part of B1 at the period of the record, by the radiation damping of a `Reader`, and the rest
-
-    Raises ValueError, for a motion that the body does not have, and for a decay without mass.
-    """
-    if "B1" not in found:
-        raise ValueError("a database is given without mass; the damping of the waves is subtracted from B1: give mass")
+def _mode(body, motion, turned):
+    """Index of the recorded motion of a `Reader`.  Raises ValueError for a motion that it does not have."""
     allowed = [word for word, turns in zip(body.words, body.turning, strict=True) if turns == turned]
     if motion not in allowed:
         given = "missing" if motion is None else repr(motion)
         raise ValueError(f"motion is {given}; allowed with a database and this record: {', '.join(allowed)}")
-    mode, omega = list(body.words).index(motion), 2 * np.pi / float(found["period"].values)
-    waves = float(body.coefficients(omega)[1][0, mode, mode])
-    unit, rest = ("N m s" if turned else "N s/m"), max(0.0, float(found["B1"].values) - waves)
-    yield "B1.waves", (waves, unit, f"radiation damping of {motion} in the database, at this period")
-    yield "B1.rest", (rest, unit, "B1 less radiation damping")
+    return list(body.words).index(motion)
+
+
+def _of_waves(waves, rest, what):
+    rows = {
+        "B1.waves": (waves, "N s/m", f"radiation damping of {what} in the database, at this period"),
+        "B1.rest": (max(0.0, rest), "N s/m", "B1 less radiation damping"),
+    }
+    return quantities("damping without waves", rows)
+
+
+def _of_database(made, mass, body, mode):
+    """`Coupled` of a `Decay`, and notes on its mass and period.  Raises ValueError for another body's mass."""
+    motion = body.words[mode]
+    if body.inertia is None or body.stiffness is None:
+        raise ValueError(f"the database has no inertia of the body; {GIVE_GYRATION}")
+    water = coupled(body, mode, made.omega, made.linear)
+    unit, notes = "t m²" if body.turning[mode] else "t", []
+    if body.viscous and body.names[mode] in body.viscous.laws:
+        notes.append(
+            f"the scene of the database has [viscous] {motion} of its own, which a study adds to these keys; keep one"
+        )
+    if mass is not None and not 1 / ANOTHER < mass / water.mass < ANOTHER:
+        thousand = " (kg given as t?)" if 300 < mass / water.mass < 3000 else ""
+        raise ValueError(
+            f"mass is {significant(mass / 1e3)} {unit}{thousand}; {motion} of this database has "
+            f"{significant(water.mass / 1e3)} {unit} with added mass, allowed: {1 / ANOTHER:g} to {ANOTHER:g} times "
+            "this; leave the mass out to take that of the database"
+        )
+    if mass is not None and abs(mass / water.mass - 1) > NEAR:
+        notes.append(
+            f"mass is {significant(mass / 1e3)} {unit}, of {motion} in the database {significant(water.mass / 1e3)} "
+            f"{unit}, limit {100 * NEAR:g} % apart; B1 and B2 are by that of the database, which a study moves"
+        )
+    if abs(made.omega / water.natural - 1) > NEAR:
+        notes.append(
+            f"{motion} of the free body in the database has a period of about "
+            f"{significant(2 * np.pi / water.natural)} s, the record {significant(2 * np.pi / made.omega)} s, limit "
+            f"{100 * NEAR:g} % apart; the damping is that at the period of the record: check centre of gravity, "
+            "gyration, and the scale of the record, unless lines held the body"
+        )
+    return water, notes
 
 
 def _to_paste(found, motion):
@@ -160,7 +200,7 @@ def _to_paste(found, motion):
         B1, waves, which = float(found["B1.rest"].values), float(found["B1.waves"].values), motion
         said = f"linear_damping is B1 less the radiation damping of the database, {waves / 1e3:.4g}, which a study adds"
         if B1 == 0.0:
-            said += "; the waves alone damp more than the record, so that 0 is left: check mass, and the water's depth"
+            said += "; the waves alone damp more than the record, so that 0 is left: check the water's depth"
     return (
         f"as keys, for {which}: [simulation] linear_damping = "
         f"{{ {motion} = {B1 / 1e3:.4g} }}, quadratic_damping = {{ {motion} = {B2 / 1e3:.4g} }}; in a scene "
@@ -169,7 +209,8 @@ def _to_paste(found, motion):
     )
 
 
-def _forced(time, motion, force):
+def _forced(time, motion, force, given):
+    """given : (`Reader`, index of the motion), or None"""
     made = forced(time, motion, force)
     by_paper, error = made.by_harmonics, made.error
     found = quantities("forced oscillation", {
@@ -202,11 +243,18 @@ def _forced(time, motion, force):
         "record.force": (force - force.mean(), "N", "reaction"),
         "fitted.force": (made.fitted(time), "N", "reaction"),
     }
+    if given:
+        body, mode = given
+        waves = float(body.coefficients(made.motion.omega)[1][0, mode, mode])
+        found |= _of_waves(waves, made.linear - waves, f"{body.words[mode]} alone")
     return found | quantities("", records, "time", record=True), tuple(findings), ()
 
 
-def _decay(time, motion, mass, unit):
+def _decay(time, motion, mass, unit, given):
+    """given : (`Reader`, index of the motion), or None"""
     made = decay(time, motion)
+    water, notes = (None, []) if given is None else _of_database(made, mass, *given)
+    mass = water.mass if water else mass
     rows = {
         "period": (2 * np.pi / made.omega, "s", "natural period"),
         "a": (made.a, "", "a by half cycles"),
@@ -227,10 +275,16 @@ def _decay(time, motion, mass, unit):
         "cubic.B3_over_M": (made.with_cubic[1], "s/m2", "B3/M"),
         "cubic.left": (made.with_cubic[2], "%", "motion not explained even with a cubic term"),
     }
+    found = quantities("free decay", rows)
+    if water:
+        body, mode = given
+        mass_row = {"mass": (mass, "kg", f"M, mass with added mass of {body.words[mode]} in the database")}
+        waves = _of_waves(water.waves, water.rest, f"{body.words[mode]} with the other motions free")
+        found |= quantities("free decay", mass_row) | waves
     records = {"record.motion": (motion, "m", "motion"), "fitted.motion": (made.fitted, "m", "motion")}
-    found = quantities("free decay", rows) | quantities("", records, "time", record=True)
+    found |= quantities("", records, "time", record=True)
     note = f"{len(made.extremes)} extremes from {significant(made.extremes[0])} {unit}; M with added mass"
-    return found, tuple(_rest(made.off, "motion", "the free decay of one motion")), (note,)
+    return found, tuple(_rest(made.off, "motion", "the free decay of one motion")), (note, *notes)
 
 
 def _rest(off, what, kind):

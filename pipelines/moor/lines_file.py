@@ -4,10 +4,14 @@
     lines_file = "moorings.dat"      # MoorDyn, MoorPy, RAFT or OrcaFlex, beside the study
 
 Each line runs from an anchor to the only body of the file, the hull of the study. If the file has several bodies,
-`lines_body` names the hull.  The tables become part of the study, of a state of a design and of a result.
+`lines_body` names the hull.  The tables become part of the study, of a state of a design and of a result.  Breaking
+loads, which most of these files do not have, are given beside it:
+
+    types = { chain = { breaking_load_kN = 2580.0 }, poly = { breaking_load_kN = 3727.0 } }
 """
 
 import math
+import re
 import warnings
 from pathlib import Path
 
@@ -15,6 +19,7 @@ from ..common.line_tables import IN_MOTION
 from ..common.quantities import StudyError
 
 KEY, BODY = "lines_file", "lines_body"
+BREAKING = ("breaking_load_kN", "breaking_load_tonf")
 ON_BED = 1e-6  # m
 
 
@@ -24,7 +29,7 @@ def with_lines(raw, text, path):
         return raw, text
     import tomli_w
 
-    given = [key for key in ("types", "lines", "spreads") if key in raw]
+    given = [key for key in ("lines", "spreads") if key in raw]
     if given:
         raise StudyError(f"{given[0]} and {KEY} are both given; give one of them, or put all lines in the file")
     file, water = Path(path).parent / raw[KEY], raw.get("water")
@@ -32,8 +37,30 @@ def with_lines(raw, text, path):
     made = tables_of(file, depth if isinstance(depth, int | float) and math.isfinite(depth) else None)
     if raw.get(BODY):
         made["lines"] = [line | {"body": raw[BODY]} for line in made["lines"]]
+    made["types"] = _breaking(made["types"], raw.get("types", {}), file)
     laid = {key: value for key, value in raw.items() if key not in (KEY, BODY)} | made
     return laid, f"# {Path(path).name} with the lines of {raw[KEY]}\n{tomli_w.dumps(laid)}"
+
+
+def _breaking(types, given, file):
+    """The types of a file with the breaking loads of a study; a type that lines differ in ("poly", "poly 2") has one.
+
+    Raises StudyError for a type that the file does not have, and for another key.
+    """
+    found = dict(types)
+    for name, table in given.items() if isinstance(given, dict) else ():
+        same = [one for one in types if re.fullmatch(re.escape(name) + r"( \d+)?", one)]
+        if not same:
+            raise StudyError(f"types: {file.name} has no type {name!r}; allowed: {', '.join(types)}")
+        other = sorted(set(table) - set(BREAKING)) if isinstance(table, dict) else [str(table)]
+        if other:
+            raise StudyError(
+                f"types.{name}: {other[0]} is given beside {KEY}; allowed: {' or '.join(BREAKING)}; the rest is of "
+                f"{file.name}"
+            )
+        for one in same:
+            found[one] = {key: value for key, value in types[one].items() if key not in BREAKING} | table
+    return found
 
 
 def tables_of(file, depth=None):
