@@ -175,7 +175,8 @@ def _about_motions(values):
     if off[worst] > SAME_MOTIONS:
         yield (
             f"the motions in the files are stored; they differ by up to {100 * off[worst]:.3g} % of the largest "
-            f"{DOFS[worst].lower()} from motions with this mass, centre of gravity and radii of gyration; if the "
+            f"{DOFS[worst].lower()} from motions with this mass, centre of gravity and radii of gyration, "
+            "without viscous damping. If theirs have such damping, as of roll in a scene, leave them so; if the "
             "files are for another body, 'hakobune body' with the same flags replaces these motions and leaves out "
             "the drift computed from them"
         )

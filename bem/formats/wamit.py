@@ -188,6 +188,11 @@ def hull_of(place, known=None):
     return beside(place, ".gdf")
 
 
+def _some(numbers):
+    """The first of some numbers, as text"""
+    return ", ".join(f"{x:.5g}" for x in numbers[:4]) + (", …" if len(numbers) > 4 else "")
+
+
 class OtherPlaces(FormatError):
     """Raised for a file whose periods or headings differ from those of the other files."""
 
@@ -271,7 +276,13 @@ def _read_forces(table, omega, headings, columns, index):
     coordinates = [at, np.radians(table[:, 1]), table[:, 2 + extra]]
     (found, own, _), X = gridded(path, coordinates, table[:, -2] + 1j * table[:, -1], modes=(index,))
     places = np.array([int(np.argmin(np.abs(found - w))) for w in omega])
-    same = len(found) >= len(omega) and np.allclose(found[places], omega, rtol=SAME_PERIOD)
-    if not same or (len(headings) and not (len(own) == len(headings) and np.allclose(own, headings, atol=1e-6))):
-        raise OtherPlaces(f"{path} does not have the periods and headings of the other files; allowed: the same")
+    missing = ~np.isclose(found[places], omega, rtol=SAME_PERIOD, atol=0.0)
+    turned = len(headings) and not (len(own) == len(headings) and np.allclose(own, headings, atol=1e-6))
+    if missing.any() or turned:
+        what = f"headings {_some(np.degrees(own))}° for {_some(np.degrees(headings))}°"
+        if missing.any():
+            what = f"no {_some(2 * np.pi / omega[missing])} s ({_some(omega[missing])} rad/s)"
+        raise OtherPlaces(
+            f"{path} does not have the periods and headings of the other files; allowed: the same; it has {what}"
+        )
     return own, X[places]

@@ -7,6 +7,7 @@ from contextvars import ContextVar
 WAVES, MATRICES, FACTORS = "waves", "matrices", "factors"
 FINER = "finer"  # a frequency starts again on more panels: in place of a count (prepared problem, ω in rad/s)
 OWN = "own"  # a solution to compare another program's with begins: in place of a count (prepared problem, ω in rad/s)
+CAUSE = "cause"  # the cause of a difference from it is sought: in place of a count the words for it
 # forces of a long wave begin: in place of a count (prepared problem, ω in rad/s, its number, their count)
 LONG = "long"
 IN_TIME = "in time"  # a motion is followed in time: in place of a count its finished share, 0 to 1

@@ -53,6 +53,7 @@ FORMATS = {
     "hydrostar": Format("hydrostar", "", read_only=True),
 }
 BY_WAMIT = ("wamit", "hams")  # formats with WAMIT's files of results
+OF_WAMIT = (".1", ".3", ".3fk", ".3sc", ".4", ".8", ".hst", ".gdf", ".pot", ".12d", ".12s")  # that export writes
 MEAN_DRIFT = ("drift_force", "drift_force_fixed", *OF_EACH)
 PARTS = ("Froude_Krylov_force", "diffraction_force")  # of the excitation
 # quantities of a database that each format cannot hold; those of WAMIT's hold more of one body
@@ -68,7 +69,7 @@ NOT_HELD = {
 def export(database, to, output, fresh):
     """Write the files and print their names; 1 if frequencies of the database are unsolved.  Raises ValueError."""
     kind, db = format_of("to", to), open_database(database)
-    output = database.with_name(database.stem + kind.ending) if output is None else output
+    output = _default(database, to, kind) if output is None else output
     _check_place(output, kind, fresh, database)
     if db.bodies and not kind.several:
         raise ValueError(
@@ -120,6 +121,14 @@ def format_of(flag, name):
     return FORMATS[name]
 
 
+def _default(database, to, kind):
+    """NAME.1 beside NAME.h5, or NAME_wamit.1 where NAME.gdf is a mesh of the user's own"""
+    place = database.with_name(database.stem + kind.ending)
+    if to == "wamit" and place.with_suffix(".gdf").exists() and not place.exists():
+        return database.with_name(f"{database.stem}_wamit{kind.ending}")
+    return place
+
+
 def _check_place(output, kind, fresh, database):
     if kind.folder:
         check_folder(output)
@@ -128,7 +137,11 @@ def _check_place(output, kind, fresh, database):
         check_place(output)
         if kind.module != "wamit":
             check_ending(output, (Path(kind.ending).suffix or kind.ending,))
-        taken = (output.with_suffix(".1") if kind.module == "wamit" else output).exists()
+        taken = output.exists()
+        if kind.module == "wamit":  # and all files of that name, a hull among them
+            beside = (output.with_suffix(suffix) for suffix in OF_WAMIT)
+            taken = next((path for path in beside if path.exists()), None)
+            output = taken or output
     if output.exists() and output.resolve() == Path(database).resolve():
         raise ValueError(f"{output} is the database itself; give another name by --output")
     if taken and not fresh:
@@ -171,6 +184,8 @@ def _left_out(db, values, to):
         yield from _limits_stood_for(values, endless)
     elif endless:
         yield f"{', '.join(endless)} is not finite and is not written"
+    if "rao" not in NOT_HELD[to] and values.get("rao") is not None and (viscous := _viscous(db)):
+        yield f"the motions written have the viscous damping of the scene, of {viscous}, which the format does not hold"
     lost = _not_held(db, to)
     if lost:
         yield f"the format of {to} cannot hold {', '.join(lost)}"
@@ -183,6 +198,12 @@ def _left_out(db, values, to):
             f"moments and rotations are about ({about}) m, which these files do not contain; give --about when they "
             f"are imported"
         )
+
+
+def _viscous(db):
+    """Motions that have viscous damping in a database, as text"""
+    found = db.bodies_reader.viscous
+    return ", ".join(name.lower() for name in found.laws) if found else ""
 
 
 def _not_held(db, to):

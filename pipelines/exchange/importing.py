@@ -14,7 +14,7 @@ from hakobune.bem.formats.afloat import on_hull
 from hakobune.bem.formats.judging.believed import believed
 from hakobune.bem.formats.judging.laws import depth_of
 from hakobune.bem.formats.values import FormatError, body_of, with_headings_once
-from hakobune.bem.kernels.progress import OWN, progress_callback
+from hakobune.bem.kernels.progress import CAUSE, OWN, progress_callback
 from hakobune.bem.modes import names_of
 from hakobune.meshing.files import read_mesh, wetted
 from hakobune.meshing.mirror import folded
@@ -81,7 +81,10 @@ def import_(place, kind_name, mesh, known, weight, output, fresh=False, correct=
 
 
 def _told_of_own(stage, what):
-    """Callback of `bem.kernels.progress`: says how long each solution takes that the set is compared with, if long"""
+    """Callback of `bem.kernels.progress`: says how long each solution takes that the set is compared with, if long, and
+    what is sought"""
+    if stage == CAUSE:
+        print(what, file=sys.stderr, flush=True)
     if stage != OWN:
         return
     from hakobune.bem.panels.band.cost import seconds_alone

@@ -149,6 +149,11 @@ def read_scene(path):
     other = of_another(raw, Scene)
     if other:
         raise SceneError(other)
+    waves = raw.get("waves")
+    if isinstance(waves, dict) and isinstance(waves.get("omegas"), str):  # as the flag has it
+        raw["waves"] = {"band": band("waves.omegas", waves["omegas"])} | {
+            k: v for k, v in waves.items() if k != "omegas"
+        }
     tables = [one for key in ("bodies", "modes") if isinstance(raw.get(key), list) for one in raw[key]]
     for table in tables:
         if isinstance(table, dict) and isinstance(table.get("file"), str):

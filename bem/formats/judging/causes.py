@@ -15,6 +15,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.optimize import minimize_scalar
 
+from ...kernels.progress import CAUSE, report_progress
 from ...modes import reference_change
 from ...waves import wavenumber
 from .own_solution import gaps, sizes_of_forces
@@ -76,9 +77,11 @@ def finding(values, own):
             found, own = sharp, own.sharper()
     if found is None or (found.cause is not None and not found.cause.fitted and found.left <= AGREED):
         return found
+    report_progress(CAUSE, "none found; depths are tried, at most 12, each solved at two frequencies")
     depth, left = _of_depth(values, flat)
     if _explains(left, found.gap) and (left <= AGREED or left < 0.8 * found.left):
         return found._replace(cause=depth, left=left)
+    report_progress(CAUSE, "no depth; pairs of causes are tried")
     pair, left = _two(values, own)
     most = AGREED if found.cause is None else min(AGREED, CLEARLY * found.left)
     return found._replace(cause=pair, left=left) if left <= min(most, FITS * found.gap) else found
@@ -89,6 +92,11 @@ def _finding(values, own):
     quantity = max(off, key=off.get)
     if off[quantity] <= AGREED:
         return None
+    words = "" if own.nodes == 1 else f" with {own.nodes} nodes on each panel"
+    named = quantity.replace("_", " ")
+    report_progress(
+        CAUSE, f"{named} differs by {100 * off[quantity]:.3g} % from our solution{words}; its cause is sought"
+    )
     best, left = None, np.inf
     for cause in _causes(values, own):
         now = max(gaps(cause.correct(values), own).values())
@@ -330,7 +338,10 @@ def turned(values, words):
 def _about_directions(values, own):
     if "excitation_force" not in values.quantities or not values.quantities["excitation_force"].size:
         return
-    conjugate = ("phases are the conjugates of ours: the files use exp(+iωt) instead of exp(−iωt)", np.conj)
+    conjugate = (
+        "phases are the conjugates of ours: they have the other sign in the files than the format prescribes",
+        np.conj,
+    )
     phases = (("", None), conjugate, ("forces have the opposite sign, as if phase 0 were a wave trough", np.negative),
               ("phases are 90° behind ours", lambda X: X * 1j), ("phases are 90° ahead of ours", lambda X: X * -1j),
               ("phases are conjugates with the opposite sign", lambda X: -np.conj(X)))  # fmt: skip

@@ -250,7 +250,7 @@ LIMITS = {
         for b in (0.0, 90.0) for i in (1, 2, 6))}, {".8": " 6.283185 0.0 90.0 1 1.0 0.0 1.0 0.0\n"},
         "a.8 has drift for pairs of different headings only; allowed: drift for each single heading"),
     "forces of WAMIT": (of_wamit, {}, {".3": " 5.0 0.0 1 1.0 0.0 1.0 0.0\n"},
-        "a.3 does not have the periods and headings of the other files; allowed: the same"),
+        "a.3 does not have the periods and headings of the other files; allowed: the same; it has no 6.2832, 3.14"),
     "headings of WAMIT": (of_wamit, {}, {".3": "".join(f" {T} {b} 1 1.0 0.0 1.0 0.0\n" for T in (6.283185, 3.141593)
         for b in (0.0, 80.0)), ".2": "".join(f" {T} {b} 1 1.0 0.0 1.0 0.0\n" for T in (6.283185, 3.141593)
         for b in (0.0, 90.0))}, "does not have the periods and headings of the other files;"),

@@ -83,6 +83,17 @@ def test_refusals_name_the_way_out(folder, capsys):
     assert "--depth is missing" in capsys.readouterr().err
 
 
+def test_an_export_writes_over_no_hull_of_the_user(folder, tmp_path, capsys):
+    (tmp_path / "own.h5").write_bytes((folder / "box.h5").read_bytes())
+    (tmp_path / "own.gdf").write_text("a hull of the user")
+    words = ["export", str(tmp_path / "own.h5"), "--to", "wamit"]
+    assert cli.main(words) == 0
+    assert (tmp_path / "own_wamit.gdf").exists() and (tmp_path / "own_wamit.1").exists()
+    assert cli.main([*words, "--output", str(tmp_path / "own.1")]) == 2
+    assert "own.gdf exists already; give --fresh" in capsys.readouterr().err
+    assert (tmp_path / "own.gdf").read_text() == "a hull of the user" and not (tmp_path / "own.1").exists()
+
+
 def test_frequencies_that_are_not_finite_are_left_out_and_named(folder, tmp_path, capsys):
     assert cli.main(["export", str(folder / "box.h5"), "--to", "wamit", "--output", str(tmp_path / "box.1")]) == 0
     path = tmp_path / "box.3"

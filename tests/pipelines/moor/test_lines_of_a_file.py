@@ -98,6 +98,16 @@ def test_a_line_with_segments_of_no_known_mass_stays_static_and_its_buoy_is_told
         dynamic_line(off, (0.0, 290.0, -50.0), replace(system, lines=(off, system.lines[1])), 20)
 
 
+def test_breaking_loads_that_a_file_does_not_have_are_given_beside_it(tmp_path):
+    text = HEAD + "[types.chain]\nbreaking_load_kN = 4000.0\n[types.wire]\nbreaking_load_tonf = 100.0\n"
+    study, laid = read(tmp_path, text)
+    joined, chain = study.system(study.hull_of({}), (0, 0, 0)).lines
+    assert chain.breaking_load == pytest.approx(4e6)
+    assert [part.breaking_load for part in joined.segments] == pytest.approx([4e6, 980665.0])
+    assert joined.segments[1].weight == pytest.approx((20.0 - 1025 * math.pi / 4 * 0.05**2) * 9.80665)
+    assert "breaking_load_tonf = 100.0" in laid and "lines_file" not in laid
+
+
 def test_lines_have_the_numbers_of_the_file(tmp_path):
     """Submerged weight (m − ρ π d²/4) g; a body headed 90° has what lies ahead at +y"""
     study, text = read(tmp_path)
@@ -117,7 +127,13 @@ def test_lines_have_the_numbers_of_the_file(tmp_path):
     ("text", "file", "said"),
     [
         (HEAD.replace("50.0", "60.0"), FILE, "lines_file: .*WtrDpth is 50 m and the given depth is 60 m"),
-        (HEAD + "[types.c]\nweight_N_per_m = 9.0\n", FILE, "types and lines_file are both given"),
+        (HEAD + "[types.c]\nbreaking_load_kN = 9.0\n", FILE, "types: m.dat has no type 'c'; allowed: chain, wire"),
+        (
+            HEAD + "[types.wire]\nweight_N_per_m = 9.0\n",
+            FILE,
+            "types.wire: weight_N_per_m is given beside lines_file; allowed: breaking_load_kN or breaking_load_tonf",
+        ),
+        (HEAD + '[[spreads]]\ntype = "c"\n', FILE, "spreads and lines_file are both given"),
         (HEAD, FILE.replace("3 Free", "3 Coupled"), "ends at a joint of 1 lines|bodies; allowed: one"),
         (HEAD.replace("m.dat", "none.dat"), FILE, "lines_file: .*none.dat"),
     ],

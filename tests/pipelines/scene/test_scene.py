@@ -192,3 +192,11 @@ def test_help_answers_at_once():
     )
     done = subprocess.run([sys.executable, "-c", asked + loaded], capture_output=True, text=True)
     assert "--help" in done.stdout and not done.stderr.strip()
+
+
+def test_a_band_in_a_scene_may_be_written_as_its_flag_has_it(tmp_path):
+    (tmp_path / "scene.toml").write_text('[waves]\nomegas = "auto:0.2:2.2"\nheadings_deg = [0, 90]\n')
+    assert read_scene(tmp_path / "scene.toml")["waves"] == {"band": {"from": 0.2, "to": 2.2}, "headings_deg": [0, 90]}
+    (tmp_path / "scene.toml").write_text('[waves]\nomegas = "auto"\n')
+    with pytest.raises(SceneError, match=r"waves.omegas is 'auto'; allowed: auto:from:to in rad/s"):
+        read_scene(tmp_path / "scene.toml")
