@@ -55,6 +55,7 @@ SERIES = {  # name: (axes, unit, long name)
         "deflection, twist and loads of beams at their stations",
     ),
 }
+OF_LINES = {"anchor_pull", "on_bed"}  # rows that are there only where lines are
 ONLY_WITH = "fender", "hinge", "station"  # axes that are there only where they have a name
 FILLED = ("findings", "stored", "summary", "summary_checksum")
 ROWS = {
@@ -67,6 +68,8 @@ ROWS = {
         "N",
         "pull at the anchor, along the bed and up, at the largest tension of one run",
     ),
+    "on_bed": (("seed", "line"), "m", "length on the bed at the largest tension of one run"),
+    "excursion": (("seed",), "m", "largest horizontal distance of a body from rest in one run"),
 }
 
 
@@ -105,8 +108,10 @@ class Header:
     def datasets(self):
         """Names of SERIES and ROWS of such a file"""
         none = {axis for axis, names in self.some.items() if not names}
-        none |= set() if "anchors" in self.attributes else {"pull"}
-        return [name for name, (axes, _, _) in {**SERIES, **ROWS}.items() if not none & set(axes)]
+        absent = set() if "on_bed_at_rest" in self.attributes else OF_LINES
+        return [
+            name for name, (axes, _, _) in {**SERIES, **ROWS}.items() if name not in absent and not none & set(axes)
+        ]
 
     @property
     def slow(self):
@@ -142,7 +147,7 @@ def _lay_out(file, header, seeds, kept):
     axes = {
         "seed": seeds, "kept_seed": seeds[:kept], "time": header.time, "dof": header.motions, "slow_dof": header.slow,
         "line": header.lines, "quantity": header.quantities, "statistic": STATISTICS, "summary_statistic": SUMMARY,
-        "xyz": ("x", "y", "z"), **({"pull": ("along", "up")} if "anchors" in header.attributes else {}),
+        "xyz": ("x", "y", "z"), **({"pull": ("along", "up")} if "anchor_pull" in header.datasets else {}),
     }  # fmt: skip
     for name, values in axes.items():
         text = len(values) == 0 or isinstance(values[0], str)

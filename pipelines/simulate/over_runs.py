@@ -5,7 +5,7 @@ import tomllib
 
 import numpy as np
 
-from hakobune.mooring.criteria.anchors import anchor_findings, stored_anchor
+from hakobune.mooring.criteria.anchors import LIFTED, anchor_findings, stored_anchor
 from hakobune.mooring.criteria.failing import fails
 from hakobune.mooring.criteria.overuse import HELP, OF_STUDY
 from hakobune.mooring.motion.extremes import CONFIDENCE, FEWEST, RARE, beyond, rare, share_beyond
@@ -90,18 +90,44 @@ def ropes_of(file):
 
 
 def anchors_in_runs(file):
-    """Anchors of the lines, and the largest pulls on the anchors in all runs, (lines,) N along the bed and up; ()
-    without anchors"""
+    """Anchors of the lines, None without one, and the largest pulls there in all runs, (lines,) N along the bed and up;
+    () without lines"""
     if "anchor_pull" not in file:
         return ()
-    anchors = [one and stored_anchor(one) for one in json.loads(file.attrs["anchors"])]
-    return anchors, *file["anchor_pull"][()][whole_rows(file)].max(axis=0).T
+    given = json.loads(file.attrs["anchors"]) if "anchors" in file.attrs else [None] * len(file["line"])
+    return [one and stored_anchor(one) for one in given], *file["anchor_pull"][()][whole_rows(file)].max(axis=0).T
+
+
+def bed_in_runs(file):
+    """m of each line on the bed at rest, and the least at the largest tension of a run, (lines,); () without lines"""
+    if "on_bed" not in file:
+        return ()
+    return np.asarray(file.attrs["on_bed_at_rest"], float), file["on_bed"][()][whole_rows(file)].min(axis=0)
+
+
+def excursion_in_runs(file):
+    """m, largest horizontal distance of a body from rest in all runs"""
+    return float(file["excursion"][()][whole_rows(file)].max())
+
+
+def lifted(names, anchors, along, up, at_rest):
+    """A finding on lines that lie on the bed at rest, have no [[anchors]], and pull their anchors upward in the runs"""
+    found = [i for i, one in enumerate(anchors) if one is None and at_rest[i] > 0 and up[i] > LIFTED * along[i]]
+    if found:
+        worst = max(found, key=lambda i: up[i])
+        yield (
+            f"{len(found)} of {len(names)} lines leave the bed and pull their anchors upward in the runs, most of all "
+            f"{names[worst]} with {up[worst] / KN:.3g} kN: a drag anchor holds a horizontal pull only; give longer or "
+            "heavier lines, or anchors that hold it, as [[anchors]]"
+        )
 
 
 def on_anchors(file):
     """Failures and findings of the anchors"""
-    found = anchors_in_runs(file)
-    return tuple(anchor_findings(list(file["line"].asstr()[()]), *found, "in the runs")) if found else ()
+    found, names = anchors_in_runs(file), list(file["line"].asstr()[()])
+    if not found:
+        return ()
+    return (*anchor_findings(names, *found, "in the runs"), *lifted(names, *found, bed_in_runs(file)[0]))
 
 
 def notes(file):

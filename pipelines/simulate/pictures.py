@@ -290,19 +290,20 @@ def _offsets(file, kept, path, motions):
     step = max(1, len(x) // MOST_POINTS)
     figure, ((plan, curve),) = _figure(1, 2, (13, 6.2))
     plan.plot(x[::step], y[::step], ".", ms=1.5, color="C0", alpha=0.35)
-    centre, away = (x.mean(), y.mean()), np.hypot(x - x.mean(), y - y.mean())
+    rest = file.attrs["place_at_rest"][6 * motions.body : 6 * motions.body + 2]
+    away = np.hypot(x - rest[0], y - rest[1])
     farthest, radius = away.argmax(), away.max()
     angle = np.linspace(0, 2 * np.pi, 200)
-    plan.plot(centre[0] + radius * np.cos(angle), centre[1] + radius * np.sin(angle), color="C3", lw=1)
+    plan.plot(rest[0] + radius * np.cos(angle), rest[1] + radius * np.sin(angle), color="C3", lw=1)
     plan.plot(x[farthest], y[farthest], "x", ms=7, color="C3", label="farthest")
-    plan.plot(0, 0, "k+", ms=10, label="at rest")
-    plan.plot(*centre, "o", color="C3", ms=5, label="mean")
+    plan.plot(*rest, "k+", ms=10, label="at rest")
+    plan.plot(x.mean(), y.mean(), "o", color="C3", ms=5, label="mean")
     along, across = ("surge", "sway") if motions.before else ("x", "y")
     plan.set(
         xlabel=f"{motions.before}{along}, m",
         ylabel=f"{motions.before}{across}, m",
         aspect="equal",
-        title=f"watch circle of {_runs(kept)}, radius {radius:.3g} m about the mean",
+        title=f"watch circle of {_runs(kept)}, radius {radius:.3g} m about rest",
     )
     plan.legend(frameon=False, fontsize=8)
     if worst.kind == "tension" and not motions.before:

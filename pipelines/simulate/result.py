@@ -23,7 +23,17 @@ from .berth import fender_strains, findings_on_fenders, findings_on_periods, mos
 from .file import LEFT_OUT, SUMMARY, bodies_of, fender_names, opened, stored_findings, units_of, whole_rows, words_of
 from .file import told as file_told
 from .findings import findings
-from .over_runs import anchors_in_runs, largest_in_runs, most_loaded, notes, on_anchors, overloads, used_in_runs
+from .over_runs import (
+    anchors_in_runs,
+    bed_in_runs,
+    excursion_in_runs,
+    largest_in_runs,
+    most_loaded,
+    notes,
+    on_anchors,
+    overloads,
+    used_in_runs,
+)
 from .run import input_of
 from .run import simulate as fill
 
@@ -37,13 +47,14 @@ if TYPE_CHECKING:
 KIND = "simulate"
 PLANE = ("surge", "sway", "yaw")
 MOTIONS, LINES, FENDERS = (
-    "motions and waves, amplitudes about the mean",
+    "motions and waves, places from rest; highest third: from the mean",
     "tension of the lines in all runs",
     "fenders in all runs",
 )
 BEAMS = "beams that bend, at their stations in all runs"
 HINGES = "forces and moments of hinges in all runs, along the axes of their first body"
 RUNS, BERTH, GAPS = "runs", "berth", "clear water between hulls in all runs"
+ANCHORS = "anchors and bed, of the line at rest with the largest tension of all runs"
 WORDS = {  # statistics: (heading, unit or None for that of the record, whether it is printed)
     "mean": ("mean", None, True),
     "sigma": ("σ", None, True),
@@ -134,7 +145,7 @@ def result_of(file, window=None, more=()):
         **_statistics("record", MOTIONS, "record", [values[name] for name in records], units_of(file)[: len(records)]),
         **_of_gaps(names, values),
         **_of_lines(file, [values[f"tension {name}"] for name in lines]),
-        **quantities_of_anchors(*(anchors_in_runs(file) or ((), (), ()))),
+        **_of_anchors(file),
         **_of_fenders(file, fenders, values),
         **_at_places("hinge", HINGES, hinges, units, values),
         **_at_places("station", BEAMS, stations, units, values),
@@ -214,6 +225,22 @@ def _of_lines(file, rows):
     return made
 
 
+def _of_anchors(file):
+    """Pulls at the anchors and lengths on the bed, as in `moor`; {} without lines"""
+    found = anchors_in_runs(file)
+    if not found:
+        return {}
+    (anchors, along, up), (at_rest, least) = found, bed_in_runs(file)
+    columns = {
+        "anchor.largest_vertical": ("N", "largest lift", up),
+        "anchor.largest_horizontal": ("N", "largest horizontal", along),
+        "grounded.at_rest": ("m", "on the bed at rest", at_rest),
+        "grounded.at_largest": ("m", "on the bed at the largest", least),
+    }
+    own = {name: Quantity(values, ("line",), unit, words, ANCHORS) for name, (unit, words, values) in columns.items()}
+    return own | quantities_of_anchors(anchors, along, up)
+
+
 def _of_gaps(names, values):
     """Clear water between several hulls, {} for one"""
     found = [values[name] for name in names if name.startswith("gap ")]
@@ -278,6 +305,8 @@ def _scalars(file):
         name: Quantity(value, (), unit, words, RUNS if name != "allowable" else "", name == "allowable")
         for name, (value, unit, words) in rows.items()
     }
+    if "excursion" in file:
+        made["excursion"] = Quantity(excursion_in_runs(file), (), "m", "largest excursion from rest", RUNS)
     if "spectral_slow" in file.attrs and not bodies_of(file):
         spectral = np.asarray(file.attrs["spectral_slow"], float)
         made["slow_by_spectrum"] = Quantity(

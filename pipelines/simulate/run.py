@@ -46,9 +46,9 @@ from .file import (
 )
 from .stations import told_of_stations, units_of_shapes
 from .study import force_files, moving_lines, plan_of
-from .work import Task, prepared, quantities_of, sample_times, simulate_seed
+from .work import Task, on_bed, prepared, quantities_of, sample_times, simulate_seed
 
-IDENTITY = "2"  # first word of an identity; it changes when a default of a study changes the results of runs
+IDENTITY = "3"  # first word of an identity; it changes when a default of a study changes the results of runs
 # keys of [simulation] that set the number of runs only
 ASKED = ("seeds", "keep_series", "duration", "duration_hours")
 OF_MOVING_LINES = ("dynamic_lines", "dynamic_elements")
@@ -286,6 +286,8 @@ def _attributes(task, db, body, plan, lines):
         found["moving_lines"] = "\n".join(plan.settings.dynamic_lines)
     if fibre := () if body.system is None else tuple(fibre_lines(body.system)):
         found["fibre_lines"] = "\n".join(fibre)
+    if body.system is not None:
+        found["on_bed_at_rest"] = [*on_bed(body, body.start), *(np.nan for _ in body.berth.ropes)]
     if study.anchors:
         found["anchors"] = json.dumps([*study.anchors_on(lines), *(None for _ in body.berth.ropes)])
     if db.bodies:

@@ -287,11 +287,24 @@ def simulate_seed(task, seed, kept, progress=None):
             .encode()
         ),
     }
-    if task.study.anchors:
-        row["anchor_pull"] = anchor_pulls(body, run.motion[late], run.tension[late])
+    row["excursion"] = farthest(run.motion[late], body)
+    if body.system is not None:
+        found = anchor_pulls(body, run.motion[late], run.tension[late])
+        row |= {"anchor_pull": found[:, :2], "on_bed": found[:, 2]}
     if kept:
         row |= {name: (loads if name == "loads" else getattr(run, name))[late] for name in SERIES}
     return row
+
+
+def farthest(motion, body):
+    """m, largest horizontal distance from rest of a body in motion (t, n), m, rad"""
+    away = (motion - body.start)[:, : body.reader.rigid]
+    return float(np.hypot(away[:, 0::6], away[:, 1::6]).max(initial=0.0))
+
+
+def on_bed(body, motion):
+    """m on the bed of each line with the bodies held in motion (n,), m, rad; shape (lines,)"""
+    return _at_rest_in(body, motion).grounded_length
 
 
 def largest_use(body, motion, tension):
@@ -310,19 +323,25 @@ def largest_use(body, motion, tension):
 
 
 def anchor_pulls(body, motion, tension):
-    """Pull along the bed and up at the anchor of each line, where its pull on the body is largest, N; shape (lines, 2);
-    nan for ropes.  Static pulls times the ratio of the largest tension to the static tension, at least 1, as in
-    `largest_use`."""
-    found = np.full((tension.shape[1], 2), np.nan)
+    """Pull along the bed and up at the anchor of each line, N, and its length on the bed, m, where its pull on the body
+    is largest; shape (lines, 3); nan for ropes.  Of the static shape with that tension at the body, whose height it has
+    then: inertia and drag pull more than the statics there."""
+    from hakobune.mooring.lines.system.characteristic import at_tension
+
+    found = np.full((tension.shape[1], 3), np.nan)
     for i in range(0 if body.system is None else len(body.system.lines)):
-        lines = _at_rest_in(body, motion[tension[:, i].argmax()])
-        more = max(tension[:, i].max() / max(lines.tension_b[i], 1e-300), 1.0)
-        found[i] = lines.horizontal_a[i] * more, -lines.vertical_a[i] * more
+        state = _held_in(body, motion[tension[:, i].argmax()])
+        found[i] = at_tension(state, i, tension[:, i].max())
     return found
 
 
 def _at_rest_in(body, motion):
     """`LineForces` of the lines with the bodies held in motion (n,), m, rad"""
+    return _held_in(body, motion).lines
+
+
+def _held_in(body, motion):
+    """`SystemEquilibrium` of the lines, likewise"""
     from hakobune.mooring.lines.system.equilibrium import held_at, rest
     from hakobune.mooring.motion.simulation.realisation import poses_of
     from hakobune.mooring.motion.tables.groups import with_bent_fairleads
@@ -330,7 +349,7 @@ def _at_rest_in(body, motion):
     rigid = body.reader.rigid
     poses = poses_of(motion[:rigid], body.reader.axes_at_rest)
     held = {hull.name: tuple(map(float, pose)) for hull, pose in zip(body.system.bodies, poses, strict=True)}
-    return rest(held_at(with_bent_fairleads(body.system, body.reader, motion[rigid:]), held)).lines
+    return rest(held_at(with_bent_fairleads(body.system, body.reader, motion[rigid:]), held))
 
 
 def sample_times(settings):

@@ -24,6 +24,7 @@ from hakobune.pipelines.response import findings, solved
 from hakobune.pipelines.scene import identity
 from hakobune.pipelines.simulate import file as stored
 from hakobune.pipelines.simulate import run as runs
+from hakobune.pipelines.simulate.work import farthest
 
 ROOT = "hakobune.pipelines"
 
@@ -195,7 +196,7 @@ def test_gaps_have_their_smallest_and_hinges_their_largest_either_way(monkeypatc
     assert in_time._between(of_runs(monkeypatch, {"surge": {}})) == {}
 
 
-def test_motions_of_runs_are_the_larger_side_and_the_way_is_no_less_than_that_of_other_runs(
+def test_motions_of_runs_are_the_larger_side_and_the_way_is_the_farthest_of_all_bodies_from_rest(
     monkeypatch,
 ):
     rows = {
@@ -206,12 +207,12 @@ def test_motions_of_runs_are_the_larger_side_and_the_way_is_no_less_than_that_of
     monkeypatch.setattr(stored, "words_of", lambda file: list(rows))
     file = of_runs(monkeypatch, rows)
     assert in_time._largest_motions(file).tolist() == [3.0, 3.0, 99.0]
-    motion = np.zeros((2, 3, 12))
-    assert in_time._largest_excursion(file, motion) == 4.0
-    motion[1, 2, 6:8] = -3.0, 4.0  # the second body, 5 m away
-    assert in_time._largest_excursion(file, motion) == 5.0
-    rows["a sway"]["smallest"] = -6.0
-    assert in_time._largest_excursion(file, motion) == 6.0
+    motion = np.zeros((3, 12))
+    body = SimpleNamespace(start=np.zeros(12), reader=SimpleNamespace(rigid=12))
+    motion[2, 6:8] = -3.0, 4.0  # the second body, 5 m away
+    assert farthest(motion, body) == 5.0
+    body.start[6] = 9.0  # where it rests
+    assert farthest(motion, body) == pytest.approx(np.hypot(12.0, 4.0))
 
 
 @pytest.mark.parametrize("bodies", [(), ("ship",)])

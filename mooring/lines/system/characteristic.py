@@ -12,7 +12,7 @@ from .parts import EquilibriumError, LineSystemError
 
 OVER = 4.0  # largest tension over that at rest, without a known breaking load
 SLACK = 1e-3  # horizontal pull at the start of the curve, over that at its end
-ROUNDS = 60  # halvings, down to rounding
+ROUNDS, CLOSE = 60, 24  # halvings, down to rounding, and to a ten millionth of the first step
 
 
 class Characteristic(NamedTuple):
@@ -40,21 +40,10 @@ def characteristic(state, name, points=24):
     if name not in system.line_names:
         raise LineSystemError(f"line {name!r} is unknown; allowed: {', '.join(system.line_names)}")
     number = system.line_names.index(name)
-    starts, ends = state.points[system.arrays.ends].swapaxes(0, 1).copy()
-    moving, held = (starts, ends) if system.anchored_ends[number] == "b" else (ends, starts)
-    way = moving[number, :2] - held[number, :2]
-    rest = float(np.hypot(*way))
-    way = way / rest if rest > 0 else np.array([1.0, 0.0])
-
-    def pulls(span):
-        moving[number, :2] = held[number, :2] + span * way
-        found = system.forces_between(starts, ends)
-        side = "a" if moving is starts else "b"
-        names = f"horizontal_{side}", f"tension_{side}", "grounded_length", "utilisation"
-        return [float(getattr(found, what)[number]) for what in names]
+    rest, pulls = _drawn(state, number)
 
     def beyond(span):
-        _, tension, _, used = pulls(span)
+        _, tension, _, used, *_ = pulls(span)
         return used > 1 if np.isfinite(system.breaking_load[number]) else tension > OVER * state.tension[number]
 
     top = _where(beyond, rest, system.lines[number].length)
@@ -62,21 +51,53 @@ def characteristic(state, name, points=24):
     low = _halved(lambda span: pulls(span)[0] > least, 0.0, top)
     share = np.concatenate([np.linspace(0, 0.9, points // 2, endpoint=False), np.linspace(0.9, 1, -(-points // 2))])
     spans = low + share * (top - low)
-    return Characteristic(spans, *np.array([pulls(span) for span in spans]).T, rest)
+    return Characteristic(spans, *np.array([pulls(span)[:4] for span in spans]).T, rest)
 
 
-def _where(beyond, rest, length):
+def at_tension(state, number, tension):
+    """N along the bed, N up, at the held end of a line drawn away from it until the other end carries `tension` N, and
+    m of it on the bed; of the line as it is where its tension is no less.  Raises EquilibriumError as `characteristic`.
+    """
+    rest, pulls = _drawn(state, number)
+    found = pulls(rest)
+    if found[1] < tension:
+        found = pulls(_where(lambda span: pulls(span)[1] > tension, rest, state.system.lines[number].length, CLOSE))
+    return found[4], -found[5], found[2]
+
+
+def _drawn(state, number):
+    """m, span at rest, and the function of a span that gives N of horizontal pull and tension at the moving end, m on
+    the bed, utilisation, and N of horizontal and downward pull at the held end"""
+    system = state.system
+    starts, ends = state.points[system.arrays.ends].swapaxes(0, 1).copy()
+    moving, held = (starts, ends) if system.anchored_ends[number] == "b" else (ends, starts)
+    way = moving[number, :2] - held[number, :2]
+    rest = float(np.hypot(*way))
+    way = way / rest if rest > 0 else np.array([1.0, 0.0])
+    side, other = ("a", "b") if moving is starts else ("b", "a")
+    names = (f"horizontal_{side}", f"tension_{side}", "grounded_length", "utilisation", f"horizontal_{other}",
+             f"vertical_{other}")  # fmt: skip
+
+    def pulls(span):
+        moving[number, :2] = held[number, :2] + span * way
+        found = system.forces_between(starts, ends)
+        return [float(getattr(found, what)[number]) for what in names]
+
+    return rest, pulls
+
+
+def _where(beyond, rest, length, rounds=ROUNDS):
     """Largest span at which the pull is not beyond the requested one"""
     low, high = (0.0, rest) if beyond(rest) else (rest, rest + 1e-3 * length)
     for _ in range(ROUNDS):
         if beyond(high):
-            return _halved(beyond, low, high)
+            return _halved(beyond, low, high, rounds)
         low, high = high, high + 2 * (high - low)
     raise EquilibriumError(f"the line of {length:g} m does not become taut at a span of {high:g} m")
 
 
-def _halved(beyond, low, high):
-    for _ in range(ROUNDS):
+def _halved(beyond, low, high, rounds=ROUNDS):
+    for _ in range(rounds):
         middle = 0.5 * (low + high)
         low, high = (low, middle) if beyond(middle) else (middle, high)
     return low

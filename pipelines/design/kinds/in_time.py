@@ -31,7 +31,7 @@ def simulated(study, database, path, factors):
         from rest, "parts": of gaps and hinges, "findings"}
     raises : ValueError, with a message of one line, for a case that cannot be run
     """
-    texts = study.read_text(encoding="utf-8"), repr(factors), "excursion, parts"
+    texts = study.read_text(encoding="utf-8"), repr(factors), "excursion, parts, anchors"
     place = path.with_name(f"{path.stem}_extremes.json")
     found = kept(
         place, lambda: key_of(*texts, Path(database), path), lambda: _plain(_simulated(study, database, path, factors))
@@ -58,7 +58,14 @@ READ = {  # JSON values that are no arrays
 
 def _simulated(study, database, path, factors):
     from ...simulate.file import opened, stored_findings, summary_of, told
-    from ...simulate.over_runs import on_anchors, overloads, rare_findings, used_in_runs
+    from ...simulate.over_runs import (
+        anchors_in_runs,
+        excursion_in_runs,
+        on_anchors,
+        overloads,
+        rare_findings,
+        used_in_runs,
+    )
 
     outcome = _run(study, database, path)
     if outcome.interrupted:
@@ -68,7 +75,8 @@ def _simulated(study, database, path, factors):
     with opened(path) as file:
         rows = [summary_of(file, f"tension {name}") for name in file["line"].asstr()[()]]
         motion, tension = file["motion"][()].astype(float), file["tension"][()].astype(float)
-        excursion, parts = _largest_excursion(file, motion), _between(file)
+        excursion, parts = excursion_in_runs(file), _between(file)
+        pulls = anchors_in_runs(file)[1:]
         motions, ranges, step = _largest_motions(file), _largest_ranges(file), float(np.diff(file["time"][:2])[0])
         found = (*told(file), *stored_findings(file), *overloads(file, 1.0), *on_anchors(file),
                  *rare_findings(file))  # fmt: skip
@@ -76,6 +84,8 @@ def _simulated(study, database, path, factors):
     largest = {1.0: np.array([row["largest"] for row in rows])}
     held, along, up = _moved(study, database, motion, tension, 1.0)
     more = np.maximum(largest[1.0] / np.maximum(held, 1e-300), 1.0)  # factor for simulated runs and dynamic lines
+    along, up = (np.where(np.isnan(own), more * rope, own)
+                 for own, rope in zip(pulls or np.full((2, len(rows)), np.nan), (along, up), strict=True))  # fmt: skip
     for factor in factors:
         if factor != 1:
             further = more * _moved(study, database, motion, tension, factor)[0]
@@ -84,8 +94,8 @@ def _simulated(study, database, path, factors):
         "mean": np.array([row["mean"] for row in rows]),
         "largest": largest,
         "breaking": strength(load, largest[1.0], used),
-        "horizontal": along * more,
-        "uplift": up * more,
+        "horizontal": along,
+        "uplift": up,
         "cycles": cycles_of(tension, step),
         "motions": motions,
         "ranges": ranges,
@@ -147,15 +157,6 @@ def _between(file):
     rows = [summary_of(file, name) for name in hinges]
     held = held_by_hinges(hinges, [max(abs(row["largest"]), abs(row["smallest"])) for row in rows])
     return held | ({GAP: gaps} if gaps else {})
-
-
-def _largest_excursion(file, motion):
-    """m, of the records motion (runs, t, 6N), and no less than the largest surge or sway of runs that are not kept"""
-    from ...simulate.file import summary_of, words_of
-
-    level = [name for name in words_of(file) if name.endswith(("surge", "sway"))]
-    along = [abs(summary_of(file, name)[side]) for name in level for side in ("largest", "smallest")]
-    return float(max(np.hypot(motion[..., 0::6], motion[..., 1::6]).max(initial=0.0), *along))
 
 
 def _moved(study, database, motion, tension, factor):

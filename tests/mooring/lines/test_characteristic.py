@@ -5,7 +5,7 @@ import pytest
 
 from hakobune.mooring.lines.catenary.solve import span_at_tension
 from hakobune.mooring.lines.multi_segment.segments import PointLoad, Segment
-from hakobune.mooring.lines.system.characteristic import characteristic
+from hakobune.mooring.lines.system.characteristic import at_tension, characteristic
 from hakobune.mooring.lines.system.equilibrium import rest
 from hakobune.mooring.lines.system.graph import System
 from hakobune.mooring.lines.system.parts import (
@@ -55,3 +55,19 @@ def test_the_characteristic_of_a_uniform_line_is_its_span_at_each_tension():
 def test_a_line_that_is_not_there_is_named():
     with pytest.raises(LineSystemError, match="line 'wire' is unknown; allowed: chain, rope"):
         characteristic(fairleads_held(), "wire")
+
+
+def test_a_line_drawn_to_a_tension_pulls_its_anchor_upward_by_what_its_own_weight_leaves():
+    """A chain of 100 m and 1000 N/m from 8 m above its anchor: it lies until 1000 (100² + 8²)/16 N of horizontal pull,
+    with 1000 N/m · 8 m more at the fairlead; beyond that the whole chain hangs"""
+    points = [Anchor("A", (90.0, 0.0, -8.0)), Fairlead("F", "hull", (0.0, 0.0, 0.0))]
+    chain = UniformLine("chain", LineType("chain", 1000.0, 1e12), 100.0, "A", "F")
+    state = rest(System(8.0, [chain], points, (MooredBody("hull", freedom=()),)))
+    lifts = 1000.0 * (100.0**2 - 8.0**2) / (2 * 8.0) + 1000.0 * 8.0
+    along, up, lying = at_tension(state, 0, 0.98 * lifts)
+    assert up == 0 and along == pytest.approx(0.98 * lifts - 8000.0, rel=1e-5)
+    assert 0 < lying < 2.0
+    along, up, lying = at_tension(state, 0, 1.1 * lifts)
+    assert lying == 0 and up > 1000.0
+    assert along**2 + (up + 1e5) ** 2 == pytest.approx((1.1 * lifts) ** 2, rel=1e-5)
+    assert at_tension(state, 0, 0.5 * state.tension[0]) == at_tension(state, 0, 0.9 * state.tension[0])  # as it hangs

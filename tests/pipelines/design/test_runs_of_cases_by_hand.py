@@ -61,7 +61,9 @@ def simulated(monkeypatch):
     monkeypatch.setattr(over_runs, "rare_findings", lambda file: ("rare",))
     monkeypatch.setattr(over_runs, "used_in_runs", lambda file: np.array([[0.1, 0.4], [0.3, 0.2]]))
     monkeypatch.setattr(in_time, "_run", lambda *of: known.outcome if of == ("study", "base", "runs.h5") else None)
-    monkeypatch.setattr(in_time, "_largest_excursion", lambda file, motion: 7.0)
+    monkeypatch.setattr(over_runs, "excursion_in_runs", lambda file: 7.0)
+    pulls = np.array([[9e4, np.nan], [2e3, np.nan]])
+    monkeypatch.setattr(over_runs, "anchors_in_runs", lambda file: ([None, None], *pulls))
     monkeypatch.setattr(in_time, "_largest_motions", lambda file: "motions")
     monkeypatch.setattr(in_time, "_largest_ranges", lambda file: "ranges")
     monkeypatch.setattr(in_time, "_between", lambda file: {"gap": 1})
@@ -72,12 +74,12 @@ def simulated(monkeypatch):
 
 
 def test_forces_of_runs_have_the_ratio_of_runs_to_statics_at_least_one(simulated):
-    """Three times the statics of the first line; the second pulls less than its statics, whose pulls stay"""
+    """Three times the statics of the first line; the second, a rope, pulls less than its statics, whose pulls stay"""
     found = in_time._simulated("study", "base", "runs.h5", (0.5, 1, 2))
     assert found["mean"].tolist() == [1e5, 2e5]
     largest = {factor: values.tolist() for factor, values in found["largest"].items()}
     assert largest == {1.0: [3e5, 1.5e5], 0.5: [1.5e5, 1e5], 2: [6e5, 4e5]}
-    assert found["horizontal"].tolist() == [1.5e5, 6e4] and found["uplift"].tolist() == [2.1e4, 8e3]
+    assert found["horizontal"].tolist() == [9e4, 6e4] and found["uplift"].tolist() == [2e3, 8e3]
     assert found["breaking"] == [[1e6, np.inf], [3e5, 1.5e5], [0.3, 0.4]]
     assert (found["cycles"], found["motions"], found["ranges"], found["excursion"], found["parts"]) == (
         ("cycles", 0.5), "motions", "ranges", 7.0, {"gap": 1},

@@ -285,7 +285,7 @@ def test_tensions_at_a_multiple_of_the_motions_grow_as_statics_says_and_never_be
     file.attrs = {"breaking_load": [100.0, 200.0]}
     monkeypatch.setattr(in_time, "_run", lambda *_: SimpleNamespace(interrupted=False, failures=[]))
     monkeypatch.setattr(in_time, "_moved", held)
-    monkeypatch.setattr(in_time, "_largest_excursion", lambda file, motion: 7.0)
+    monkeypatch.setattr(f"{where}over_runs.excursion_in_runs", lambda file: 7.0)
     monkeypatch.setattr(in_time, "_largest_motions", lambda file: np.arange(6.0))
     monkeypatch.setattr(in_time, "_largest_ranges", lambda file: np.arange(6.0))
     monkeypatch.setattr(in_time, "_between", lambda file: {"gap between hulls": {"a b": 1.5}})

@@ -230,25 +230,6 @@ def test_motions_that_are_held_are_told(prepare, free, held):
 # ------------------------------------------------------------------ statics where lines pull most
 
 
-def test_pulls_at_anchors_are_statics_times_the_ratio_of_the_largest_tension_at_least_one(monkeypatch):
-    """Of three samples the first line pulls most in the third, the second in the first; the third is a rope"""
-    asked = []
-
-    def at_rest(body, motion):
-        asked.append(motion.tolist())
-        return SimpleNamespace(
-            tension_b=np.array([4e5, 9e5]), horizontal_a=np.array([3e5, 8e5]), vertical_a=np.array([-1e5, 2e5])
-        )
-
-    monkeypatch.setattr(work, "_at_rest_in", at_rest)
-    tension = np.array([[1e5, 6e5, 1], [2e5, 5e5, 2], [8e5, 4e5, 3]])
-    body = SimpleNamespace(system=SimpleNamespace(lines=["a", "b"]))
-    found = work.anchor_pulls(body, np.array([[1.0], [2.0], [3.0]]), tension)
-    assert found[:2].tolist() == [[6e5, 2e5], [8e5, -2e5]] and np.isnan(found[2]).all() and found.shape == (3, 2)
-    assert asked == [[3.0], [1.0]]
-    assert np.isnan(work.anchor_pulls(SimpleNamespace(system=None), None, tension)).all()
-
-
 def test_the_largest_use_counts_segments_and_leaves_out_lines_of_unknown_strength(monkeypatch):
     monkeypatch.setattr(
         work, "_at_rest_in", lambda body, motion: SimpleNamespace(utilisation=np.array([0.1, motion[0], 0.3]))

@@ -54,6 +54,7 @@ def head(monkeypatch):
         )
         monkeypatch.setattr(runs, "told_of", lambda of: hinges if of is links else 0)
         monkeypatch.setattr(runs, "differ", lambda of: True)
+        monkeypatch.setattr(runs, "on_bed", lambda body, place: [20.0, 0.0] if place == "start" else None)
         monkeypatch.setattr(runs, "fibre_lines", lambda of: ())
         monkeypatch.setattr(runs, "of_berth", lambda study, db, body: {"fender_height": [2.0]})
         monkeypatch.setattr(runs, "sample_times", lambda of: ("times", of is settings))

@@ -41,7 +41,7 @@ def test_results_depend_on_what_a_study_gives_and_a_key_at_its_default_changes_n
     (tmp_path / "a.csv").write_bytes(b"forces")
     by_hand = hashlib.sha256(json.dumps([WATER | wanted, 60.0], sort_keys=True).encode())
     by_hand.update(hashlib.sha256(b"forces").digest())
-    assert run._identity(study, [tmp_path / "a.csv"], 60.0) == f"2 {by_hand.hexdigest()}"
+    assert run._identity(study, [tmp_path / "a.csv"], 60.0) == f"{run.IDENTITY} {by_hand.hexdigest()}"
 
 
 def test_lines_that_move_are_part_of_what_runs_are_where_there_are_lines():
@@ -246,11 +246,12 @@ def test_a_row_has_statistics_after_the_ramp_in_the_order_of_its_quantities(monk
         seen.extend((column.tolist(), step, split, duration) for column in columns)
         return [SimpleNamespace(sigma=column[0]) for column in columns]
 
-    reader = SimpleNamespace(words=("surge",) * 6, links=(), radius=50.0, inertia=np.diag([2.0]), gravity=10.0)
+    reader = SimpleNamespace(words=("surge",) * 6, links=(), rigid=6, radius=50.0, inertia=np.diag([2.0]), gravity=10.0)
     plan = SimpleNamespace(weather=SimpleNamespace(regular=None), settings=SimpleNamespace(step=0.5), split=0.3,
                            mean_period=8.0, sides=(), shapes=(), stations=())  # fmt: skip
     monkeypatch.setattr("hakobune.mooring.motion.simulation.simulate", lambda *_: made)
-    monkeypatch.setattr(work, "prepared", lambda task: (SimpleNamespace(reader=reader), plan, None))
+    body = SimpleNamespace(reader=reader, system=None, start=np.zeros(6))
+    monkeypatch.setattr(work, "prepared", lambda task: (body, plan, None))
     monkeypatch.setattr(work, "statistics_of_records", statistics)
     monkeypatch.setattr(work, "gaps", lambda sides, poses: ramped(9))
     monkeypatch.setattr(work, "_of_gaps", lambda sides, apart: (f"{len(apart)} samples",))

@@ -229,7 +229,7 @@ def test_records_and_offsets_are_drawn_in_the_units_of_their_axes(folder, pictur
         time, motion = file["time"][()], file["motion"][0].astype(float)
         tension, wave = file["tension"][0].astype(float), file["wave"][0].astype(float)
         fairlead, anchor = file["fairlead"][()], file["anchor"][()]
-        names = file["line"].asstr()[()]
+        names, rest = file["line"].asstr()[()], file.attrs["place_at_rest"][:2]
     records, spectra, offsets, extremes = pictures
     axes = records.axes
     units = ["wave, m", "surge, m", "sway, m", "heave, m", "roll, °", "pitch, °", "yaw, °"]
@@ -245,10 +245,10 @@ def test_records_and_offsets_are_drawn_in_the_units_of_their_axes(folder, pictur
     plan_, curve = offsets.axes
     points = plan_.lines[0].get_xydata()
     assert points[:, 1] == pytest.approx(2 * points[:, 0], rel=1e-4)  # sway is twice the surge
-    radius = np.hypot(*(motion[:, :2] - motion[:, :2].mean(axis=0)).T).max()
-    assert plan_.get_title() == f"watch circle of 1 run, radius {radius:.3g} m about the mean"
+    radius = np.hypot(*(motion[:, :2] - rest).T).max()
+    assert plan_.get_title() == f"watch circle of 1 run, radius {radius:.3g} m about rest"
     far = np.array([line.get_xydata()[0] for line in plan_.lines if line.get_label() == "farthest"])
-    assert np.hypot(*(far[0] - motion[:, :2].mean(axis=0))) == pytest.approx(radius, rel=1e-5)
+    assert np.hypot(*(far[0] - rest)) == pytest.approx(radius, rel=1e-5)
     away = fairlead[worst, :2] - anchor[worst, :2]
     away /= np.hypot(*away)
     x, pull = curve.lines[0].get_data()

@@ -88,7 +88,7 @@ def folder(tmp_path, monkeypatch):
     body.berth = no_berth()
     body.reader = SimpleNamespace(
         radius=50.0, inertia=5e7 * np.eye(6), gravity=9.8, words=ONE_BODY, names=DOFS, axes_at_rest=np.zeros((1, 6)),
-        links=(),
+        links=(), rigid=6, modes=(),
     )  # fmt: skip
 
     def prepared(task, db=None):
@@ -474,7 +474,7 @@ def test_anchors_use_what_the_largest_pull_of_all_runs_asks_for(folder, monkeypa
     sinker = '[[anchors]]\nkind = "sinker"\nfriction = 0.5\nweight_kN = 600.0\n'
     Path("study.toml").write_text(Path("study.toml").read_text() + sinker)
     pulls = iter([1e5, 3e5, 2e5])
-    monkeypatch.setattr(work, "anchor_pulls", lambda *given: next(pulls) * np.tile([1.0, 0.5], (12, 1)))
+    monkeypatch.setattr(work, "anchor_pulls", lambda *given: next(pulls) * np.tile([1.0, 0.5, 1e-4], (12, 1)))
     simulate()
     found = read_run("run.h5")
     assert found["anchor.used"] == pytest.approx(np.full(12, 1.25)) and found["anchor.holding"][0] == 0.5 * 450e3
@@ -499,7 +499,8 @@ def test_a_design_takes_the_largest_of_all_runs_those_that_are_not_kept_too(fold
     assert np.array_equal(found["largest"][1.0], largest[:, 8:].max(axis=0)) and found["largest"][1.0][0] == 2e7
     assert found["largest"][1.5][0] == pytest.approx(2e6 * 2e7 / 1.5e6)
     assert np.array_equal(found["largest"][1.2], found["largest"][1.0])
-    broken, snaps = found["findings"][-2:]
+    broken, lifted, snaps = found["findings"][-3:]
+    assert "1 of 12 lines leave the bed" in lifted and "most of all fore port 1 with" in lifted
     assert "break: fore port 1 " in broken and "in 1 of 6 runs" in broken and "fore port 1 in 1 of 6" in snaps
     mean = rows[:, :, STATISTICS.index("mean")].mean(axis=0)
     away = np.maximum(largest.max(axis=0) - mean, mean - smallest.min(axis=0))[:6]
