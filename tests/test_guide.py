@@ -35,9 +35,7 @@ LONG = (
 GIVEN = {  # files that a page speaks of as there, and where they come from
     "mesh_file": ("hull.gdf",),
     "buoy": ("response.toml",),
-    "single_point": ("single_point_tanker.toml", "single_point_tanker.csv"),
 }
-SCENES = ROOT / "pipelines" / "scenes"
 
 
 def blocks(text):
@@ -77,8 +75,6 @@ def test_a_task_runs_as_printed_and_prints_what_it_shows(page, database, tmp_pat
         known = {"hull.gdf": ROOT / "meshes" / "box_100x50x10.gdf"}
         if name in known:
             shutil.copy(known[name], name)
-        elif (SCENES / name).is_file():  # without its map, half a minute of 560 places
-            Path(name).write_text((SCENES / name).read_text(encoding="utf-8").split("[[maps]]")[0], encoding="utf-8")
         else:
             assert cli.main(["new", name.removesuffix(".toml")]) == 0
     told = ""
@@ -117,7 +113,8 @@ def test_files_of_the_four_jobs_are_those_that_their_commands_read(tmp_path):
     assert read_study(tmp_path / "study.toml")[0].spreads[0].length == 150.0
     assert len(read_study(tmp_path / "jetty.toml")[0].berth(ship, (0, 0, 0)).names) == 8
     assert make_scene(read_scene(tmp_path / "ship.toml")).body.block == 0.8 and read_berth(tmp_path / "berth.toml")
-    assert read_point(tmp_path / "calm.toml")
+    assert cli.main(["new", "single-point-tanker", str(tmp_path / "calm.toml")]) == 0
+    assert read_point(tmp_path / "calm.toml")[0].current.ship == "tanker"
     assert read_drawing(tmp_path / "barge.toml").volume == pytest.approx(
         24 * 4 * 80
     )  # a trapezium, 90 m above, 70 below

@@ -30,6 +30,7 @@ class HullCoefficients:
 
     With angles up to π, the hull is symmetric port and starboard: C_x even in the angle, C_y and C_n odd.
     height : m above still water of the point of action, None if unknown
+    notes : on the origin of the numbers, one line each
     """
 
     angle: np.ndarray
@@ -41,6 +42,7 @@ class HullCoefficients:
     area_n: float
     length: float
     height: float | None = None
+    notes: tuple[str, ...] = ()
 
     @cached_property
     def curve(self):
@@ -54,7 +56,7 @@ class HullCoefficients:
         return smooth(angle, np.concatenate([values[before], values, values[after]]))
 
 
-def hull_coefficients(angle, x, y, n, *, area_x, area_y, length, area_n=None, height=None):
+def hull_coefficients(angle, x, y, n, *, area_x, area_y, length, area_n=None, height=None, notes=()):
     """Checked HullCoefficients; area_n, for the moment, is area_y by default.  Raises ValueError."""
     columns = [np.asarray(v, float) for v in (angle, x, y, n)]
     sizes = [v.shape for v in columns]
@@ -70,7 +72,7 @@ def hull_coefficients(angle, x, y, n, *, area_x, area_y, length, area_n=None, he
         raise ValueError(f"height is {height:g}; allowed: finite, m above still water")
     columns = [v[np.argsort(columns[0])] for v in columns]
     _check_angles(columns)
-    return HullCoefficients(*columns, float(area_x), float(area_y), float(area_n), float(length), height)
+    return HullCoefficients(*columns, float(area_x), float(area_y), float(area_n), float(length), height, notes)
 
 
 def hull_force(coefficients, speed, direction, density):

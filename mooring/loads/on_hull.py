@@ -29,6 +29,7 @@ from .box_drag import about
 from .box_wind import BOX, wind_force
 from .coefficients import HullCoefficients, hull_force
 from .members import C_D
+from .ship_derivatives import tanker_current
 
 # C_D of a rough circular cylinder, post-critical (DNV-RP-C205, 2019, section 6.7), without relief at its ends; API RP
 # 2A-WSD has 1.00 to 1.10 with marine growth (commentary on drag coefficients; not held against the print)
@@ -101,7 +102,7 @@ def current_on(current, hull, density, depth):
     table = own_table(current, hull, depth) if table is None else table
     if isinstance(table, HullCoefficients):
         unit = lambda angle: hull_force(table, 1.0, angle, density)  # noqa: E731
-        return StreamOnHull(unit, (_first(height, table.height, -0.5 * hull.draft),) * 2)
+        return StreamOnHull(unit, (_first(height, table.height, -0.5 * hull.draft),) * 2, table.notes)
     if isinstance(table, RoundDrag):
         pull = 0.5 * density * table.C * hull.beam * hull.draft
         across = _first(height, -0.5 * hull.draft)
@@ -120,7 +121,9 @@ class RoundDrag(NamedTuple):
 
 def own_table(current, hull, depth):
     """Coefficients of an `ExposedBox` in a `Current` without coefficients (None: water at rest), at a depth, m: those
-    of the box tests, or RoundDrag"""
+    of its type of ship, of the box tests, or RoundDrag"""
+    if current is not None and current.ship == "tanker":
+        return tanker_current(hull.length, hull.beam, hull.draft, depth)
     if not hull.is_round:
         return box_table(hull.length, hull.beam, hull.draft, depth)
     rest = current is None or current.speed == 0

@@ -11,6 +11,17 @@ hull design using linear theory", Transactions of RINA 125 (1983), with T the dr
     N'_ṙ = −π(T/L)² (1/12 + 0.017 C_B B/T − 0.33 B/L)
 
 about midship, x forward and y to starboard or to port: all eight keep their sign.  Deep water.
+
+Steady current on a full ship as a tanker, UFC 4-159-03, Design: Moorings (2005), eq. 10 to 21, on L T, for a current
+that flows to the angle α from the bow, in water of depth h:
+
+    C_x = (0.1 B T + S C_f + A_p)/(L T) cos α,    S = 1.7 T L + V/T,    C_f = 0.075/(log₁₀ R − 2)²
+    C_y = (C₀ + (3.2 − C₀)(T/h)²) sin α,          C₀ = 0.22 √χ,         χ = L² A_m/(B V)
+
+with A_p = L B/(270 · 0.838) of the propeller, and C_f at 1 m/s.  The lever of the side force runs evenly with the angle
+from one end to the other, as in eq. 25, here to ±N'_v/Y'_v, the one of small angles.  Beside the curves of OCIMF for
+h = 1.1 T (Mooring Equipment Guidelines, 2nd edition, 1997, figures 2.5, 2.6) C_x from ahead and C_y abeam are within
+4 %, C_y 20° from the ends 17 to 27 % low, and the moment 20 to 60° from them 26 % low to 36 % high.
 """
 
 from typing import NamedTuple
@@ -18,6 +29,11 @@ from typing import NamedTuple
 import numpy as np
 
 from .box_drag import check_positive
+from .coefficients import hull_coefficients, shallow_coefficient
+
+BLOCK, MIDSHIP = 0.83, 0.99  # coefficients of a loaded tanker
+VISCOSITY = 1.19e-6  # m²/s, sea water at 15 °C
+STEP = 5.0  # °, of the coefficients
 
 
 class ShipDerivatives(NamedTuple):
@@ -66,3 +82,24 @@ def by_yaw_rate(derivatives: ShipDerivatives, length, density, added_surge, angl
     half = 0.5 * density * length**2
     sideways = (half * derivatives.Y_r + added_surge / length) * ahead
     return np.stack([np.zeros(len(angles)), sideways, np.full(len(angles), half * length * derivatives.N_r)], axis=-1)
+
+
+def tanker_current(length, beam, draft, depth):
+    """HullCoefficients of a current on a loaded tanker, sizes and depth (inf allowed) in m.  Raises ValueError."""
+    volume, area = BLOCK * length * beam * draft, length * draft
+    found = clarke(length, beam, draft, BLOCK)
+    deep = 0.22 * np.sqrt(length**2 * MIDSHIP * beam * draft / (beam * volume))
+    side = shallow_coefficient(deep, draft, depth)
+    friction = 0.075 / (np.log10(length / VISCOSITY) - 2) ** 2
+    ahead = 0.1 * beam * draft + (1.7 * draft * length + volume / draft) * friction + length * beam / (270 * 0.838)
+    angle = np.radians(np.arange(0.0, 180.0 + 0.5 * STEP, STEP))
+    y = side * np.sin(angle)
+    y[[0, -1]] = 0.0
+    turn = y * (found.N_v / found.Y_v) * (2 * angle / np.pi - 1)
+    water = f"water of {depth / draft:.3g} drafts" if np.isfinite(depth) else "deep water"
+    told = (
+        f"current force: generic coefficients of a loaded tanker (UFC 4-159-03, 2005), C_y {side:.3g} abeam in "
+        f"{water}; their moment is up to 40 % off OCIMF's; give current.file for the ship"
+    )
+    sizes = {"area_x": area, "area_y": area, "length": length, "notes": (told,)}
+    return hull_coefficients(angle, ahead / area * np.cos(angle), y, turn, **sizes)

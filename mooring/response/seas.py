@@ -143,6 +143,17 @@ def energy_outside(omega, spectrum):
     return spectrum.moment(0, 0.0, omega[0]) / total, spectrum.moment(0, omega[-1], np.inf) / total
 
 
+def outside(spectrum, omega, most):
+    """Share of the energy outside the stored frequencies (n,) rad/s, and words on a band just wide enough for `most`
+
+    An end beyond which less than half of `most` lies stays, and the other end takes the rest, less a hundredth.
+    """
+    below, above = (float(share) for share in energy_outside(omega, spectrum))
+    first = min(below, max(0.99 * most - above, 0.495 * most))
+    low, high = spectrum.quantile((first, 1 - (0.99 * most - first)))
+    return below + above, f"{min(low, omega[0]):.3g} to {max(high, omega[-1]):.3g} rad/s"
+
+
 def check_coverage(body, spectrum):
     """Raise BetweenError where most of the waves are beyond the stored frequencies."""
     missed = sum(energy_outside(body.omega, spectrum))

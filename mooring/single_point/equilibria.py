@@ -12,6 +12,7 @@ hawsers either both are taut, and their pull meets at the apex ahead, or one is 
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
@@ -22,7 +23,25 @@ from .rings import zeros
 from .slewing import at_rest_state, linearised
 
 SYMMETRIC = 1e-6  # asymmetry of force and mass below which an equilibrium counts as symmetric about the body's plane
+LARGE = 0.25  # share of the kinetic energy from which a motion names a mode
 STEP = 1e-4  # relative step of derivatives with respect to velocity
+
+
+class Mode(NamedTuple):
+    """A slow motion about an equilibrium: root λ, 1/s; shares (3,) of surge, sway and yaw in its kinetic energy"""
+
+    root: complex
+    shares: np.ndarray
+
+    @property
+    def period(self):
+        """s, inf without oscillation"""
+        return 2 * np.pi / abs(self.root.imag) if abs(self.root.imag) > 1e-12 * abs(self.root) else np.inf
+
+    @property
+    def words(self):
+        """Names of its large motions"""
+        return " and ".join(name for name, s in zip(("surge", "sway", "yaw"), self.shares, strict=True) if s > LARGE)
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,7 +77,26 @@ class Equilibrium:
     @cached_property
     def roots(self):
         """Roots λ of small motions, 1/s, the fastest growing first; shape (6,)"""
-        return falling(np.linalg.eigvals(linearised(self.point, self.state, Hold(-self.force, self.hawser, self.buoy))))
+        return falling(np.linalg.eigvals(self._small))
+
+    @cached_property
+    def _small(self):
+        return linearised(self.point, self.state, Hold(-self.force, self.hawser, self.buoy))
+
+    @cached_property
+    def modes(self):
+        """A Mode for each root or pair of roots, the fastest growing first"""
+        roots, vectors = np.linalg.eig(self._small)
+        cos, sin = np.cos(self.heading), np.sin(self.heading)
+        own = np.array([[cos, sin, 0.0], [-sin, cos, 0.0], [0.0, 0.0, 1.0]]) @ vectors[:3]
+        energy = np.diag(self.point.mass)[:, None] * np.abs(own) ** 2
+        made = [Mode(complex(root), of / of.sum()) for root, of in zip(roots, energy.T, strict=True) if root.imag >= 0]
+        return sorted(made, key=lambda mode: -mode.root.real)
+
+    @property
+    def slews(self):
+        """Whether sway and yaw have more than half the energy of the fastest growing motion"""
+        return bool(self.modes[0].shares[0] < 0.5)
 
     @cached_property
     def slewing(self) -> Slewing:
@@ -116,6 +154,19 @@ def _why_none(point):
         "at headings without yaw moment, wind, current and waves push the body onto its mooring, or load only one of "
         "its hawsers"
     )
+
+
+def buoy_periods(one, mass, displaced):
+    """Natural periods, s, of the buoy of an Equilibrium on its lines with a slack hawser: twice sideways, longest
+    first, and heave; shape (3,)
+
+    mass : kg; displaced : kg of water, which its added mass equals in all directions; undamped
+    """
+    stiffness, ways = np.linalg.eigh(one.lines.stiffness[:3, :3])
+    with np.errstate(invalid="ignore", divide="ignore"):
+        periods = 2 * np.pi / np.sqrt(stiffness / (mass + displaced))
+    heave = int(np.argmax(np.abs(ways[2])))
+    return np.array([*np.delete(periods, heave), periods[heave]])
 
 
 def headings_of_rest(loads, end):

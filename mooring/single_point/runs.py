@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..on_current.waves import in_water
+from ..response.seas import outside
 from .history import Record, cycle, line_tensions, settled_after, watch_circle
 from .in_time import Run, gusty, of_contact
 from .one_equation import run_in_one
@@ -104,14 +105,13 @@ def sea_components(sea, count, seed, reader, carrier=None, gravity=9.80665):
     carrier : `mooring.on_current.waves.Carrier` of the waves, None in still water
     raises : ValueError if more than a twentieth of its energy lies outside
     """
-    ends = sea.spectrum.quantile((1e-4, 1 - 1e-3))
-    low, high = np.clip(ends, reader.omega[0], reader.omega[-1])
-    missed = 1 - sea.spectrum.moment(0, low, high) / sea.spectrum.moment(0)
+    missed, band = outside(sea.spectrum, reader.omega, MISSED)
     if missed > MISSED:
         raise ValueError(
-            f"{100 * missed:.0f} % of the waves' energy lies outside the stored frequencies; allowed: "
-            f"{100 * MISSED:g} %; solve {ends[0]:.3g} to {ends[1]:.3g} rad/s as well"
+            f"{100 * missed:.3g} % of the waves' energy lies outside the stored frequencies; allowed: "
+            f"{100 * MISSED:g} %; solve {band} as well"
         )
+    low, high = np.clip(sea.spectrum.quantile((1e-4, 1 - 1e-3)), reader.omega[0], reader.omega[-1])
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # reported above if it exceeds the omission of the report's own spectrum
         found = sea.components(count, seed, low=float(low), high=float(high))

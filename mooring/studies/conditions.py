@@ -54,8 +54,9 @@ class Wind:
 class Current:
     """speed m/s, direction rad to which the current flows
 
-    table : coefficients as of a Wind, None for the SR179 box tests
+    table : coefficients as of a Wind, None for those of `ship`
     height : m above still water of its point of action, None for half the draft below it
+    ship : "tanker", or None for the SR179 box tests
     waves : one of `mooring.on_current.waves.SPECTRA`, meaning of the frequencies of the waves on it:
     "intrinsic", in the moving water, "absolute", at a fixed place; "still": waves unaffected by the current
     """
@@ -65,6 +66,7 @@ class Current:
     table: DragTable | HullCoefficients | Callable | None = None
     height: float | None = None
     waves: str = "intrinsic"
+    ship: str | None = None
 
     def __post_init__(self):
         if self.waves not in SPECTRA:

@@ -136,6 +136,13 @@ KINDS = {
         "single_point_A.toml",
         ("hakobune single-point FILE",),
     ),
+    "single-point-tanker": Kind(
+        "a tanker on a buoy (CALM), with generic coefficients of wind and current",
+        "hakobune.pipelines.single_point.tables:Study",
+        "single-point",
+        "single_point_tanker.toml",
+        ("hakobune single-point FILE",),
+    ),
     "berth": Kind(
         "a berthing ship and its fenders",
         "hakobune.pipelines.berth.study:BerthStudy",

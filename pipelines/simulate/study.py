@@ -19,7 +19,7 @@ import numpy as np
 
 from hakobune.mooring.motion.weather import Settings, Weather
 from hakobune.mooring.on_current.waves import carrier_of, check_blocked, in_water
-from hakobune.mooring.response.seas import energy_outside
+from hakobune.mooring.response.seas import energy_outside, outside
 
 from ..common.quantities import StudyError, direction, level_of, positive
 from ..common.weather.gusts import gusts_of
@@ -400,13 +400,6 @@ def _kept(table):
     return table.keep_series
 
 
-def _left_out(below, above):
-    """Shares of the energy below which a band that just runs begins and ends, from the shares outside the stored one"""
-    most = 0.99 * MOST_MISSED
-    first = min(below, max(most - above, 0.5 * most))
-    return first, 1 - (most - first)
-
-
 def _names(systems, more):
     """Beginnings of messages on the systems of waves: [waves] with its swell, and `more` seas of [simulation]"""
     swell = [f"waves.swell[{i}]: " for i in range(systems - 1)]
@@ -418,14 +411,12 @@ def _outside(spectrum, omega, name=""):
     below, above = (float(share) for share in energy_outside(omega, spectrum))
     if below + above <= MISSED:
         return ()
-    ends = spectrum.quantile((MISSED / 2, 1 - MISSED / 2))
     text = (
         f"{name}{100 * (below + above):.1f} % of the wave energy lies outside the stored frequencies "
         f"({100 * below:.1f} % below {omega[0]:.4g}, {100 * above:.1f} % above {omega[-1]:.4g} rad/s)"
     )
-    way_out = f"solve {min(ends[0], omega[0]):.3g} to {max(ends[1], omega[-1]):.3g} rad/s as well"
+    band = outside(spectrum, omega, MISSED)[1]
     if below + above > MOST_MISSED:
-        low, high = spectrum.quantile(_left_out(below, above))
-        reached = f"{min(low, omega[0]):.3g} to {max(high, omega[-1]):.3g} rad/s"
-        raise StudyError(f"{text}; allowed: {100 * MOST_MISSED:g} %; {way_out}, or at least {reached}")
-    return (f"{text} and is not included; {way_out}",)
+        reached = outside(spectrum, omega, MOST_MISSED)[1]
+        raise StudyError(f"{text}; allowed: {100 * MOST_MISSED:g} %; solve {band} as well, or at least {reached}")
+    return (f"{text} and is not included; solve {band} as well",)

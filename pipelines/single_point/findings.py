@@ -5,13 +5,16 @@ import numpy as np
 from hakobune.mooring.criteria.overuse import overused
 from hakobune.mooring.loads.turning import FITTED
 from hakobune.mooring.motion.simulation.trial import TOO_LARGE
-from hakobune.mooring.single_point.equilibria import bow
+from hakobune.mooring.single_point.equilibria import bow, buoy_periods
 from hakobune.mooring.single_point.history import moves_in_waves
 from hakobune.mooring.single_point.in_time import pulls, used_in
 
 from ..common.quantities import force
+from ..common.weather.seas import PERIODS, spectrum_of
+from .study import mass_of
 
 BALANCED = 0.05  # change of a buoy's draft by its lines, over its draft, that is not told
+NEAR = 0.2  # distance of a natural period from the waves' peak, over the peak, that is told
 HELP = "give a stronger type or more lines"
 SNAPS = (
     "left out: inertia and drag of the chains, so that {}; hakobune simulate takes hull and buoy as two bodies, with "
@@ -26,6 +29,7 @@ STEADY = (
 def findings(found):
     """Findings of a `result.Found`, one line each"""
     best, water = found.best, found.point.loads.water
+    yield from _resonant(found.study, found.point.system, best)
     if found.run is None:
         yield from [STEADY] if found.study.waves is not None else []
     elif moves_in_waves(found.run):
@@ -40,7 +44,8 @@ def findings(found):
             )
     stable = [one for one in found.rest if one.slewing.stable]
     if not stable:
-        yield "no heading is stable: the body slews; [[maps]] shows the growth over hawser length and attachment"
+        how = "slews" if best.slews else f"surges on hawser and lines, with a period of {best.slewing.period:.3g} s"
+        yield f"no heading is stable: the body {how}; [[maps]] shows the growth over hawser length and attachment"
     if len(stable) > 1:
         headings = ", ".join(f"{bow(one):.0f}°" for one in stable)
         yield (
@@ -51,8 +56,35 @@ def findings(found):
 
 def drafts_of(buoy, system, best):
     """m, draft of a buoy with mass alone, and with its lines and the hull at an Equilibrium"""
-    alone = 1e3 * buoy.mass / (system.density * 0.25 * np.pi * buoy.diameter**2)
+    alone = mass_of(buoy, system) / (system.density * 0.25 * np.pi * buoy.diameter**2)
     return alone, alone + system.bodies[0].position[2] - best.lines.position[0, 2]
+
+
+def periods_of_buoy(buoy, system, best):
+    """s, `buoy_periods` of a BuoyTable with a diameter"""
+    displaced = system.density * 0.25 * np.pi * buoy.diameter**2 * drafts_of(buoy, system, best)[1]
+    return buoy_periods(best, mass_of(buoy, system), displaced)
+
+
+def _resonant(study, system, best):
+    """Natural periods of the buoy near the peak of the waves"""
+    waves = study.waves
+    if waves is None or study.buoy.diameter is None or all(getattr(waves, kind) is None for kind in PERIODS):
+        return
+    peak = spectrum_of("waves", waves, study.water.depth).Tp
+    near = {
+        f"{period:.3g} s ({name})"
+        for name, period in zip(
+            ("sideways", "sideways", "heave"), periods_of_buoy(study.buoy, system, best), strict=True
+        )
+        if abs(period / peak - 1) < NEAR
+    }
+    if near:
+        yield (
+            f"the buoy with a slack hawser has natural periods of {' and '.join(sorted(near))}, within {100 * NEAR:g} "
+            f"% of the waves' peak at {peak:.3g} s: its chains then carry a resonance that its own drag alone damps; "
+            "another pretension, length of chain or mass moves it"
+        )
 
 
 def pulled_down(buoy, system, best):
@@ -63,12 +95,11 @@ def pulled_down(buoy, system, best):
     draft, sunk = drafts_of(buoy, system, best)
     sunk -= draft
     if abs(sunk) > BALANCED * draft:
-        carried = buoy.mass - 1e-3 * system.density * area * sunk
         yield (
             f"buoy: {buoy.mass:.4g} t alone float with a draft of {draft:.3g} m, and the lines pull it down with "
             f"{1e-3 * system.density * system.gravity * area * sunk:.4g} kN to {draft + sunk:.3g} m; buoy.z is the "
-            f"height without lines; if {draft:.3g} m is meant as the draft with lines, give "
-            f"buoy.mass = {carried:.4g}, and raise buoy.z by {sunk:.2g} m"
+            f"height without lines; if {draft:.3g} m is the draft with lines, give buoy.draft = {draft:.3g} in place of "
+            "buoy.mass: buoy.z is then the height with lines too"
         )
 
 

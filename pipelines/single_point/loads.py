@@ -12,8 +12,9 @@ from hakobune.mooring.loads.ship_derivatives import by_yaw_rate, clarke
 from hakobune.mooring.loads.turning import OutsideTests, turning_coefficients
 from hakobune.mooring.motion.wave_loads import wave_forces
 from hakobune.mooring.on_current.waves import carrier_of, check_blocked
-from hakobune.mooring.response.findings import UNSURE
+from hakobune.mooring.response.findings import MISSED, UNSURE
 from hakobune.mooring.response.linear import frequencies
+from hakobune.mooring.response.seas import outside
 from hakobune.mooring.response.viscous import in_sea
 from hakobune.mooring.seas.breaking import too_high, too_high_waves
 from hakobune.mooring.single_point.loads import (
@@ -36,8 +37,9 @@ from ..common.weather.seas import PERIODS, sea_with_swell, spectrum_of
 from ..common.weather.streams import current_of, doubtful_weather, no_box, superstructures, wind_of
 
 MIDDLE = (0.0, 0.0)
+SHIP = 4.0  # length over beam from which turning tests of barges are not offered
 UNSAFE = 1.1  # growth of the side force in shallow water that is told
-ONE_OF = "give one of turning, coefficients, file"
+ONE_OF = "give one of turning, coefficients, file, ship"
 PROPORTIONS = {"L/B": "length_over_beam = 2", "B/d": "beam_over_draft = 10", "H/d": "depth_over_draft = 8"}  # tested
 
 
@@ -92,7 +94,7 @@ def _water(study, hull, density, center, mass, findings):
     if c is None:
         table = _turning(study, None, density, center, findings)
         return WaterLoad(table, h.length, True, height=-0.5 * h.draft)
-    ways = [name for name in ("turning", "coefficients") if getattr(c, name) is not None]
+    ways = [name for name in ("turning", "coefficients", "ship") if getattr(c, name) is not None]
     if len(ways) > 1:
         raise StudyError(f"current: {' and '.join(ways)} are given, and each defines the force; {ONE_OF}")
     stream = speed("current", c), direction("current", c)
@@ -113,7 +115,7 @@ def _water(study, hull, density, center, mass, findings):
     linear = 1e3 * np.diag([0.0, c.sway_damping, c.yaw_damping]) if c.sway_damping or c.yaw_damping else None
     table = still_table(about(water.unit(angles()), MIDDLE, center))
     findings += water.notes
-    if c.yaw_rate is not None:
+    if c.yaw_rate is not None or c.ship is not None:
         table[:, 1] = _by_yaw_rate(study, c.yaw_rate, density, mass)
     return WaterLoad(table, h.length, False, *stream, drag, linear, water.height[1], water.still)
 
@@ -129,14 +131,14 @@ def _block(h, density):
 
 
 def _by_yaw_rate(study, given, density, mass):
-    """Table (count, 3) of a WaterLoad over V (rL), from given derivatives or those of Clarke et al. (1983)"""
+    """Table (count, 3) of a WaterLoad over V (rL), from a given YawRateTable or None and Clarke et al. (1983)"""
     h = study.hull
     own, block = own_mass(h, density), _block(h, density)
     if not block <= 1 + 1e-9:
         raise StudyError(f"hull.displacement fills {block:.3g} of length, beam and draft; allowed: at most 1")
     found = clarke(h.length, h.beam, h.draft, min(block, 1.0))
     for name in ("Y_r", "N_r"):
-        value = getattr(given, name)
+        value = getattr(given, name, None)
         if value is not None:
             if not math.isfinite(value) or (name == "N_r" and value > 0):
                 raise StudyError(f"current.yaw_rate.{name} is {value:g}; allowed: finite, N_r at most 0")
@@ -165,6 +167,11 @@ def _turning(study, given, density, center, findings):
     try:
         found = turning_coefficients(*taken.values())
     except OutsideTests as error:
+        if own["length_over_beam"] > SHIP:
+            raise StudyError(
+                f"current: {error.limits}; they are of barges, and a ship of L/B = {own['length_over_beam']:.3g} lies "
+                'at another heading with another pull; give current.ship = "tanker", or coefficients, or file'
+            ) from None
         tested = ", ".join(PROPORTIONS[name] for name in error.proportions)
         one = len(error.proportions) == 1
         what = "proportion to use instead" if one else "proportions to use instead"
@@ -212,7 +219,7 @@ def _drift(study, db, center, findings):
             'the database contains no drift; solve it with want = ["drift"], or give waves.drift_tonf_per_m2'
         )
     sea = sea_with_swell("waves", w, db.water_depth)
-    findings += too_high(sea.spectrum, db.water_depth)
+    findings += [*_outside(sea, db.reader), *too_high(sea.spectrum, db.water_depth)]
     body, _ = in_sea(db.reader, sea)
     findings += _between_waves(body, sea)
     carrier, forces = waves_carrier(study), wave_forces(body)
@@ -221,6 +228,16 @@ def _drift(study, db, center, findings):
     if carrier is not None:
         findings.append(_by_current(drift, mean_drift(forces, sea), study.current))
     return DriftLoad(drift)
+
+
+def _outside(sea, reader):
+    """A line on waves outside the stored frequencies, which have no drift"""
+    missed, band = outside(sea.spectrum, reader.omega, MISSED)
+    if missed > MISSED:
+        yield (
+            f"{100 * missed:.3g} % of the waves' energy lies outside the stored frequencies, and its drift is not "
+            f"included; limit {100 * MISSED:g} %; solve {band} as well"
+        )
 
 
 def waves_carrier(study):

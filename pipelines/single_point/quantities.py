@@ -14,7 +14,7 @@ from ..common.quantities import force
 from ..results.quantity import Quantity, quantities
 from ..results.result import labels, records
 from . import running
-from .findings import drafts_of, pulled_down, used
+from .findings import drafts_of, periods_of_buoy, pulled_down, used
 
 # range of line lengths, over the given one, and number of steps of the search for changes of stability
 REACH, LENGTHS = (0.02, 20.0), 200
@@ -75,7 +75,7 @@ def state_of(found):
         "buoy.y": (one.buoy[1], "m", "buoy, y"),
         **_draft(found),
         "pull": (one.pull, "N", "steady pull"),
-        "slewing": ("stable" if s.stable else "unstable", "", "slewing"),
+        "slewing": ("stable" if s.stable else "unstable", "", "slewing" if s.stable or one.slews else "surge"),
         "slewing.time": (1 / abs(s.growth), "s", f"{'grows' if s.growth > 0 else 'decays'} by a factor of e in"),
         "slewing.period": (s.period, "s", "period"),
     }
@@ -86,10 +86,26 @@ def state_of(found):
     return quantities(title, state) | quantities("", growth) | _scope(found) | _criteria(one), {}
 
 
+def natural_of(found):
+    """Slow motions about the final heading, and natural periods of its buoy"""
+    one, buoy = found.best, found.study.buoy
+    names = [mode.words for mode in one.modes]
+    rows = [(mode.period, mode.root.real) for mode in one.modes]
+    if buoy.diameter is not None:
+        names += ["buoy, sideways", "buoy, sideways", "buoy, heave"]
+        rows += [(period, np.nan) for period in periods_of_buoy(buoy, found.point.system, one)]
+    names = [name if names.count(name) == 1 else f"{name} {names[:i].count(name) + 1}" for i, name in enumerate(names)]
+    made = quantities(f"natural periods at {bow(one):.4g}°, buoy with a slack hawser", {
+        "natural.period": ([row[0] for row in rows], "s", "period"),
+        "natural.growth": ([row[1] for row in rows], "1/s", "growth"),
+    }, "mode")  # fmt: skip
+    return made, labels("mode", names)
+
+
 def _draft(found):
     """Draft of a buoy that floats"""
     buoy = found.study.buoy
-    if buoy.mass is None:
+    if buoy.diameter is None:
         return {}
     return {"buoy.draft": (drafts_of(buoy, found.point.system, found.best)[1], "m", "draft of the buoy")}
 

@@ -21,7 +21,7 @@ from ..results.result import Result
 from . import running
 from .findings import findings, overloads
 from .maps import Map, check_maps, computed
-from .quantities import cycle_of, hull_of, lines_at, maps_of, notes_of, rest_of, run_of, state_of
+from .quantities import cycle_of, hull_of, lines_at, maps_of, natural_of, notes_of, rest_of, run_of, state_of
 from .reading import read_study
 from .study import check_buoy, make
 from .tables import Study, make_study
@@ -108,13 +108,19 @@ def _cycle_of(one, run=None, grown=math.inf):
             None,
             f"limit cycle: not computed, since the run in time shows the slewing (it grows within {grown:.0f} s)",
         )
+    if not one.slews:
+        return (
+            None,
+            f"limit cycle: not computed, since surge grows, with a period of {one.slewing.period:.3g} s, and the body "
+            "does not slew; [slewing] runs it in time",
+        )
     told(_why(run, grown), A_CYCLE)
     try:
         return limit_cycle(one), None
     except NotFollowedError as error:
         return None, fails(f"limit cycle: {error}")
     except SinglePointError as error:
-        return None, f"limit cycle: {error}"
+        return None, f"limit cycle: {error}; small motions grow by a factor of e in {1 / one.slewing.growth:.3g} s"
 
 
 def _why(run, grown):
@@ -131,7 +137,7 @@ def _why(run, grown):
 def result_of(found, first, notes, text, db):
     """Result of a Found; first : findings printed first; notes : lines; text : text of its study"""
     quantities, axes = {}, {}
-    for part in (rest_of, state_of, lines_at, cycle_of, run_of, maps_of, hull_of):
+    for part in (rest_of, state_of, natural_of, lines_at, cycle_of, run_of, maps_of, hull_of):
         made, labels = part(found)
         quantities, axes = quantities | made, axes | labels
     said = (

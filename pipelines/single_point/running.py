@@ -3,6 +3,8 @@
 Waves need a database, a period and a scheme other than "slow"; gusts are those of [wind].
 """
 
+import math
+
 import numpy as np
 
 from hakobune.mooring.lines.ropes import RopePart
@@ -18,6 +20,7 @@ from ..common.quantities import StudyError, force, positive
 from ..common.weather.seas import sea_with_swell
 from ..results.heard import heard
 from .loads import waves_carrier
+from .study import mass_of
 
 SCHEMES = ("slow", "two_scale", "full")
 MOST_SAMPLES = 1_000_000
@@ -54,7 +57,7 @@ def _wave_body(study, db):
 
 
 def _in_one(study, times, steady, db, waves):
-    body, rope = (None, None) if steady.point.lengths[0] == 0.0 else _buoy_and_rope(study)
+    body, rope = (None, None) if steady.point.lengths[0] == 0.0 else _buoy_and_rope(study, steady.point)
     with heard() as said:
         sea = _sea(study, db) if waves else None
         moved = body_at(
@@ -70,16 +73,16 @@ def _in_one(study, times, steady, db, waves):
     return found._replace(findings=tuple(dict.fromkeys((*said, *left, *found.findings))))
 
 
-def _buoy_and_rope(study):
-    """BuoyBody and RopePart of a study.  Raises StudyError."""
+def _buoy_and_rope(study, point=None):
+    """BuoyBody and RopePart of a study; point : SinglePoint, for a mass by the draft.  Raises StudyError."""
     b, h = study.buoy, study.hawser
-    if b.mass is None:
+    if b.mass is None and b.draft is None:
         raise StudyError('slewing.scheme is "full"; with a hawser it needs mass, diameter and height of [buoy]')
     lever = 0.0 if b.hawser_z is None else b.hawser_z - b.z
     if b.hawser_z is not None and not b.z <= b.hawser_z <= b.height:
         allowed = f"at least buoy.z, {b.z:g} m, at most buoy.height, {b.height:g} m"
         raise StudyError(f"buoy.hawser_z is {b.hawser_z:g} m; allowed: {allowed}")
-    body = BuoyBody(1e3 * b.mass, b.diameter, b.height, lever=lever)
+    body = BuoyBody(math.nan if point is None else mass_of(b, point.system), b.diameter, b.height, lever=lever)
     stiff, load = force("hawser", h, "axial_stiffness"), force("hawser", h, "breaking_load")
     if (stiff is None) == (load is None) or (load is not None) != (h.strain is not None):
         raise StudyError('hawser: slewing.scheme "full" needs axial_stiffness, or breaking_load with its strain')
@@ -99,8 +102,8 @@ def words(run: Run):
         )
     elif c.stays:
         yield (
-            f"the body slews: ±{np.degrees(c.amplitude):.1f}° at a period of {c.period:.0f} s at the end of the run"
-            + (", still growing" if c.growing > 1.02 else "")
+            f"the {'body slews' if run.steady.slews else 'heading swings'}: ±{np.degrees(c.amplitude):.1f}° at a "
+            f"period of {c.period:.0f} s at the end of the run" + (", still growing" if c.growing > 1.02 else "")
         )
     elif np.isfinite(run.settled):
         yield f"the heading decays from {first:.2g}° to within 0.2° of rest in {run.settled:.0f} s"

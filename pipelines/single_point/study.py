@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hakobune.mooring.lines.system.equilibrium import rest
 from hakobune.mooring.lines.system.graph import System
 from hakobune.mooring.lines.system.moored_body import leg_at_tension, moored_body
 from hakobune.mooring.lines.system.parts import MooredBody, UniformLine
@@ -151,7 +152,7 @@ def system_of(study, depth, density):
     except ValueError as error:
         raise StudyError(f"mooring: {error}") from None
     made = moored_body(legs, depth, (0.0, 0.0, b.z), density, GRAVITY, "buoy")
-    body, left = _buoy(study, density)
+    body, left = _buoy(study, density, made)
     return System(depth, made.lines, made.points, (body,), density, GRAVITY), left
 
 
@@ -183,26 +184,46 @@ def _pretension(m, line, height):
         raise StudyError(f"mooring.top_tension is {error}") from None
 
 
-def _buoy(study, density):
-    """The buoy as a body of the System, and its freeboard, m"""
+def _buoy(study, density, on_lines):
+    """The buoy as a body of the System `on_lines` with a buoy of fixed height, and its freeboard without lines, m"""
     b = study.buoy
-    given = [b.mass, b.diameter, b.height]
+    if b.mass is not None and b.draft is not None:
+        raise StudyError("buoy: mass and draft are both given, and each defines the other; give one of them")
     at = (0.0, 0.0, b.z, 0.0, 0.0, 0.0)
-    if given == [None] * 3:
+    given = {"mass": b.mass} if b.draft is None else {"draft": b.draft}
+    given |= {"diameter": b.diameter, "height": b.height}
+    if list(given.values()) == [None] * 3:
         return MooredBody("buoy", at, ("Surge", "Sway")), math.inf
-    if None in given:
-        raise StudyError("buoy: mass, diameter and height belong together; give all or none")
-    named = zip(("mass", "diameter", "height"), given, strict=True)
-    mass, diameter, height = (positive(f"buoy.{key}", value) for key, value in named)
+    if None in given.values():
+        raise StudyError("buoy: mass, diameter and height belong together; give all or none, or draft in place of mass")
+    first, diameter, height = (positive(f"buoy.{key}", value) for key, value in given.items())
     area = 0.25 * math.pi * diameter**2
+    up = 0.0 if b.draft is None else float(rest(on_lines).lines.vertical_b.sum()) / (density * GRAVITY * area)
+    mass = first if b.draft is None else 1e-3 * density * area * (b.draft - up)
     draft = 1e3 * mass / (density * area)
+    if not mass > 0:
+        raise StudyError(
+            f"buoy.draft is {b.draft:g} m; allowed: above {up:.4g} m, the draft by the pull of the lines alone; give a "
+            "larger buoy or lighter lines"
+        )
+    if b.draft is not None and not b.draft < height:
+        raise StudyError(f"buoy.draft is {b.draft:g} m; allowed: below the height of {height:g} m")
     if not draft < height:
         raise StudyError(
             f"buoy.mass is {mass:g} t; allowed: below {1e-3 * density * area * height:.4g} t, its buoyancy when awash"
         )
     stiffness = np.zeros((6, 6))
     stiffness[2, 2] = density * GRAVITY * area
+    at = (0.0, 0.0, b.z + up, 0.0, 0.0, 0.0)
     return MooredBody("buoy", at, ("Surge", "Sway", "Heave"), stiffness), height - draft
+
+
+def mass_of(buoy, system):
+    """kg, of a BuoyTable that floats; system : its System"""
+    if buoy.mass is not None:
+        return 1e3 * buoy.mass
+    alone = buoy.draft - (system.bodies[0].position[2] - buoy.z)
+    return system.density * 0.25 * math.pi * buoy.diameter**2 * alone
 
 
 def check_buoy(made, equilibrium):

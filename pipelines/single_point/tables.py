@@ -101,10 +101,11 @@ class HawserTable(Table):
 
 
 class BuoyTable(Table):
-    """The buoy that the lines hold; with mass, diameter and height it also rises and sinks
+    """The buoy that the lines hold; with mass or draft, diameter and height it also rises and sinks
 
-    z : m, height of the lines' upper ends above still water, below 0
-    mass : t, mass of the buoy
+    z : m, height of the lines' upper ends above still water, below 0; with mass without the lines' weight, else at rest
+    mass : t, mass of the buoy; or give draft
+    draft : m, draft at rest with its lines and without the hull, in place of mass
     diameter : m, diameter of the buoy
     height : m, height of the buoy
     hawser_z : m, height of the hawsers' ends above still water; the buoy then tilts under their pull in the scheme
@@ -113,6 +114,7 @@ class BuoyTable(Table):
 
     z: float
     mass: float | None = None
+    draft: float | None = None
     diameter: float | None = None
     height: float | None = None
     hawser_z: float | None = None
@@ -151,7 +153,8 @@ class TurningTable(Table):
 
 
 class YawRateTable(Table):
-    """Linear force due to the yaw rate of a ship, for coefficients or a file; by default after Clarke et al. (1983)
+    """Linear force due to the yaw rate of a ship, for coefficients, a file or, given or not, a type of ship; by default
+    after Clarke et al. (1983)
 
     Y_r : coefficient Y'_r of the side force, over ½ρL³V
     N_r : coefficient N'_r of the yaw moment, over ½ρL⁴V, at most 0
@@ -162,7 +165,7 @@ class YawRateTable(Table):
 
 
 class CurrentTable(UniformTable):
-    """Current on the hull: turning tests, coefficients or a file, one of the three
+    """Current on the hull: turning tests, coefficients, a file or a type of ship, one of the four
 
     yaw_drag : kN m s², yaw moment N₂ over the square of the yaw rate; by default that of the cross flow on a box; not
         with turning tests, which contain it

@@ -85,10 +85,12 @@ class StreamTable(Table):
 class CurrentTable(StreamTable):
     """A uniform current
 
+    ship : "tanker" for generic coefficients of a loaded tanker by its sizes and the depth (UFC 4-159-03, 2005)
     waves : how the spectrum of the waves in this current was measured: "intrinsic", in the moving water, as wave models
         give it; "absolute", at a fixed place, as by a moored buoy; or "still", in water without current
     """
 
+    ship: str | None = None
     waves: str = "intrinsic"
 
 
@@ -128,9 +130,13 @@ def current_of(table):
 
     if table is None:
         return None
+    if table.ship not in (None, "tanker"):
+        raise StudyError(f"current.ship is {table.ship!r}; allowed: tanker; give current.file for other ships")
     found = coefficients_of("current", table)
+    if found is not None and table.ship is not None:
+        raise StudyError("current: ship and coefficients are both given; give one of them")
     towards = speed("current", table), direction("current", table)
-    return Current(*towards, found, _height("current", table), waves_on(table))
+    return Current(*towards, found, _height("current", table), waves_on(table), table.ship)
 
 
 def wind_table(table):
@@ -308,7 +314,7 @@ def no_box(block, hull, study):
     ]
     if not boxed or block > BOXY:
         return []
-    ways = {"wind": 'wind.ship = "…" or wind.file', "current": "current.file"}
+    ways = {"wind": 'wind.ship = "…" or wind.file', "current": 'current.ship = "tanker" or current.file'}
     act, give = "act" if len(boxed) > 1 else "acts", ", and ".join(ways[where] for where in boxed)
     return [
         f"{' and '.join(boxed)} {act} as on a box of {hull.length:g} by {hull.beam:g} m, which the hull is not: it "

@@ -297,15 +297,16 @@ def test_components_of_a_sea_lie_between_the_stored_frequencies_and_no_more_than
     """All energy between 0.5 and 1.0 rad/s, evenly: 4 % is beyond 0.98, 6 % beyond 0.97"""
     kept = []
     spectrum = SimpleNamespace(
-        quantile=lambda shares: np.array([0.5, 0.5]) + 0.5 * np.round(shares, 2), moment=lambda n, a=0.5, b=1.0: b - a
+        quantile=lambda shares: 0.5 + 0.5 * np.array(shares),
+        moment=lambda n, a=0.0, b=np.inf: np.diff(np.clip([a, b], 0.5, 1.0))[0],
     )
     sea = SimpleNamespace(spectrum=spectrum, components=lambda *given, **words: kept.append((given, words)) or "waves")
     monkeypatch.setattr(runs, "in_water", lambda *given: given)
     reader = SimpleNamespace(omega=np.array([0.3, 0.6, 0.98]), depth=20.0)
     assert runs.sea_components(sea, 7, 3, reader, "current", 9.8) == ("waves", "current", 20.0, 9.8)
-    assert kept == [((7, 3), {"low": 0.5, "high": 0.98})]
-    for ends in ([0.3, 0.97], [0.53, 2.0]):
-        with pytest.raises(ValueError, match=r"^6 % of the waves' energy .* 5 %; solve 0.5 to 1 rad/s as well"):
+    assert kept == [((7, 3), {"low": pytest.approx(0.5, abs=1e-4), "high": 0.98})]
+    for ends, band in (([0.3, 0.97], "0.3 to 0.975"), ([0.53, 2.0], "0.525 to 2")):  # beyond 0.975 lie 5 %, no more
+        with pytest.raises(ValueError, match=f"^6 % of the waves' energy .* 5 %; solve {band} rad/s as well"):
             runs.sea_components(sea, 7, 3, SimpleNamespace(omega=np.array(ends), depth=20.0))
 
 

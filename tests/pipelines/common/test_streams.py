@@ -130,9 +130,9 @@ def test_a_hull_that_is_no_box_is_told_with_the_way_out():
     ship = SimpleNamespace(coefficients=None, ship="ferry")
     (line,) = no_box(0.8, HULL, SimpleNamespace(wind=bare, current=bare))
     assert line.startswith("wind and current act as on a box of 100 by 50 m, which the hull is not: it fills 80 %")
-    assert line.endswith('give wind.ship = "…" or wind.file, and current.file')
+    assert line.endswith('give wind.ship = "…" or wind.file, and current.ship = "tanker" or current.file')
     (line,) = no_box(0.8, HULL, SimpleNamespace(wind=ship, current=bare))
-    assert line.startswith("current acts as") and line.endswith("give current.file")
+    assert line.startswith("current acts as") and line.endswith('give current.ship = "tanker" or current.file')
     for block, wind_given, current in ((0.8, files, files), (1.0, bare, bare), (0.8, None, None)):
         assert no_box(block, HULL, SimpleNamespace(wind=wind_given, current=current)) == []
 

@@ -7,9 +7,10 @@ import pytest
 from test_head_on_by_hand import DEPTH, Z
 from test_loads_by_hand import raw
 
+from hakobune.mooring.lines.system.equilibrium import rest
 from hakobune.mooring.lines.system.parts import Anchor
 from hakobune.pipelines.common.quantities import StudyError
-from hakobune.pipelines.single_point.study import system_of
+from hakobune.pipelines.single_point.study import mass_of, system_of
 from hakobune.pipelines.single_point.tables import make_study
 
 RHO, G = 1025.0, 9.80665
@@ -115,3 +116,26 @@ def test_a_bed_of_the_lines_begins_at_the_depth_and_stays_below_still_water(rise
         return
     with pytest.raises(StudyError, match=rf"mooring.bed.points\[2\] .*0.1 m above still .* anchor, {DEPTH:g} m below"):
         system(mooring__bed=bed)
+
+
+def test_a_buoy_with_its_draft_with_lines_lies_at_its_place_with_the_mass_that_balances():
+    """ρ π D²/4 · 2 m carry the mass and the four lines, which pull with V = w s down at the place of the buoy"""
+    made, left = system(mooring__pretension_kN=300.0, **BUOY | {"buoy__mass": None, "buoy__draft": 2.0})
+    s = math.sqrt(HEIGHT * (HEIGHT + 2 * 300e3 / (KG * G)))
+    up = 4 * KG * G * s / (RHO * G * math.pi * 16)
+    assert made.bodies[0].position[2] == pytest.approx(Z + up, rel=1e-3) and left == pytest.approx(
+        5.0 - 2.0 + up, rel=1e-3
+    )
+    assert rest(made).position[0, 2] == pytest.approx(Z, abs=1e-9)
+    buoy = make_study(raw(types__chain=TYPE, **BUOY | {"buoy__mass": None, "buoy__draft": 2.0})).buoy
+    assert mass_of(buoy, made) == pytest.approx(RHO * math.pi * 16 * (2.0 - up), rel=1e-3)
+
+
+@pytest.mark.parametrize("more, said", [
+    ({"buoy__draft": 2.0}, "mass and draft are both given"),
+    ({"buoy__mass": None, "buoy__draft": 0.1}, r"buoy.draft is 0.1 m; allowed: above [\d.]+ m, the draft by the pull"),
+    ({"buoy__mass": None, "buoy__draft": 5.0}, "buoy.draft is 5 m; allowed: below the height of 5 m"),
+])  # fmt: skip
+def test_a_draft_that_cannot_be_is_refused(more, said):
+    with pytest.raises(StudyError, match=said):
+        system(mooring__pretension_kN=300.0, **BUOY | more)

@@ -26,14 +26,14 @@ def one(growth=-1e-3, heading=0.0, period=250.0, hawser=(1e5, 2e5), used=(0.3, n
         heading=heading, pull=2.5e5, hawser=np.array(hawser), point=SimpleNamespace(system=system), place=(1.0, 2.0),
         slewing=SimpleNamespace(growth=growth, stable=growth < 0, period=period), force=np.ones(3), roots=[-1j, 1j],
         lines=SimpleNamespace(lines=lines, tension=np.array([3e5, 4e5]), position=np.array([[5.0, 6.0, -1.0]])),
-        quartic=None,
+        quartic=None, slews=True,
     )  # fmt: skip
 
 
 def found(rest, turning=False, speed=0.0, direction=0.0, waves=None, run=None):
     water = SimpleNamespace(turning=turning, speed=speed, direction=direction)
     point = SimpleNamespace(loads=SimpleNamespace(water=water), lengths=[30.0, 30.0], system=rest[0].point.system)
-    study = SimpleNamespace(waves=waves)
+    study = SimpleNamespace(waves=waves, buoy=SimpleNamespace(mass=None, diameter=None))
     return SimpleNamespace(best=preferred(rest), rest=rest, point=point, study=study, run=run)
 
 
@@ -54,17 +54,17 @@ def test_headings_of_rest_have_their_pull_and_the_largest_of_their_lines():
 
 
 @pytest.mark.parametrize(("sunk", "told"), [(0.12, False), (0.13, True), (-0.13, True), (0.6, True)])
-def test_a_buoy_that_its_lines_pull_down_is_told_with_the_mass_that_balances(sunk, told):
+def test_a_buoy_that_its_lines_pull_down_is_told_with_the_key_for_its_draft_with_them(sunk, told):
     """200 t on ρ π D²/4 = 80.50 t/m float with 2.4845 m; 5 % of it is 0.1242 m"""
     rest = one()
     rest.point.system.density, rest.point.system.gravity = 1025.0, 9.80665
     rest.point.system.bodies = [SimpleNamespace(position=np.array([0.0, 0.0, -1.0 + sunk]))]
-    said = list(pulled_down(SimpleNamespace(mass=200.0, diameter=10.0), rest.point.system, rest))
+    said = list(pulled_down(SimpleNamespace(mass=200.0, diameter=10.0, draft=None), rest.point.system, rest))
     assert bool(said) is told
     if told:
         per_metre = 1.025 * math.pi * 25.0
         assert f"with {per_metre * 9.80665 * sunk:.4g} kN to {200 / per_metre + sunk:.3g} m" in said[0]
-        assert f"buoy.mass = {200 - per_metre * sunk:.4g}, and raise buoy.z by {sunk:.2g} m" in said[0]
+        assert "give buoy.draft = 2.48 in place of buoy.mass: buoy.z is then the height with lines too" in said[0]
 
 
 def test_headings_that_are_stable_are_counted():
@@ -163,7 +163,7 @@ def ran(cycle=None, heading=0.0, wave=0.0, gusts=0.0, drifts=False, settled=np.n
     )
     steady = SimpleNamespace(
         heading=0.0, hawser=np.array([1e5]), lines=SimpleNamespace(tension=np.array([2e5, 3e5])),
-        slewing=SimpleNamespace(stable=stable), point=point,
+        slewing=SimpleNamespace(stable=stable), point=point, slews=True,
     )  # fmt: skip
     cycle = Cycle(math.radians(5.0), 250.0, 1.0, True) if cycle is None else cycle
     return Run(record, steady, cycle, settled, 12.34, drifts, findings, 100.0)

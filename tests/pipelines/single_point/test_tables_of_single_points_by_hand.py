@@ -32,6 +32,7 @@ def at_rest(heading=-90.0, growth=0.02, pull=2e5, tension=(3e5, 4e5)):
         roots=np.array([-1 + 1j, -2, -3, -4]),
         quartic=None,
         slewing=SimpleNamespace(growth=growth, stable=growth < 0, period=300.0),
+        slews=True,
         lines=SimpleNamespace(
             tension=np.array(tension),
             position=np.array([[3.0, 4.0, -1.5]]),
@@ -104,7 +105,10 @@ def test_all_headings_of_rest_are_in_one_table():
 def test_the_final_heading_has_place_pull_and_the_scope_of_its_most_loaded_line():
     """The catenary without uplift: s² = h² + 2 h H/w, of the tension T at the top: H = T − w h"""
     one, title = at_rest(), "at 270°, the heading at which it comes to rest"
-    rope, fixed = SimpleNamespace(breaking_load_kN=800.0, breaking_load_tonf=None), SimpleNamespace(mass=None)
+    rope, fixed = (
+        SimpleNamespace(breaking_load_kN=800.0, breaking_load_tonf=None),
+        SimpleNamespace(mass=None, diameter=None),
+    )
     hawser = SimpleNamespace(hawser=rope, buoy=fixed)
     made, axes = quantities.state_of(SimpleNamespace(best=one, point=point(), study=hawser))
     scope, height, w, T = "scope without uplift, under steady loads", 38.5, 1000.0, 4e5
@@ -201,6 +205,7 @@ def ran(drifts=False, wave=0.0, stable=True, hawsers=1):
         point=at,
         hawser=np.array([1e5]),
         slewing=SimpleNamespace(stable=stable),
+        slews=True,
         lines=SimpleNamespace(tension=np.array([1e5, 2e5])),
     )
     return Run(record, steady, Cycle(0.1, 250.0, 1.0, False), 150.0, 12.5, drifts, ("one",), 0.0)
@@ -387,7 +392,7 @@ def test_a_constant_record_is_drawn_as_a_level_line(monkeypatch, tmp_path):
 
 
 def of_study(scheme="full", waves=True, hawser=True, **more):
-    buoy = {"mass": 50.0, "diameter": 8.0, "height": 5.0, "z": 1.0, "hawser_z": 3.0}
+    buoy = {"mass": 50.0, "draft": None, "diameter": 8.0, "height": 5.0, "z": 1.0, "hawser_z": 3.0}
     rope = {
         "axial_stiffness_kN": 2e4,
         "axial_stiffness_tonf": None,
@@ -437,7 +442,7 @@ def test_a_buoy_of_its_own_mass_needs_an_elastic_hawser_at_its_height(more, says
             running._buoy_and_rope(of_study(**more))
         assert str(error.value).startswith(says)
         return
-    body, rope = running._buoy_and_rope(of_study(**more))
+    body, rope = running._buoy_and_rope(of_study(**more), SimpleNamespace(system=None))
     lever = {"hawser_z": more.get("hawser_z", 3.0)}["hawser_z"]
     assert (body.mass, body.diameter, body.height) == (5e4, 8.0, 5.0)
     assert body.lever == (0.0 if lever is None else lever - 1.0)
@@ -510,7 +515,7 @@ def test_one_equation_has_first_order_waves_and_their_drift_where_the_database_h
     run, asked = ran(), []
     steady = SimpleNamespace(point=SimpleNamespace(lengths=np.array([length])))
     times = SimpleNamespace(begin=lambda steady: "begin")
-    monkeypatch.setattr(running, "_buoy_and_rope", lambda study: ("buoy", "rope"))
+    monkeypatch.setattr(running, "_buoy_and_rope", lambda study, point: ("buoy", "rope"))
     monkeypatch.setattr(running, "_sea", lambda study, db: "sea")
     monkeypatch.setattr(running, "_components", lambda study, db: "parts" if db == "db" else None)
     monkeypatch.setattr(running, "waves_carrier", lambda study: "carrier")
@@ -569,6 +574,7 @@ def test_drift_of_a_database_tells_of_waves_that_the_current_stops(monkeypatch):
         "waves_carrier": None,
         "_between_waves": ["unsure"],
         "check_blocked": ["blocked"],
+        "_outside": ["outside"],
         "mean_drift": "mean",
         "DriftLoad": "load",
     }.items():
@@ -577,12 +583,17 @@ def test_drift_of_a_database_tells_of_waves_that_the_current_stops(monkeypatch):
     monkeypatch.setattr(loads, "in_sea", lambda reader, sea: (body, None))
     db = SimpleNamespace(reader=SimpleNamespace(knows_drift=True), water_depth=30.0)
     findings, study = [], SimpleNamespace(waves=SimpleNamespace(drift_tonf_per_m2=None), current=None)
-    assert loads._drift(study, db, np.zeros(2), findings) == "load" and findings == ["too high", "unsure", "blocked"]
+    assert loads._drift(study, db, np.zeros(2), findings) == "load" and findings == [
+        "outside",
+        "too high",
+        "unsure",
+        "blocked",
+    ]
     monkeypatch.setattr(loads, "waves_carrier", lambda study: "carrier")
     monkeypatch.setattr(loads, "_by_current", lambda drift, still, current: f"{drift} {still}")
     findings.clear()
     loads._drift(study, db, np.zeros(2), findings)
-    assert findings == ["too high", "unsure", "blocked", "mean mean"]
+    assert findings == ["outside", "too high", "unsure", "blocked", "mean mean"]
     assert loads._drift(SimpleNamespace(waves=None), db, 0, []) is None
     db.reader.knows_drift = False
     for given, says in (

@@ -16,14 +16,16 @@ def at_rest(growth=-0.01, period=200.0):
     slewing = SimpleNamespace(growth=growth, period=period, stable=growth < 0)
     return SimpleNamespace(
         place=(11.0, -22.0), heading=np.radians(-30.0), buoy=np.array([3.5, 4.25]), pull=123.4e3, slewing=slewing,
-        quartic=None, lines=SimpleNamespace(tension=np.array([1e5, 2e5]), position=np.zeros((2, 3))),
+        quartic=None, slews=True, lines=SimpleNamespace(tension=np.array([1e5, 2e5]), position=np.zeros((2, 3))),
     )  # fmt: skip
 
 
 def state(one):
     point = SimpleNamespace(system=SimpleNamespace(lines=(None, None), depth=20.0))
     return state_of(
-        SimpleNamespace(best=one, point=point, study=SimpleNamespace(hawser=None, buoy=SimpleNamespace(mass=None)))
+        SimpleNamespace(
+            best=one, point=point, study=SimpleNamespace(hawser=None, buoy=SimpleNamespace(mass=None, diameter=None))
+        )
     )[0]
 
 
