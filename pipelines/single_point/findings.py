@@ -98,8 +98,8 @@ def pulled_down(buoy, system, best):
         yield (
             f"buoy: {buoy.mass:.4g} t alone float with a draft of {draft:.3g} m, and the lines pull it down with "
             f"{1e-3 * system.density * system.gravity * area * sunk:.4g} kN to {draft + sunk:.3g} m; buoy.z is the "
-            f"height without lines; if {draft:.3g} m is the draft with lines, give buoy.draft = {draft:.3g} in place of "
-            "buoy.mass: buoy.z is then the height with lines too"
+            f"height without lines; if {draft:.3g} m is the draft with lines, give buoy.draft = {draft:.3g} instead "
+            "of buoy.mass: buoy.z is then the height with lines too"
         )
 
 
