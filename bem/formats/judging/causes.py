@@ -72,6 +72,7 @@ def finding(values, own):
     """
     flat, found = own, _finding(values, own)
     if found is not None and found.gap <= MESH:  # may be of panels
+        report_progress(CAUSE, "the same with four nodes on each panel")
         sharp = _finding(values, own.sharper())
         if sharp is None or sharp.gap < found.gap:
             found, own = sharp, own.sharper()
@@ -92,11 +93,8 @@ def _finding(values, own):
     quantity = max(off, key=off.get)
     if off[quantity] <= AGREED:
         return None
-    words = "" if own.nodes == 1 else f" with {own.nodes} nodes on each panel"
     named = quantity.replace("_", " ")
-    report_progress(
-        CAUSE, f"{named} differs by {100 * off[quantity]:.3g} % from our solution{words}; its cause is sought"
-    )
+    report_progress(CAUSE, f"{named} differs by {100 * off[quantity]:.3g} % from our own solution; the cause is sought")
     best, left = None, np.inf
     for cause in _causes(values, own):
         now = max(gaps(cause.correct(values), own).values())
