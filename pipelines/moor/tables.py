@@ -123,8 +123,8 @@ class SimulationTable(Table):
     memory : method of the radiation force: "states", or "constant" for added mass and damping at one frequency
     constant_period : s, period of that frequency; by default the mean period of the waves
     dynamic_lines : lines simulated with inertia, drag and their own motion: "auto" for all lines where a trial run
-        shows the need, "all", "none", or a list of names; the others have their static shape; dynamic lines are
-        uniform, of a catalogue type
+        shows the need, "all", "none", or a list of names; the others have their static shape; dynamic lines,
+        also those of segments, need the mass and diameter of their types, as of the catalogue
     dynamic_elements : number of elements of each dynamic line
     dynamic_water : water motion around dynamic lines: "still" for none, or "sea" for waves and current
     estimate_error : whether the error is estimated with a second run at a tenth of the tolerance, and a third at a

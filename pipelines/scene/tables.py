@@ -153,14 +153,14 @@ class DampingLidTable(SceneTable):
 class Waves(SceneTable):
     """Frequencies, given in one of four ways, and headings
 
-    omegas : rad/s, wave frequencies, a list or a range
+    omegas : rad/s, wave frequencies, a list, a range, or "auto:from:to", which is a band
     periods : s, wave periods, a list or a range
     xi_B : dimensionless frequencies ω²B/2g, a list or a range
     band : band of frequencies; their number follows from the tolerance
     headings_deg : directions that the waves travel to, degrees, 0 → +x, 90 → +y, a list or a range
     """
 
-    omegas: list[float] | Span | None = None
+    omegas: list[float] | Span | str | None = None
     periods: list[float] | Span | None = None
     xi_B: list[float] | Span | None = None
     band: Band | None = None

@@ -76,7 +76,9 @@ def most_loaded(file):
         else "its utilisation is unknown, since no breaking load is given"
     )
     name = file["line"].asstr()[()][worst]
-    yield f"largest tension: {significant(most[worst] / KN)} kN in {name}, {share}"
+    weakest = json.loads(file.attrs.get("weakest_segments", "{}")).get(name) if known else None
+    part = f", that of its weakest segment, {weakest[0]}, {significant(weakest[1] / KN)} kN" if weakest else ""
+    yield f"largest tension: {significant(most[worst] / KN)} kN in {name}, {share}{part}"
 
 
 def _way_out(file, otherwise):

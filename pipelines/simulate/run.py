@@ -288,11 +288,23 @@ def _attributes(task, db, body, plan, lines):
         found["fibre_lines"] = "\n".join(fibre)
     if body.system is not None:
         found["on_bed_at_rest"] = [*on_bed(body, body.start), *(np.nan for _ in body.berth.ropes)]
+    weakest = {} if body.system is None else _weakest_segments(body.system)
+    if weakest:
+        found["weakest_segments"] = json.dumps(weakest)
     if study.anchors:
         found["anchors"] = json.dumps([*study.anchors_on(lines), *(None for _ in body.berth.ropes)])
     if db.bodies:
         found["heading"] = at_rest[:, 5]
     return found | (of_berth(study, db, body) if body.berth.names else {})
+
+
+def _weakest_segments(system):
+    """{line: (name, breaking load in N)} of the segment with the least breaking load of each line of several"""
+    lines = [
+        line for line in system.lines if len(getattr(line, "segments", ())) > 1 and np.isfinite(line.breaking_load)
+    ]
+    weakest = {line.name: min(line.segments, key=lambda one: one.breaking_load) for line in lines}
+    return {name: (one.name, one.breaking_load) for name, one in weakest.items()}
 
 
 def _make_room(output, header, plan, fresh):

@@ -33,7 +33,8 @@ FACTORS = {
     1 / 9806.65: "tonnes-force as N", 1e-6: "mega as the unit", 4.4482: "pounds-force", 4448.22: "kilopounds-force",
     1 / 4448.22: "kips as N", 1 / 4.4482: "pounds-force as N", 0.3048: "feet", 1 / 0.3048: "feet",
     1025.0: "the factor ρ", 1 / 1025.0: "without the factor ρ", 1025 * 9.80665: "the factor ρ g",
-    1 / (1025 * 9.80665): "without the factor ρ g", np.pi / 180: "per degree", 180 / np.pi: "radians as degrees",
+    1 / (1025 * 9.80665): "without the factor ρ g", 1.025 * 9.80665: "the factor ρ g in kN",
+    np.pi / 180: "per degree", 180 / np.pi: "radians as degrees",
     14.5939: "slugs", 0.453592: "pounds", 1 / 0.453592: "pounds", 1 / 14.5939: "slugs", -1.0: "the opposite sign",
 }  # fmt: skip
 LENGTHS = (1e-3, 1e-2, 0.1, 0.3048, 1 / 0.3048, 10.0, 100.0, 1e3)
@@ -72,17 +73,20 @@ def finding(values, own):
     """
     flat, found = own, _finding(values, own)
     if found is not None and found.gap <= MESH:  # may be of panels
-        report_progress(CAUSE, "the same with four nodes on each panel")
+        off = f"{found.quantity.replace('_', ' ')} differs by {100 * found.gap:.3g} %"
+        report_progress(
+            CAUSE, f"{off} from our own solution on flat panels; it is solved again with four nodes on each"
+        )
         sharp = _finding(values, own.sharper())
         if sharp is None or sharp.gap < found.gap:
             found, own = sharp, own.sharper()
     if found is None or (found.cause is not None and not found.cause.fitted and found.left <= AGREED):
         return found
-    report_progress(CAUSE, "none found; depths are tried, at most 12, each solved at two frequencies")
+    report_progress(CAUSE, "another depth is tried as the cause, at most 12, each solved at two frequencies")
     depth, left = _of_depth(values, flat)
     if _explains(left, found.gap) and (left <= AGREED or left < 0.8 * found.left):
         return found._replace(cause=depth, left=left)
-    report_progress(CAUSE, "no depth; pairs of causes are tried")
+    report_progress(CAUSE, "pairs of causes are tried")
     pair, left = _two(values, own)
     most = AGREED if found.cause is None else min(AGREED, CLEARLY * found.left)
     return found._replace(cause=pair, left=left) if left <= min(most, FITS * found.gap) else found
@@ -93,8 +97,6 @@ def _finding(values, own):
     quantity = max(off, key=off.get)
     if off[quantity] <= AGREED:
         return None
-    named = quantity.replace("_", " ")
-    report_progress(CAUSE, f"{named} differs by {100 * off[quantity]:.3g} % from our own solution; the cause is sought")
     best, left = None, np.inf
     for cause in _causes(values, own):
         now = max(gaps(cause.correct(values), own).values())
@@ -218,8 +220,11 @@ def _apart(numbers, known=FACTORS):
 
 
 def _said(factor):
+    """Words on a factor, with another known one that panels cannot tell from it (g, and ρ g in kN)"""
     words = FACTORS.get(factor)
-    return f"{factor:.4g} times as large" + (f": {words}" if words else "")
+    near = [f"{one:.4g}, {FACTORS[one]}" for one in FACTORS if one != factor and abs(one / factor - 1) < NEARLY]
+    other = f" (or {'; or '.join(near)})" if words and near else ""
+    return f"{factor:.4g} times as large" + (f": {words}" if words else "") + other
 
 
 def _owns(values, own):

@@ -24,7 +24,9 @@ def named(*names, **more):
 def head(monkeypatch):
     def call(bodies=(), system=True, ropes=(), fenders=(), moving="none", anchors=(), mean_period=8.0, berth=()):
         axes = np.array([[1.0, 2, 3, 0, 0, 0.5], [4, 5, 6, 0, 0, 0.7]])
-        held = SimpleNamespace(line_names=("a", "b"), breaking_load=np.array([1e6, np.inf])) if system else None
+        held = (
+            SimpleNamespace(line_names=("a", "b"), lines=(), breaking_load=np.array([1e6, np.inf])) if system else None
+        )
         links = ("link",)
         reader = SimpleNamespace(axes_at_rest=axes, links=links, words=("surge",), names=("Surge",))
         on_berth = SimpleNamespace(ropes=ropes, fenders=fenders, names=berth)
