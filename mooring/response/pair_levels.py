@@ -234,7 +234,7 @@ def _failed(db, level):
     if failed is None:
         return ()
     return (
-        f'qtf = "{level}" uses wave pairs that fail their check: {failed[0]}; slow forces may be wrong by as much; '
+        f'qtf = "{level}" uses wave pairs that fail their check: {failed[0]}; slow forces may be wrong by about as much; '
         f'qtf = "bound-wave" needs no pairs',
     )
 

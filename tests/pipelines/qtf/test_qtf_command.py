@@ -176,7 +176,7 @@ def narrow(peak):
 def test_what_is_taken_in_place_of_pairs_that_are_not_stored_is_told_as_left_out_with_size_and_command(path, lacking):
     """Swell has its bound waves, seas beyond kh = 1.5 Newman's rule; what the command stores is taken then"""
     whole, db = open_database(path), open_database(lacking)
-    for peak, takes, size in ((0.6, "bound-wave", "1.5 times too large"), (0.95, "newman at kh = 1.9", "0.7 to 1.2")):
+    for peak, takes, size in ((0.6, "bound-wave", "0.9 to 1.5 times the complete ones"), (0.95, "newman at kh = 1.9", "0.7 to 1.2")):
         _, (said,) = beside_newman(db, narrow(peak), "auto")
         assert said.startswith("left out: the force of wave pairs") and "\n" not in said
         assert f'qtf = "auto" uses {takes}' in said and size in said
