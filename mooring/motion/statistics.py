@@ -26,6 +26,8 @@ STEADY = 1e-9  # σ over the largest value of a record that does not vary
 ROUNDING, NOTHING = 1e-6, 1e-9
 PLANE = {"surge": 0, "sway": 1, "yaw": 5}  # motions reported by windows of a record
 FEWEST_IN_WINDOW = 5  # waves
+WIDER = 0.1  # of a range, by which a body that has come to rest may leave it
+LEFT = 8  # samples of half a record
 FEW = 8.0  # frequencies in a record, below which it has lines and no spectrum, and its maxima no distribution
 
 
@@ -156,6 +158,25 @@ def slow_part(record, step, split):
     part = np.fft.rfft(record)
     part[2 * np.pi * np.fft.rfftfreq(len(record), step) >= split] = 0.0
     return np.fft.irfft(part, len(record))
+
+
+def in_plane(motion):
+    """Surge, sway and yaw of all bodies of motions (t, n)"""
+    return motion[:, [i for i in range(motion.shape[1] // 6 * 6) if i % 6 in PLANE.values()]]
+
+
+def settled_from(time, motion, lost):
+    """First sample from which motions (t, n) stay, after a line is lost at `lost` s, within their range in the second
+    half of what is left of the record: at their new place.  0 without a loss, or with too little left for statistics"""
+    first = int(np.searchsorted(time, lost))
+    after = motion[first:]
+    half = len(after) // 2
+    if half < LEFT:
+        return 0
+    low, high = after[half:].min(axis=0), after[half:].max(axis=0)
+    low, high = low - WIDER * (high - low), high + WIDER * (high - low)
+    outside = np.flatnonzero(np.any((after < low) | (after > high), axis=1))
+    return first + (int(outside[-1]) + 1 if len(outside) else 0)
 
 
 def periods(record, step):

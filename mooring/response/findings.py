@@ -221,5 +221,6 @@ def large_rotations(degrees):
     if named:
         yield (
             f"{', '.join(named)} of amplitude, and linear theory is valid up to about {LARGEST_ROTATION:g}°: "
-            "this motion is not realistic; give viscous damping, or use lower waves"
+            "this motion is not realistic; give viscous damping ([viscous] of the scene; simulate also takes "
+            "simulation.damping_ratio), or use lower waves"
         )

@@ -17,7 +17,7 @@ from ..results.provenance import provenance
 from ..results.result import Result
 from .build import anchors_of as asked_anchors
 from .build import breakwater_of, changing, ranges_of
-from .findings import failures, wanted
+from .findings import failures, jumps, wanted
 from .measured import read_measured
 from .quantities import (
     anchors_of,
@@ -91,7 +91,8 @@ def result_of(found, text, db=None):
         quantities, axes = quantities | made, axes | labels
     optimisation, front = found.study.optimisation, found.results.front
     return Result(
-        "breakwater", quantities, axes, (*found.results.warned, *failures(optimisation, found.results)),
+        "breakwater", quantities, axes,
+        (*found.results.warned, *jumps(found.asked, found.results), *failures(optimisation, found.results)),
         (
             *behind_in_words(found.results.sea, getattr(found.study.sea, "height", None)),
             *(() if front is None else wanted(optimisation, front)),

@@ -36,6 +36,10 @@ FORCE_UNITS = ("N", "N", "N", "N m", "N m", "N m")
 MOTION_UNITS = ("m", "m", "m", "rad", "rad", "rad")
 WORDS = {"irregular": "irregular waves", "regular_wave": "regular wave of significant height"}
 UNUSED = "not used: "
+OF_RUNS = (
+    "not used: simulation.damping_ratio and linear_damping, which damp runs of simulate alone; [viscous] of the scene "
+    "damps both"
+)
 FORCES = ("Fx", "Fy", "Fz", "Mx", "My", "Mz")
 LINE = {  # name: (unit, description, table, of a MultiPoint)
     "tension.at_rest": ("N", "at rest", LINES, lambda r: r.rest.lines.tension_b),
@@ -82,6 +86,8 @@ def studied(study, db):
     anchors = study.anchors_on(system.line_names)
     berth, body = study.berth_of(db, hull) if db.bodies else None, linked(db.bodies_reader, study.hinges, db)
     conditions, of_seas = study.conditions_and_warnings()
+    damped = study.simulation is not None and (study.simulation.damping_ratio or study.simulation.linear_damping)
+    of_seas = (*of_seas, *((OF_RUNS,) if damped else ()))
     result = multi_point(db, system, hull, conditions, study.allowable, berth, body)
     found = anchor_findings(system.line_names, anchors, *_at_anchors(result))
     return replace(result, warnings=(*study.remarks(hull, db), *of_seas, *result.warnings, *found)), hull

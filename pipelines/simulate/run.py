@@ -46,7 +46,7 @@ from .file import (
 )
 from .stations import told_of_stations, units_of_shapes
 from .study import force_files, moving_lines, plan_of
-from .work import Task, on_bed, prepared, quantities_of, sample_times, simulate_seed
+from .work import Task, lost_at, on_bed, prepared, quantities_of, sample_times, simulate_seed
 
 IDENTITY = "3"  # first word of an identity; it changes when a default of a study changes the results of runs
 # keys of [simulation] that set the number of runs only
@@ -280,6 +280,7 @@ def _attributes(task, db, body, plan, lines):
         "rotation_center": at_rest[:, :3] if db.bodies else np.asarray(db.rotation_center, float),
         "density": db.density, "gravity": db.gravity, "water_depth": db.water_depth,
         "hull": [hull.length, hull.beam, hull.draft, hull.freeboard], "memory_states": body.memory.states,
+        "lost_at": lost_at(plan.settings),
         "place_at_rest": body.start, "told": "\n".join(plan.told), "seeds_differ": differ(study),
     }  # fmt: skip
     if isinstance(plan.settings.dynamic_lines, tuple):

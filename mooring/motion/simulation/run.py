@@ -259,10 +259,7 @@ def _of_lost(settings):
     """Findings on the statistics of lines that break"""
     for name, at in settings.lines_lost:
         if at < settings.duration:
-            yield (
-                f"line {name} breaks {at:g} s after the ramp: its mean and σ come from a record that is zero "
-                f"from then on"
-            )
+            yield f"line {name} breaks {at:g} s after the ramp"
         else:
             yield (
                 f"line {name} does not break, since its break time is {at:g} s after the ramp and a run lasts "

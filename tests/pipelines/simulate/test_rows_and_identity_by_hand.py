@@ -247,7 +247,8 @@ def test_a_row_has_statistics_after_the_ramp_in_the_order_of_its_quantities(monk
         return [SimpleNamespace(sigma=column[0]) for column in columns]
 
     reader = SimpleNamespace(words=("surge",) * 6, links=(), rigid=6, radius=50.0, inertia=np.diag([2.0]), gravity=10.0)
-    plan = SimpleNamespace(weather=SimpleNamespace(regular=None), settings=SimpleNamespace(step=0.5), split=0.3,
+    settings = SimpleNamespace(step=0.5, lines_lost=())
+    plan = SimpleNamespace(weather=SimpleNamespace(regular=None), settings=settings, split=0.3,
                            mean_period=8.0, sides=(), shapes=(), stations=())  # fmt: skip
     monkeypatch.setattr("hakobune.mooring.motion.simulation.simulate", lambda *_: made)
     body = SimpleNamespace(reader=reader, system=None, start=np.zeros(6))
