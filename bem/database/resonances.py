@@ -3,9 +3,9 @@
     C q = ω² (M + A(ω)) q,    ζ = q*(B + B′)q / 2ω q*(M + A)q
 
 Eigenvalues λⱼ(ω) of C and M + A, in rising order, are continuous in frequency. Every root of √λⱼ(ω) = ω therefore
-lies between two neighbouring frequencies at which √λⱼ − ω has different signs.  A lightly damped motion
-follows 1 / (2ζ) at the root and has half the energy at ω (1 ± ζ). This width, not the step of stored frequencies, determines the frequencies at which
-the motion is needed.
+lies between two neighbouring frequencies at which √λⱼ − ω has different signs.  A lightly damped motion follows
+1 / (2ζ) at the root and has half the energy at ω (1 ± ζ). This width, not the step of stored frequencies, determines
+the frequencies at which the motion is needed.
 Coefficients are smooth at a peak and come from `between_frequencies`. The height of a peak, and the uncertainty of
 this height, depend on damping alone.
 """
