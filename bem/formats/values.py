@@ -292,8 +292,8 @@ def gridded(path, coordinates, values, modes=()):
 def omega_of(column, kind, depth, gravity, length=1.0):
     """Frequencies, rad/s, which may be 0 and infinite, from numbers of the given kind; shape (n,)
 
-    kind : "period", s, with 0 for ω = ∞ and −1 for ω = 0; or "frequency", rad/s, "wavenumber" or "deep wavenumber",
-        rad/m, with 0 for ω = 0 and −1 for ω = ∞; or "wavelength", m
+    kind : "period", s, or "wavelength", m, with 0 for ω = ∞ and −1 for ω = 0; "frequency", rad/s, "wavenumber" or
+        "deep wavenumber", rad/m, with 0 for ω = 0 and −1 for ω = ∞
     length : length by which wavenumbers are multiplied, m
     """
     x = np.asarray(column, float)
