@@ -1,10 +1,10 @@
-"""Cause of the difference between the results of another program and hakobune's solution of the same hull. Each cause
-is tried, and the cause that fits is reported.
+"""Cause of the difference between the results of another program and hakobune's solution of the same hull. Every
+cause is tried, and the cause that fits is reported.
 
     corrected = cause(set),    best = argmin over causes of the largest of `gaps`(corrected)
 
 A cause with a number (a length, a factor or a point) first fits this number to both solutions by least squares.  If no
-single cause fits, all pairs of causes are tried. A unit and a point, or a sign and a unit, are then both reported.
+single cause fits, all pairs of causes are tried. The report can thus name a unit and a point, or a sign and a unit.
 """
 
 import itertools
@@ -47,7 +47,7 @@ MATRICES = ("added_mass", "radiation_damping", "added_mass_zero", "added_mass_in
 class Cause(NamedTuple):
     """text : description; correct : Values → Values; way_out : remedy besides `--correct`
 
-    fitted : whether its number is no unit, sign or convention, so that a set is not corrected by it
+    fitted : whether the cause has a fitted number that is no unit, sign or convention; such a cause corrects nothing
     """
 
     text: str
@@ -57,8 +57,8 @@ class Cause(NamedTuple):
 
 
 class Finding(NamedTuple):
-    """gap : the largest difference, found in `quantity`; cause : the cause, or None; left : difference that remains
-    with the cause, or with the best cause that was tried"""
+    """gap : the largest difference, found in `quantity`; cause : the cause, or None
+    left : difference that remains after correction for the cause, or for the best cause that was tried"""
 
     gap: float
     quantity: str
@@ -68,8 +68,10 @@ class Finding(NamedTuple):
 
 
 def finding(values, own):
-    """`Finding` on a `sample` of Values against `Own`; None if the set agrees within `AGREED` with hakobune's solution
-    on flat panels with one node, as in most programs, or with four nodes, which is close to the limit of many panels
+    """`Finding` on a `sample` of Values against `Own`; None if the set agrees with hakobune's solution within `AGREED`
+
+    Agreement is tested on flat panels with one node, as in most programs, and with four nodes, which is close to the
+    limit of many panels.
     """
     flat, found = own, _finding(values, own)
     if found is not None and found.gap <= MESH:  # may be of panels
@@ -166,7 +168,7 @@ def _causes(values, own):
 
 
 def corrected(values, cause):
-    """Values corrected for a cause; motions and drift, which depend on the change, are removed"""
+    """Values corrected for a cause, without motions and drift, which depend on the correction"""
     kept = {name: data for name, data in values.quantities.items() if name not in NOT_CORRECTED}
     return cause.correct(replace(values, quantities=kept))
 
@@ -178,8 +180,8 @@ def changed(values, names, function):
 
 
 def scaled(values, names, factor, rows=None):
-    """Values with some quantities divided by a factor; the row i of a quantity is divided by its power `rows`[i]
-    (6,)"""
+    """Values with the quantities `names` divided by a factor; row i of a quantity is divided by factor to the power
+    rows[i]"""
 
     def over(data):
         size = factor if rows is None else float(factor) ** np.asarray(rows, float)
@@ -322,7 +324,7 @@ def _about_length(straight):
 
 
 def of_length(values, L):
-    """Values divided by the powers of a length in WAMIT's quantities"""
+    """Values in which each quantity is divided by L to the power of the length unit in WAMIT's normalisation"""
     matrix, force = L ** (3.0 + ROTATION + ROTATION[:, None]), L ** (2.0 + ROTATION)
     out = changed(values, MATRICES, lambda data: data / matrix)
     return changed(out, FORCES, lambda data: data / force)
@@ -414,7 +416,9 @@ def _about_points(values, own):
 
 
 def point_of_moments(file, true):
-    """Arm r from our point to the file's, m, from moments M_file = M − r × F (…, 6) by least squares; shape (3,)"""
+    """Arm r, m, from the reference point of moments here to that of the file, by least squares; shape (3,)
+
+    file, true : forces of the file and forces here, (…, 6), whose moments satisfy M_file = M − r × F"""
     F, M = true[..., :3].reshape(-1, 3), (true - file)[..., 3:].reshape(-1, 3)
     zero = np.zeros(len(F))
     cross = np.stack([  # r × F = [F]ᵀ r, rows of the system
