@@ -99,7 +99,8 @@ class LimitTable(Table):
     unit : unit of the limit, only to check it: a unit other than the unit of the quantity is refused
     state : states that the limit applies to: normal, abnormal or any
     lines : conditions of the lines that the limit applies to: intact, one lost or any
-    subject : for tensions "hawser", by default all lines but hawsers; for motions the name of a body, by default all bodies
+    subject : for tensions "hawser", by default all lines but hawsers; for motions the name of a body, by default
+        all bodies
     statistic : limited statistic: largest, or for motions amplitude or peak to peak. Largest and amplitude of a
         motion are measured from its mean; peak to peak is the largest value less the smallest value of a run
     source : origin of the limit, as "the owner"

@@ -49,7 +49,8 @@ class Plan:
     shapes : units of the bending shapes of flexible bodies, which follow the motions; stations :
         `mooring.response.points.Station`
     told : chosen methods and neglected effects, one line each, once a body is prepared
-    pace : computing time for a simulated second on static and on moving lines, s; nan until a body is prepared or if unknown
+    pace : computing time for a simulated second on static and on moving lines, s; nan if unknown, and until a
+        body is prepared
     """
 
     weather: Weather

@@ -21,9 +21,9 @@ class ElasticBed:
     stiffness : Pa/m, and damping : Pa s/m, both multiplied by diameter and length; a line at rest lies on the plane
         itself
     friction : Coulomb coefficient
-    slip : displacement that mobilises friction, m (elastic before, sliding after); by default a tenth of the stretch of an
-        element by friction, because an element that slides moves at least that far. With a slip of a millimetre, friction
-        would lose a third to nine tenths of its work in small motions (`line_energy.py`)
+    slip : displacement that mobilises friction, m (elastic before, sliding after); by default a tenth of the
+        stretch of an element by friction, because an element that slides moves at least that far. With a slip
+        of a millimetre, friction would lose a third to nine tenths of its work in small motions (`line_energy.py`)
     """
 
     slope: float = 0.0

@@ -82,7 +82,8 @@ def figures(line, course, window, result, current, regime):
     """Figures of a Result.
 
     window : begin, end (s) and cycles of `Course.window`
-    regime : function of the fairlead's displacement (3,) m at the largest quasi-static tension; or a text with the reason for none
+    regime : function of the fairlead's displacement (3,) m at the largest quasi-static tension; or a text
+        with the reason for none
     """
     begin, end, cycles = window
     statics, places = quasi_static(line, course, window, current)

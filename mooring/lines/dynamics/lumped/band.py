@@ -76,7 +76,7 @@ def applied(p, k, x, y, z):
 
 @kernel(counted=False)
 def substitute_band(pivots, bending, r, x, first, last):
-    """x (3, w) of factored equations with the right hand r (3, w), which may be x itself."""
+    """Solution x (3, w) of factored equations for the right-hand side r (3, w), which may be x itself."""
     p = address(pivots)
     for j in range(first, last + 1):
         a, b, c = r[0, j], r[1, j], r[2, j]
@@ -109,7 +109,7 @@ def factor_line(D, B, bending, pivots, last):
 
 @kernel(inline=True, counted=False)
 def substitute_line(pivots, bending, r, x, last):
-    """x (3, w) of its inner nodes with the right hand r (3, w), which may be x itself"""
+    """Solution x (3, w) at the inner nodes for the right-hand side r (3, w), which may be x itself"""
     if bends(bending):
         substitute_band(pivots, bending, r, x, 1, last - 1)
     else:
