@@ -46,7 +46,7 @@ def berth(study: File | Tables | BerthStudy, database: File | Database | None = 
     time.
 
     study : path of a berthing, its tables as a dictionary, or a `study.BerthStudy`
-    database : path of the ship's database, or an open one, for the memory of the water
+    database : path of the ship's database, or an open one, for the fluid memory (radiation)
     returns : Result, in SI; its `detail` is the `study.Approach` and the `mooring.berthing.memory.Berthing`, None where
         the fenders cannot absorb the energy
     raises : ValueError, with a message of one line

@@ -47,11 +47,10 @@ class Found(NamedTuple):
 
 
 def breakwater(study: File | Tables | BreakwaterStudy, database: File | Database | None = None) -> Result:
-    """Transmission of a floating breakwater, the sea behind the breakwater, tensions, pretension over the tide,
-    anchors.
+    """Waves behind a floating breakwater, the tensions and pretension of its lines over the tide, and its anchors.
 
     study : path of a study, its tables as a dictionary, or a `pipelines.breakwater.study.BreakwaterStudy`
-    database : path of the database of a unit of finite length along x, or an open one, for [map]
+    database : path of the database of a unit of finite length along x, or an open database; needed for [map]
     returns : Result, in SI; its `detail` is a Found
     raises : ValueError, with a message of one line
     """

@@ -33,8 +33,9 @@ def design(
     """A mooring in all load cases of a site, judged by rule sets, as one page.
 
     project : path of a project; output : path of the folder of its page, load cases and databases
-    executor : local or processes:N; advice : try other sizes and pretensions if it fails; console : for progress
-    returns : Result, in SI; its `detail` is the `verdict.Verdict` and the names of the files written
+    executor : local or processes:N; advice : whether to try other sizes and pretensions if the mooring fails;
+        console : console for progress
+    returns : Result, in SI; its `detail` is the `verdict.Verdict` and the names of the written files
     raises : ValueError, with a message of one line, before anything is solved
     """
     read, output = read_project(project), Path(output)
@@ -49,8 +50,8 @@ def design(
 
 
 def unread_simulation(study, project):
-    """A line of text on keys of a study's [simulation] that the project's [simulation] lacks; a project reads its own
-    table alone
+    """A remark on keys of a study's [simulation] that the project's [simulation] lacks; only the project's table is
+    read
 
     study, project : tables as read
     """
@@ -64,8 +65,10 @@ def unread_simulation(study, project):
 
 
 def made(read, folder, workers, console, advice=True):
-    """Verdict, names of the written files and advice (None if it is not requested) of a Read project; all files are in
-    `folder`."""
+    """Verdict, names of the written files, and advice for a Read project; all files are written to `folder`.
+
+    The advice is None if it is not requested.
+    """
     from .advice import advise, after_lines_move
     from .report import write_report
     from .running import databases, of_databases, run_cases
@@ -111,9 +114,8 @@ class _Counting:
 
 
 def result_of(verdict, change, names, origin, told=()):
-    """Result of a Verdict; change : advice, or None; names : names of the files; origin : its provenance
-
-    told : lines that are printed first
+    """Result of a Verdict; change : advice, or None; names : names of the files; origin : provenance of the Verdict
+    told : lines that are printed before the verdict
     """
     judged, ran = verdict.judged, verdict.ran
     rules = [f"{k + 1} {one.criterion.rule}: {one.criterion.quantity}" for k, one in enumerate(judged)]

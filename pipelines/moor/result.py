@@ -1,4 +1,4 @@
-"""`hakobune.moor`: a mooring study on a database, by the simplified method, and its stored results."""
+"""`hakobune.moor`: a mooring study on a database by the simplified method, and the study's results."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ LINE = {  # name: (unit, description, table, of a MultiPoint)
 
 
 def moor(study: File | Tables | Study, database: File | Database) -> Result:
-    """Equilibrium, natural periods and line tensions of a moored body, or of several bodies moored to each other.
+    """Equilibrium, natural periods and line tensions of a moored body, or of several bodies that are moored together.
 
     study : path of a mooring study, its tables as a dictionary, or a `pipelines.moor.study.Study`
     database : path of the body's database, or an open one
@@ -102,7 +102,7 @@ def result_of(made, hull, text, db, first=(), anchors=()):
     """Result of a MultiPoint and its hull or hulls
 
     text : text of its study; db : database of the body; first : findings printed first
-    anchors : `Study.anchors_on` its lines
+    anchors : anchors of its lines, from `Study.anchors_on`
     """
     names = [body.name for body in db.bodies if not body.fixed]
     of_each = partial(_of_each, names)

@@ -1,4 +1,4 @@
-"""`hakobune.simulate`: a mooring study in time, and the contents of the file of its runs."""
+"""`hakobune.simulate`: simulation of a mooring study in time, and the contents of the file of its runs."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ END = {
 
 
 class NoWholeRun(DatabaseError):
-    """Every seed failed; `args[1]` has the failures, one line each"""
+    """Every seed failed; `args[1]` contains the failures, one line each"""
 
     def __str__(self):
         return self.args[0]
@@ -95,14 +95,16 @@ def simulate(
     console: Console | None = None,
     pictures: bool = False,
 ) -> Result:
-    """Motions of a moored body in time, or of several bodies moored to each other, seed by seed.
+    """Motions in time of a moored body, or of several bodies that are moored together, seed by seed.
 
     study : path of a mooring study, its tables as a dictionary, or a `pipelines.moor.study.Study`
     database : path of the body's database, or an open one
     output : path of the file of all runs, continued where it stopped; None to keep no file
-    seeds : number of seeds; duration : s of a run; both replace the study's; fresh : replace an existing file
-    executor : as in the command; window : s, of the windows reported for the first record; console : for the progress
-    pictures : whether the caller draws some afterwards; matplotlib then loads during the runs
+    seeds : number of seeds, in place of the study's; duration : duration of a run, s, in place of the study's
+    fresh : whether to replace an existing file
+    executor : executor as in the command; window : length of the windows reported for the first record, s
+    console : console for the progress
+    pictures : whether the caller draws pictures afterwards; matplotlib is then loaded during the runs
     returns : Result, in SI; records are in the file
     raises : ValueError, with a message of one line, before anything is written; KeyboardInterrupt, complete seeds
     are kept
