@@ -48,7 +48,7 @@ def test_a_study_gives_headings_criterion_results_plan_and_map(tmp_path, monkeyp
         ("beam_over_draft = 10.0", "beam_over_draft = 0.0", "turning.beam_over_draft is 0; allowed: above 0"),
         ("depth = 14.0", "depth = 11.0", "H/d = 1.1 is outside the turning tests (1.2 to inf); give "
          "current.turning with the proportion to use instead (depth_over_draft = 8)"),
-        ("beam = 50.0", "beam = 20.0", "a ship of L/B = 5 lies at another heading with another pull; give current.ship"),
+        ("beam = 50.0", "beam = 20.0", "a ship of L/B = 5 lies at another heading with another pull; give current"),
         ("beam = 50.0", "beam = 30.0", "(length_over_beam = 2, depth_over_draft = 8), or coefficients"),
         ("turning = { beam_over_draft = 10.0 }", 'turning = {}\nfile = "a.csv"', "turning and file are both given"),
         ("[wind]", "[hawser]\nlength = 0.0\n[wind]", "hawser.length is 0 m; allowed: above 0; leave out [hawser]"),
