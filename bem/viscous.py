@@ -56,7 +56,9 @@ class Tabulated:
     def __post_init__(self):
         a, b = np.asarray(self.amplitudes, float), np.asarray(self.values, float)
         if a.ndim != 1 or a.shape != b.shape or not (len(a) and a[0] > 0 and np.all(np.diff(a) > 0) and np.all(b >= 0)):
-            raise ValueError("viscous damping: amplitudes have to increase from above 0, with one b ≥ 0 for each")
+            raise ValueError(
+                "viscous damping: amplitudes must increase from above 0, and each amplitude needs one b ≥ 0"
+            )
 
     def equivalent(self, omega, amplitude):
         """N s/m, N m s at `amplitude` m or rad"""
@@ -94,7 +96,7 @@ def yamashita_roll(length, beam, draft, density):
     ratio = beam / draft
     known = sorted(YAMASHITA)
     if not known[0] * (1 - 1e-9) <= ratio <= known[-1] * (1 + 1e-9):
-        raise ValueError(f"B/d = {ratio:.4g} is outside Yamashita's roll damping (5 to 10); give b_R")
+        raise ValueError(f"B/d = {ratio:.4g} is outside the range of Yamashita's roll damping (5 to 10); give b_R")
     at_one_degree = np.interp(ratio, known, [YAMASHITA[r] for r in known])
     # N = ρ∇ (B/2)² (b_R √ξ_B) ω at 1°, in proportion to the amplitude
     return Quadratic(density * length * beam * draft * (beam / 2) ** 2 * at_one_degree / (LOSS * np.radians(1.0)))

@@ -137,7 +137,8 @@ def _law(where, mode, law, box, density, gravity):
 def _sizes(where, box):
     if not box:
         raise ValueError(
-            f"{where}: b is made dimensionless by length, beam and draft of a box; give drag: 2.36 ζ M/a damps by the "
-            "share ζ of critical at the amplitude a, m or rad, with M, kg or kg m², mass and added mass"
+            f"{where}: b needs the length, beam and draft of a box; give drag instead: drag = 2.36 ζ M/a damps "
+            "the amplitude a (m or rad) with the fraction ζ of critical damping, where M is mass and added "
+            "mass in kg or kg m²"
         )
     return box["length"], box["beam"], box["draft"]

@@ -90,7 +90,7 @@ def drawing_of(raw):
         raise ValueError(f"{what}; allowed: size, symmetry, around, and 1 to {MOST_PARTS} tables [[parts]]")
     out = Drawing(_number(raw, "size", "the drawing"), raw.get("symmetry", ""), raw.get("around", 24))
     if not (isinstance(out.around, int) and 8 <= out.around <= 200):
-        raise ValueError(f"around is {out.around}; allowed: 8 to 200 panels on a circle")
+        raise ValueError(f"around is {out.around}; allowed: 8 to 200 panels around a circle")
     if out.symmetry not in ("", "x", "y", "xy"):
         raise ValueError(f"symmetry is {out.symmetry!r}; allowed: x, y, xy")
     for i, part in enumerate(raw["parts"]):
@@ -110,17 +110,17 @@ def _check(part, where):
             raise ValueError(f"{where}.{key} is unknown; allowed for a {shape}: {', '.join(known)}")
     for key in NEEDED[shape]:
         if key not in part:
-            raise ValueError(f"{where}.{key} is missing; a {shape} has {', '.join(NEEDED[shape])}")
+            raise ValueError(f"{where}.{key} is missing; a {shape} needs {', '.join(NEEDED[shape])}")
     for key in ("radius", "end_radius", "breadth"):
         if key in part:
             _number(part, key, where)
     for key in ("from", "to", "center", "size"):
         if key in part and not (_finite(part[key]) and np.shape(part[key]) == (3,)):
-            raise ValueError(f"{where}.{key} is {part[key]}; allowed: three finite numbers, m")
+            raise ValueError(f"{where}.{key} is {part[key]}; allowed: three finite numbers in m")
     if min(part.get("size", [1.0])) <= 0 or part.get("from", 0) == part.get("to", 1):
         raise ValueError(f"{where} has no size; allowed: lengths above 0")
     if "points" in part and not (_finite(part["points"]) and np.shape(part["points"])[1:] == (2,)):
-        raise ValueError(f"{where}.points is not a list of [x, z]; allowed: three or more, m")
+        raise ValueError(f"{where}.points is not a list of points [x, z]; allowed: three points or more, in m")
     if not 1 <= part.get("turns", 1) <= 24:
         raise ValueError(f"{where}.turns is {part['turns']}; allowed: 1 to 24")
 
@@ -157,8 +157,9 @@ def meshed(drawing, name=""):
     if off > 1.0:
         warn(
             f"{name or 'drawing'}: the panels have a volume of {mesh.volume:.4g} m³ and a waterplane of "
-            f"{waterplane_area(mesh):.4g} m², and the drawing has {body.volume:.4g} m³ and {body.plane:.4g} m²; "
-            f"allowed: {100 * SAME_PLANE:g} % apart, and the same middle; give smaller panels or a larger `around`",
+            f"{waterplane_area(mesh):.4g} m², but the drawing has {body.volume:.4g} m³ and {body.plane:.4g} "
+            f"m²; allowed: a difference of up to {100 * SAME_PLANE:g} %, and the same middle; give smaller "
+            "panels or a larger `around`",
             stacklevel=2,
         )
     return mesh

@@ -57,9 +57,7 @@ def read_nemoh(path):
         if row[0] == 0:
             break
         if len(row) < 4:
-            raise ValueError(
-                f"{path}, line {k}: {len(row)} values; allowed: four, the number of the point and its x, y, z"
-            )
+            raise ValueError(f"{path}, line {k} has {len(row)} values; a point needs four: its number and its x, y, z")
         numbers[row[0]] = len(points)
         points.append(row[1:4])
     else:
@@ -84,13 +82,13 @@ def read_pnl(path):
     symmetry = _symmetry(path, rows[0][0], rows[0][1][2:4])
     if len(rows) != 1 + n_points + n_panels:
         raise ValueError(
-            f"{path}: {len(rows) - 1} lines of numbers; {n_points} nodes and {n_panels} panels need "
+            f"{path} has {len(rows) - 1} lines of numbers, but {n_points} nodes and {n_panels} panels need "
             f"{n_points + n_panels}"
         )
     points, numbers = [], {}
     for k, row in rows[1 : 1 + n_points]:
         if len(row) < 4:
-            raise ValueError(f"{path}, line {k}: {len(row)} numbers; a node has a number and x y z")
+            raise ValueError(f"{path}, line {k} has {len(row)} numbers; a node needs four: its number and its x, y, z")
         numbers[row[0]] = len(points)
         points.append(row[1:4])
     panels = []
@@ -160,7 +158,9 @@ def _aqwa(path, text):
                 decks[-1].append((k, [word.strip() for word in re.findall(r"\(([^)]*)\)", line)[1:5]]))
     bodies = [panels for panels in decks if panels]
     if len(bodies) != 1:
-        raise ValueError(f"{path}: {len(bodies)} structures of panels (QPPL, TPPL); allowed: one body a file")
+        raise ValueError(
+            f"{path} has {len(bodies)} structures of panels (QPPL, TPPL); allowed: one structure in a file"
+        )
     return _mesh(path, points, bodies[0], "".join(sorted(symmetry)))
 
 
@@ -177,7 +177,7 @@ def read_hydrostar(path):
         elif head == "SYMMETRY_BODY" and len(words) > 2:
             symmetry = {"0": "", "1": "y", "2": "xy"}.get(words[2], "")
         elif head in ("NBODY", "NBBODY") and words[1:] != ["1"]:
-            raise ValueError(f"{path}, line {k}: {' '.join(words[1:])} bodies; allowed: one body a file")
+            raise ValueError(f"{path}, line {k} announces {' '.join(words[1:])} bodies; allowed: one body in a file")
         elif within == "COORDINATES":
             points.append((k, words))
         elif within == "PANEL":
@@ -195,7 +195,7 @@ def _mesh(path, points, panels, symmetry):
     for k, words in points:
         if len(words) < 4:
             raise ValueError(
-                f"{path}, line {k}: {len(words)} values; allowed: four, the number of the point and its x, y, z"
+                f"{path}, line {k} has {len(words)} values; a point needs four: its number and its x, y, z"
             )
         row = [_number(path, k, word) for word in words[:4]]
         numbers[row[0]] = len(places)

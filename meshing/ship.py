@@ -62,7 +62,7 @@ def ship(
     if waterplane is None:
         made = _drawn(*sizes, *_form(block, 1 - CORNER * 2 * radius**2 / (beam * draft), bow, stern))
     elif bow is not None or stern is not None:
-        raise ValueError("waterplane and fullness of bow or stern are both given; give one of them")
+        raise ValueError("waterplane is given together with fullness of bow or stern; give only one of the two")
     else:
         made = _with_waterplane(sizes, np.array([block, waterplane]))
     wide = np.array([1.0, block * length * beam * draft / made.volume, 1.0])
@@ -92,9 +92,9 @@ def _with_waterplane(sizes, asked):
     found = waterplane_area(made) / made.volume * draft * asked[0]
     if abs(found - asked[1]) > OFF * asked[1]:
         warnings.warn(
-            f"the panels of the ship have a waterplane coefficient of {found:.4g}, where {asked[1]:g} is asked "
-            f"for, limit {100 * OFF:g} %: its ends cannot be drawn finer or fuller; give more panels or another "
-            "coefficient",
+            f"the panels of the ship reach a waterplane coefficient of {found:.4g}, but {asked[1]:g} is asked "
+            f"for; allowed: a difference of up to {100 * OFF:g} %; the ends of the ship cannot be drawn finer "
+            "or fuller; give more panels or another coefficient",
             stacklevel=4,
         )
     return made

@@ -25,7 +25,7 @@ def read_gdf(path):
     """
     lines = read_text(path, errors="replace").splitlines()
     if len(lines) < 4:
-        raise ValueError(f"{path}: {len(lines)} lines; a GDF file has a header, ULEN GRAV, ISX ISY, NPAN, panels")
+        raise ValueError(f"{path} has {len(lines)} lines; a GDF file needs a header, ULEN GRAV, ISX ISY, NPAN, panels")
     if all(len(line.split()) == 3 and all(map(is_number, line.split())) for line in lines[:4]):
         raise ValueError(f"{path} begins with coordinates; a GDF file has a header, ULEN GRAV, ISX ISY, NPAN, panels")
     _, gravity = _numbers(path, 2, lines[1], 2)
@@ -139,7 +139,7 @@ def read_stl(path):
         raise ValueError(f"{path}: {_shown(wrong)} of a vertex is not a number")
     points = np.array(words, float)
     if not len(points) or len(points) % 3:
-        raise ValueError(f"{path}: {len(points)} vertices; allowed: three for each triangle")
+        raise ValueError(f"{path} has {len(points)} vertices; allowed: three for each triangle")
     return PanelMesh(points, np.arange(len(points)).reshape(-1, 3)[:, [0, 1, 2, 2]])
 
 
@@ -172,7 +172,7 @@ def _row(point):
 def _panel(path, k, row, numbers):
     """Point numbers of a panel, from those of the file; shape (4,); a triangle repeats its last one"""
     if len(row) < 3:
-        raise ValueError(f"{path}, line {k}: {len(row)} nodes; a panel has 3 or 4")
+        raise ValueError(f"{path}, line {k} has {len(row)} nodes; a panel has 3 or 4")
     try:
         corners = [numbers[value] for value in row[:4]]
     except KeyError as error:
@@ -201,7 +201,7 @@ def _symmetry(path, k, flags):
 def _numbers(path, k, line, count):
     words = line.split()
     if len(words) < count:
-        raise ValueError(f"{path}, line {k}: {line.strip()!r}; {count} numbers are needed")
+        raise ValueError(f"{path}, line {k} is {line.strip()!r}; it needs {count} numbers")
     return [_number(path, k, word) for word in words[:count]]
 
 

@@ -150,9 +150,11 @@ def look(
     *,
     plot: Annotated[Path | None, Parameter(help="write a picture instead of opening a window")] = None,
     page: Annotated[Path | None, Parameter(help="write a page (.html) in which a browser turns the mesh")] = None,
-    field: Annotated[str | None, Parameter(help="colour panels by area, size, aspect or pressure")] = None,
+    field: Annotated[
+        str | None, Parameter(help="quantity that colours the panels: area, size, aspect or pressure")
+    ] = None,
     omega: Annotated[float | None, Parameter(help="frequency of the pressure, rad/s; shows the nearest stored")] = None,
-    heading: Annotated[Size, Parameter(help="heading of the pressure, degrees; a stored one")] = None,
+    heading: Annotated[Size, Parameter(help="heading of the pressure, degrees; one that is stored")] = None,
 ):
     """Show the mesh of a database, a scene or a mesh file, coloured by a field."""
     from .view.looking import look
@@ -244,12 +246,14 @@ def sweep(
     study: Annotated[Path, Parameter(help="sweep: a study and the keys to vary (TOML)")],
     /,
     *,
-    output: Annotated[Path | None, Parameter(help="one file of all cases, .h5 [beside the sweep]")] = None,
+    output: Annotated[Path | None, Parameter(help="file of all cases, .h5 [beside the sweep]")] = None,
     executor: Annotated[
         str, Parameter(help="where cases run: local, processes:N, dask:N, dask://host:port, slurm:N")
     ] = "local",
     fresh: Annotated[bool, Parameter(help="replace an existing file", negative="")] = False,
-    plot: Annotated[Path | None, Parameter(help="picture over the first key: .png, .svg or .pdf")] = None,
+    plot: Annotated[
+        Path | None, Parameter(help="picture of the results over the first key: .png, .svg or .pdf")
+    ] = None,
 ):
     """Run many cases of a study over its keys; a second call continues where the first stopped.
 

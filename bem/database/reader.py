@@ -489,8 +489,8 @@ def _check_rows(db, quantities):
             rows = (wrong & ~wrong.all(axis=0)).any(axis=1)
             if rows.any():
                 raise BetweenError(
-                    f"{db.path}: {name} is not a number at ω = {db.omega[rows][0]:.4g} rad/s, {rows.sum()} of "
-                    f"{len(rows)} frequencies; solve it again with --fresh"
+                    f"{db.path}: {name} is not a number at {rows.sum()} of {len(rows)} frequencies, the first "
+                    f"at ω = {db.omega[rows][0]:.4g} rad/s; solve it again with --fresh"
                 )
 
 

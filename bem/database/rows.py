@@ -404,7 +404,7 @@ class Database:
     def _remedy(self, missing):
         motion = [name for name in missing if name in NEEDS_MOTION]
         if motion and self.inertia_matrix is None:
-            return "motions need the mass: give --gyration kxx,kyy,kzz (scene: gyration)"
+            return "motions need the inertia of the body: give --gyration kxx,kyy,kzz (scene: gyration)"
         return f"repeat the command that made the database, with --only {','.join(missing)}"
 
 

@@ -107,8 +107,8 @@ def _without_stiffness(body, values, still):
         return []
     del body["hydrostatic_stiffness"]
     return [
-        f"heave stiffness in the files is {C[2, 2]:.5g} N/m, but that of the hull {expected:.5g} N/m: the files' "
-        f"stiffness is not taken"
+        f"heave stiffness in the files is {C[2, 2]:.5g} N/m, but that of the hull is {expected:.5g} N/m: the "
+        "stiffness of the files is not used"
     ]
 
 
@@ -153,7 +153,7 @@ def _about_weight(C, still, values):
         return "the value in the files includes the weight"
     if max(bare) <= size:
         return "the value in the files does not include the weight"
-    return "the value in the files fits neither this weight nor no weight"
+    return "the value in the files fits neither with this weight nor without weight"
 
 
 def _with_motions(values):
@@ -174,11 +174,11 @@ def _about_motions(values):
     worst = int(off.argmax())
     if off[worst] > SAME_MOTIONS:
         yield (
-            f"the motions in the files are stored; they differ by up to {100 * off[worst]:.3g} % of the largest "
-            f"{DOFS[worst].lower()} from motions with this mass, centre of gravity and radii of gyration, "
-            "without viscous damping. If theirs have such damping, as of roll in a scene, leave them so; if the "
-            "files are for another body, 'hakobune body' with the same flags replaces these motions and leaves out "
-            "the drift computed from them"
+            f"the motions in the files are stored; they differ by up to {100 * off[worst]:.3g} % of the "
+            f"largest {DOFS[worst].lower()} from motions with this mass, centre of gravity and radii of "
+            "gyration, without viscous damping. If the motions in the files include viscous damping, keep "
+            "them. If the files are for another body, 'hakobune body' with the same flags replaces these "
+            "motions and leaves out the drift computed from them"
         )
 
 

@@ -109,7 +109,7 @@ def coupled(place, known, count):
     """
     place, side = Path(place), 6 * count
     if place.suffix.lower() == ".lis":
-        raise FormatError(f"{place} is read one structure at a time; allowed with --bodies: the .AH1 of the same run")
+        raise FormatError(f"{place} gives one structure at a time; with --bodies give the .AH1 of the same run")
     head, sections = _sections(place)
     headings, frequencies = (int(x) for x in head[1:3])
     order = np.argsort(head[3 + headings : 3 + headings + frequencies])
@@ -120,8 +120,8 @@ def coupled(place, known, count):
     for name, data in found.items():
         if np.isnan(data).any():
             raise FormatError(
-                f"{place} lacks {name.replace('_', ' ')} between structures; allowed with --bodies: a run with "
-                "interaction of its structures; for one of them give --body"
+                f"{place} lacks {name.replace('_', ' ')} between structures; with --bodies give a run with "
+                "interaction of its structures, or give --body for one structure"
             )
     return found
 

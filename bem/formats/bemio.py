@@ -44,7 +44,7 @@ def write(values, place):
     fixed = [body.name for body in values.bodies if body.fixed]
     if fixed:
         raise FormatError(
-            f"{', '.join(fixed)} is fixed; allowed in this format: bodies that all move, or --to capytaine"
+            f"{', '.join(fixed)} is fixed, but this format is for bodies that all move; give --to capytaine"
         )
     (center,) = values.need("center_of_mass")
     values = about(values, center)

@@ -201,8 +201,8 @@ def body_of(place, count, known):
     if body is None or not 1 <= body <= count:
         asked = "" if body is None else f"--body is {body}, "
         raise FormatError(
-            f"{asked}{place} has {count} bod{'y' if count == 1 else 'ies'}; allowed: --body 1 to {count}, "
-            "one at a time, the others held fixed"
+            f"{asked}{place} has {count} bod{'y' if count == 1 else 'ies'}; give one of them by --body, 1 to "
+            f"{count}; the other bodies are held fixed"
         )
     return int(body) - 1
 
@@ -267,7 +267,7 @@ def gridded(path, coordinates, values, modes=()):
         strange = np.setdiff1d(axes[i], allowed)
         if len(strange):
             raise FormatError(
-                f"{path} has mode {strange[0]:g}; allowed: {', '.join(f'{n:g}' for n in allowed)}, of one rigid body"
+                f"{path} has mode {strange[0]:g}; allowed for one rigid body: {', '.join(f'{n:g}' for n in allowed)}"
             )
         axes[i], places[i] = allowed, np.searchsorted(allowed, axes[i])[places[i]]
     places, shape = tuple(places), tuple(map(len, axes))

@@ -275,7 +275,7 @@ def _read_forces(table, omega, headings, columns, index):
     at = columns.omega(table[:, 0])
     if not len(table):
         raise FormatError(
-            f"{path} has drift for pairs of different headings only; allowed: drift for each single heading too"
+            f"{path} has drift for pairs of different headings only; it also needs the drift for each single heading"
         )
     coordinates = [at, np.radians(table[:, 1]), table[:, 2 + extra]]
     (found, own, _), X = gridded(path, coordinates, table[:, -2] + 1j * table[:, -1], modes=(index,))

@@ -108,7 +108,7 @@ class Kept:
         if not result.target_context.enable_nrt and any(
             isinstance(one, Array) for one in getattr(kind, "types", [kind])
         ):
-            raise TypeError(f"kernel {self.function.__qualname__} returns an array; allowed: with counted=True")
+            raise TypeError(f"kernel {self.function.__qualname__} returns an array; allowed only with counted=True")
         apart = not (self.linked or _is_inner_loop(signature)) and _is_long(result)
         self._called_by(signature, result, apart)
         if not file.exists() or file in self.worthless:

@@ -54,7 +54,8 @@ def near_field_error(run, moving):
     method, radius, draft = _method(run, moving), run.prepared.radius, run.prepared.draft
     if run.errors is None:
         raise ValueError(
-            "near-field drift by panels has an estimated error only in a run with a coarse mesh; give such a run"
+            "the error of near-field drift by panels is estimated only in a run that also has a coarse mesh; "
+            "give such a run"
         )
     rho, g = run.problem.density, run.problem.gravity
     motions, lever = np.abs(_motions(run, moving)), np.hypot(radius, draft)

@@ -35,8 +35,8 @@ class ContourWaves(FirstOrderWaves):
         super().__init__(problem, headings, moving, lines, swayed, kind)
         if problem.method != "contour" or not np.isfinite(problem.depth):
             raise ValueError(
-                f"the method is {problem.method} in {problem.depth:g} m of water; wave pairs need panels, or contour "
-                f"in finite depth"
+                f"the method is {problem.method} and the depth {problem.depth:g} m; wave pairs need method "
+                "panel, or method contour in finite depth"
             )
         self.prepared = self.held.prepared()
         self.body = refined(self.prepared.solver)

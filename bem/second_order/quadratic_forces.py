@@ -208,8 +208,8 @@ def frequencies_of(omega, highest, kind):
     steps = np.diff(omega)
     if len(omega) < 2 or np.ptp(steps) > EVEN * steps.mean() or steps.mean() <= 0:
         raise ValueError(
-            "forces of wave pairs need two or more increasing frequencies at equal steps; the given frequencies are "
-            "not such"
+            "forces of wave pairs need two or more frequencies that increase at equal steps; the given "
+            "frequencies do not"
         )
     found = kind.rows(omega, highest)
     if not len(found):

@@ -110,7 +110,9 @@ def section_flow(beam, draft, depth, omega, *, gravity=9.80665, tolerance=TOLERA
             "waves along an infinitely long body pass it undisturbed"
         )
     if np.isinf(depth) and obliquity:
-        raise ValueError(f"obliquity is {np.degrees(obliquity):.4g}° in deep water; allowed: 0, or a finite depth")
+        raise ValueError(
+            f"obliquity is {np.degrees(obliquity):.4g}° in deep water; allowed: obliquity 0, or a finite depth"
+        )
     if np.isinf(depth):
         from .deep_water import DeepFlow
 

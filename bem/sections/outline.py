@@ -134,7 +134,7 @@ class Outline:
         """
         if not 0 < draft < self.height:
             raise OutlineError(
-                f"draft is {draft:g} m, the section is {self.height:.6g} m high; allowed: above 0, below its height"
+                f"draft is {draft:g} m, but the section is {self.height:.6g} m high; allowed: above 0, below its height"
             )
         edges = _one_chain(self._cut(draft), draft)
         area = float(_integral(edges, lambda p: p.real))

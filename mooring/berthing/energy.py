@@ -88,9 +88,9 @@ def shallow(ship, depth):
     gap = None if depth is None else depth - ship.draft
     if gap is not None and gap < LEAST_GAP * ship.draft:
         yield (
-            f"{gap:.3g} m of water under the keel is {100 * gap / ship.draft:.2g} % of the draft; limit "
-            f"{100 * LEAST_GAP:g} %, below which no method has its own virtual mass and PIANC's value stays at 1.8; "
-            "give a tested approach.virtual_mass, or berth at a higher tide"
+            f"the water under the keel is {gap:.3g} m, {100 * gap / ship.draft:.2g} % of the draft; limit "
+            f"{100 * LEAST_GAP:g} %: below this limit no method gives a virtual mass, and PIANC's value stays "
+            "at 1.8; give approach.virtual_mass from tests, or berth at a higher tide"
         )
 
 

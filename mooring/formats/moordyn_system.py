@@ -296,8 +296,9 @@ def _turbine(row, number, turbines, path):
         return number
     known = f"1 to {len(turbines)} are known" if turbines else "this file does not give its position"
     raise FormatError(
-        f"{path}, section POINTS: point {row.id} is in the axes of {row.attachment}, and {known}; allowed: FAST.Farm's "
-        "NAME.fstf or RAFT's design with its array, which refer to this file and give the positions"
+        f"{path}, section POINTS: point {row.id} is in the axes of {row.attachment}, and {known}; give "
+        "FAST.Farm's NAME.fstf or RAFT's design with its array; both refer to this file and give the "
+        "positions"
     )
 
 

@@ -184,7 +184,7 @@ def beside_newman(db, sea, level, spread=False):
         size = "it is unknown without drift and inertia"
         if ratio is not None:
             size = f"their force is {100 * ratio:.3g} % of its slow force"
-        return None, (f'qtf = "auto" uses newman: of bound long waves {size}',)
+        return None, (f'qtf = "auto" uses newman, which leaves out bound long waves: {size}',)
     size = f"about {ratio:.2g} times the slow force of" if ratio <= RATIO else "a slow force that is nearly zero by"
     size = f"the force of bound long waves is {size} Newman's approximation"
     try:
@@ -223,7 +223,11 @@ def beside_newman_of_bodies(db, sea, level):
         if level != "auto":
             raise
         return None, (f'left out: {beyond} (qtf = "auto" uses newman): {_lacks(db, sea, missing)}',)
-    return found, ("left out: the free-surface forcing around several bodies, a part of " + beyond + ", is not known",)
+    return found, (
+        "left out: the free-surface forcing around several bodies is not known; it is a part of "
+        + beyond
+        + ", is not known",
+    )
 
 
 def _failed(db, level):

@@ -117,9 +117,9 @@ def _density(path, data):
         other = next((one for one in data if {AXES.get(axis) for axis in data[one].dims} >= {"f", "d"}), None)
         if other is not None:
             raise TableError(
-                f"{path}: {other} has frequencies and directions, but in an unknown layout: its unit, and whether "
-                "waves come from its directions, are not known; rename it efth and give it units and its directions "
-                "a standard_name"
+                f"{path}: {other} has frequencies and directions, but in an unknown layout: its unit, and "
+                "whether waves come from its directions, are not known; rename it efth, give it units, and "
+                "give its directions a standard_name"
             )
         raise TableError(f"{path} has no spectrum ({', '.join(DENSITIES)}){_integrals(data)}")
     return name

@@ -108,7 +108,7 @@ def body_at(steady: Equilibrium, state, db=None, *, buoy: BuoyBody | None = None
         raise SinglePointError("a hawser needs the buoy's mass and the rope's strength; give buoy and rope")
     if contact and buoy is not None:
         raise SinglePointError(
-            "a contact buoy moves with the body; only a buoy on a hawser moves by itself; it needs a hawser"
+            "a contact buoy moves with the body, so it has no motion of its own; leave out buoy, or give a hawser"
         )
     body = planar(point) if db is None else moored(db, memory=memory, linearised_in=sea)
     center = np.asarray(body.reader.rotation_center, float)

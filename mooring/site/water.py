@@ -13,7 +13,9 @@ def levels(spring_high, spring_low, surge, tsunami, depth):
         ("spring_high", spring_high, "least", spring_high < 0),
     ):
         if wrong:
-            raise ValueError(f"levels.{key} is {value:g}; allowed: at {side} 0, since levels are above mean water")
+            raise ValueError(
+                f"levels.{key} is {value:g}; allowed: at {side} 0, since levels are heights above mean water"
+            )
     for key, value in (("surge", surge), ("tsunami", tsunami)):
         if value is not None and not 0 <= value < depth:
             raise ValueError(f"levels.{key} is {value:g}; allowed: 0 to the depth, {depth:g} m")

@@ -114,9 +114,9 @@ def _undamped(result, db, waves):
         size = f"{amplitude:.2g} m" if mode % 6 == 2 else f"{np.degrees(amplitude):.3g}°"
         if amplitude > MOVING * 0.5 * waves.height and low <= period / waves.period <= high:
             yield (
-                f"natural period of {body.words[mode]} {period:.3g} s lies within {low:g} to {high:g} of the wave "
-                f"period {waves.period:g} s: its amplitude {size} {NO_DAMPING}; "
-                "motion, drift and tension are too large; give the scene [viscous], or simulate with damping_ratio"
+                f"the natural period of {body.words[mode]}, {period:.3g} s, lies within {low:g} to {high:g} of "
+                f"the wave period {waves.period:g} s: its amplitude {size} {NO_DAMPING}; motion, drift and "
+                "tension are too large; give the scene [viscous], or simulate with damping_ratio"
             )
 
 
@@ -126,8 +126,8 @@ def _stiff_modes(result, hydrostatic, words):
         ratio = k[i] / hydrostatic[i, i] if hydrostatic[i, i] > 0 else np.inf
         if ratio > NEGLIGIBLE:
             yield (
-                f"{name}: mooring stiffness is {ratio:.2g} of the hydrostatic, limit {NEGLIGIBLE:g}; "
-                "motions of the freely floating body are too large there"
+                f"{name}: the mooring stiffness is {ratio:.2g} of the hydrostatic stiffness, limit "
+                f"{NEGLIGIBLE:g}; motions of the freely floating body are too large there"
             )
 
 
@@ -146,7 +146,7 @@ def _held(periods):
     if held:
         named = ", ".join(held)
         where = "outside the solved frequencies, or near a resonance of the water in a gap"
-        yield f"natural periods {where}; they use the added mass at the nearest good frequency: {named}"
+        yield f"natural periods {where} use the added mass at the nearest good frequency: {named}"
 
 
 def _unstable(result):

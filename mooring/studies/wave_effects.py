@@ -92,9 +92,9 @@ def along_few(db, body, weather):
         return True
     wrong = f"waves travel to {np.rad2deg(towards[off[0]]) % 360:.4g}°" if off.size else "waves have a spreading"
     raise BetweenError(
-        f"{wrong}, but the imported files have forces of waves to {stored_degrees(ring)} alone; give long-crested "
-        "waves to one of these (direction_deg), or headings all round, at most 45° apart, in the program of the "
-        "files, and import again"
+        f"{wrong}, but the imported files have forces of waves towards {stored_degrees(ring)} only; give "
+        "long-crested waves towards one of these (direction_deg), or import files with headings all round, at "
+        "most 45° apart"
     )
 
 

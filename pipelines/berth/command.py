@@ -17,7 +17,7 @@ def berth(
     plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
     measured: Annotated[
         bool,
-        Parameter(negative=(), help="instead of a study: compare with the fifty measured berthings of Ueda (1981)"),
+        Parameter(negative=(), help="compare with the fifty measured berthings of Ueda (1981); no study is needed"),
     ] = False,
 ):
     """Compute the energy of a berthing ship, the reaction of its fenders, and its course in time.

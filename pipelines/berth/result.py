@@ -58,7 +58,7 @@ def berth(study: File | Tables | BerthStudy, database: File | Database | None = 
     try:
         course, refused = in_time(ship, approach.meetings, approach.speed), ()
     except FenderError as error:
-        course, refused = None, (fails(f"in time: {error}"),)
+        course, refused = None, (fails(f"the berthing in time is not computed: {error}"),)
     table = study.fender[approach.first]
     axes = labels("virtual_mass", list(approach.energies)) | labels("band", BANDS)
     found = {**_of_approach(approach), **_by_method(approach), **_by_band(approach, table)}
@@ -93,7 +93,7 @@ def _ship(study, approach, db):
     displaced = db.density * float(one.displaced_volume)
     others = [body.name for body in db.bodies if not body.fixed and body.name != one.name]
     if others:
-        told.append(f"{', '.join(others)} held still: the memory is that of {one.name} beside them, as fixed bodies")
+        told.append(f"the memory is that of {one.name} with {', '.join(others)} held fixed beside it")
     if abs(displaced / ship.mass - 1) > MASS_DIFFERS:
         told.append(
             f"the body of {db.path} displaces {displaced / 1e3:.4g} t, but the ship has {ship.mass / 1e3:.4g} t; the "
@@ -119,7 +119,7 @@ def _vessel(name, db):
     moving = [body.name for body in db.bodies if not body.fixed]
     name = moving[0] if not name and len(moving) == 1 else name
     if name not in moving:
-        raise StudyError(f"ship.body is {name!r}; allowed: one that moves of {db.path}, {', '.join(moving)}")
+        raise StudyError(f"ship.body is {name!r}; allowed: a body of {db.path} that moves: {', '.join(moving)}")
     return body_named(db, name), {"first": 6 * moving.index(name)}
 
 

@@ -17,15 +17,17 @@ def damping(
     mass: Annotated[
         float | None,
         Parameter(
-            help="mass with added mass, t (for a rotation t m²); for a decay without --database",
+            help="mass with added mass, t (t m² for a rotation); needed for a decay without --database",
             allow_leading_hyphen=True,
         ),
     ] = None,
     database: Annotated[
         Path | None,
-        Parameter(help="database of the body: gives the mass; the keys leave out what its waves damp"),
+        Parameter(
+            help="database of the body: it gives the mass, and its wave damping is taken out of the printed keys"
+        ),
     ] = None,
-    motion: Annotated[str | None, Parameter(help='the recorded motion, "roll", for --database')] = None,
+    motion: Annotated[str | None, Parameter(help='name of the recorded motion, such as "roll", for --database')] = None,
     output: Annotated[Path | None, Parameter(help="result, .h5 or .csv")] = None,
     plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
 ):

@@ -165,7 +165,8 @@ def _of_database(made, mass, body, mode):
     unit, notes = "t m²" if body.turning[mode] else "t", []
     if body.viscous and body.names[mode] in body.viscous.laws:
         notes.append(
-            f"the scene of the database has [viscous] {motion} of its own, which a study adds to these keys; keep one"
+            f"the scene of the database already has [viscous] {motion}, and a study adds it to these keys; "
+            "keep only one of the two"
         )
     if mass is not None and not 1 / ANOTHER < mass / water.mass < ANOTHER:
         thousand = " (kg given as t?)" if 300 < mass / water.mass < 3000 else ""
@@ -176,15 +177,17 @@ def _of_database(made, mass, body, mode):
         )
     if mass is not None and abs(mass / water.mass - 1) > NEAR:
         notes.append(
-            f"mass is {significant(mass / 1e3)} {unit}, of {motion} in the database {significant(water.mass / 1e3)} "
-            f"{unit}, limit {100 * NEAR:g} % apart; B1 and B2 are by that of the database, which a study moves"
+            f"the given mass is {significant(mass / 1e3)} {unit}, but {motion} in the database has "
+            f"{significant(water.mass / 1e3)} {unit}; the limit of the difference is {100 * NEAR:g} %; B1 and "
+            "B2 are computed with the mass of the database, which a study uses too"
         )
     if abs(made.omega / water.natural - 1) > NEAR:
         notes.append(
             f"{motion} of the free body in the database has a period of about "
-            f"{significant(2 * np.pi / water.natural)} s, the record {significant(2 * np.pi / made.omega)} s, limit "
-            f"{100 * NEAR:g} % apart; the damping is that at the period of the record: check centre of gravity, "
-            "gyration, and the scale of the record, unless lines held the body"
+            f"{significant(2 * np.pi / water.natural)} s, but the record has one of "
+            f"{significant(2 * np.pi / made.omega)} s; the limit of the difference is {100 * NEAR:g} %; the "
+            "damping is given at the period of the record: check centre of gravity, gyration, and the scale "
+            "of the record, unless lines held the body"
         )
     return water, notes
 

@@ -73,7 +73,7 @@ def wear_words(read):
         return "diameters of new lines, as no wear is given"
     sizes = {name: kind_and_size(read.study["types"][name]["catalogue"])[1] for name, loss in lost.items() if loss}
     worn = ", ".join(f"{name} {size - lost[name] / 2:.4g} of {size:g} mm" for name, size in sizes.items())
-    return f"mean diameter over the wear, less half of it: {worn}"
+    return f"diameters less half of the wear, their mean over the service life: {worn}"
 
 
 def wear_of(read, name):

@@ -59,8 +59,8 @@ def unread_simulation(study, project):
     lost = [] if own is None else [f"{key} = {given[key]}" for key in given if key not in own and key not in LENGTHS]
     if lost:
         yield (
-            f"left out: {', '.join(lost)} in the study's [simulation]; a project reads its own [simulation] alone; "
-            "copy the keys that apply"
+            f"left out: {', '.join(lost)} in the study's [simulation]; a project reads only its own "
+            "[simulation]; copy the keys that apply into it"
         )
 
 

@@ -70,7 +70,7 @@ def downtime(
     folder = Path(study).parent if isinstance(study, str | os.PathLike) else Path()
     if (database is None) != (read.lee is not None):
         state = "is given with [lee], which has no body" if read.lee else "of the body is missing"
-        raise StudyError(f"the database {state}; allowed: a database, or [lee] and none")
+        raise StudyError(f"the database {state}; give either a database or [lee]")
     db = None if database is None else database_of(database)
     if read.simulation is None:
         found = _linear(read, folder, db)

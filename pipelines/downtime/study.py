@@ -64,8 +64,8 @@ def make_downtime(raw):
     if not study.hindcast.waves and Path(study.hindcast.file).suffix.lower() not in NETCDF:
         raise StudyError("hindcast.waves is empty; give at least one wave system, or a netCDF file of spectra")
     if not 1 <= len(study.windows_hours) <= MOST_WINDOWS or len(study.turned_deg) > MOST_TURNS:
-        raise StudyError(f"windows_hours has {len(study.windows_hours)} numbers and turned_deg "
-                         f"{len(study.turned_deg)}; allowed: 1 to {MOST_WINDOWS} and 0 to {MOST_TURNS}")  # fmt: skip
+        raise StudyError(f"windows_hours has {len(study.windows_hours)} numbers, allowed: 1 to {MOST_WINDOWS}; "
+                         f"turned_deg has {len(study.turned_deg)}, allowed: 0 to {MOST_TURNS}")  # fmt: skip
     for i, hours in enumerate(study.windows_hours):
         positive(f"windows_hours[{i}]", hours)
     for i, one in enumerate(study.operations):

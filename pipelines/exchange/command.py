@@ -185,7 +185,7 @@ def _left_out(db, values, to):
     elif endless:
         yield f"{', '.join(endless)} is not finite and is not written"
     if "rao" not in NOT_HELD[to] and values.get("rao") is not None and (viscous := _viscous(db)):
-        yield f"the motions written have the viscous damping of the scene, of {viscous}, which the format does not hold"
+        yield (f"the written motions include the viscous damping of the scene, {viscous}, which the format cannot hold")
     lost = _not_held(db, to)
     if lost:
         yield f"the format of {to} cannot hold {', '.join(lost)}"

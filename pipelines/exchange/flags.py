@@ -12,7 +12,7 @@ Size = Annotated[float | None, Parameter(allow_leading_hyphen=True)]
 
 
 def export(
-    database: Annotated[Path, Parameter(help="of hakobune, .h5")],
+    database: Annotated[Path, Parameter(help="database of hakobune, .h5")],
     /,
     *,
     to: Annotated[str, Parameter(help=FORMATS)],
@@ -39,7 +39,9 @@ def import_(
     depth: Annotated[float | None, Parameter(help="water depth, m or inf, if the files do not contain it")] = None,
     density: Annotated[float, Parameter(help="density of the water, kg/m³, if the files do not contain it")] = 1025.0,
     gravity: Annotated[float, Parameter(help="gravity, m/s², if the files do not contain it")] = 9.80665,
-    length_unit: Annotated[float | None, Parameter(help="m, ULEN of WAMIT [of the .gdf beside it]")] = None,
+    length_unit: Annotated[
+        float | None, Parameter(help="length unit of the files, m; ULEN of WAMIT [of the .gdf beside it]")
+    ] = None,
     about: Annotated[
         str | None,
         Parameter(help="reference point of moments, x,y,z in m [as in the files]", allow_leading_hyphen=True),
@@ -133,8 +135,10 @@ def body_(
     database: Annotated[Path, Parameter(help="imported, .h5")],
     /,
     *,
-    mass: Annotated[float | None, Parameter(help="kg [as stored, else displaced mass]")] = None,
-    center_of_gravity: Annotated[str | None, Parameter(help="m, x,y,z [as stored]", allow_leading_hyphen=True)] = None,
+    mass: Annotated[float | None, Parameter(help="mass, kg [as stored, else displaced mass]")] = None,
+    center_of_gravity: Annotated[
+        str | None, Parameter(help="centre of gravity, x,y,z in m [as stored]", allow_leading_hyphen=True)
+    ] = None,
     gyration: Annotated[str | None, Parameter(help="radii of gyration, kxx,kyy,kzz in m, needed for motions")] = None,
     frequencies: Annotated[str | None, Parameter(help="frequencies to keep, from:to in rad/s [all]")] = None,
     output: Annotated[Path | None, Parameter(help="database to write [the same file]")] = None,

@@ -149,7 +149,10 @@ def hull_of(place, kind, module, mesh, known):
         near = Path(place).with_name(f"{Path(place).stem}_pan.dat")
         near = f" ({near}, beside the files)" if near.is_file() else ""
         near = f" ({path} does not exist)" if path else near
-        raise ValueError(f"the hull is missing; give its mesh by --mesh{near}: a file of panels, or a .toml of parts")
+        raise ValueError(
+            f"the hull is missing; give --mesh FILE{near}, where FILE is a file of panels, or a .toml that builds "
+            "the hull of parts"
+        )
     try:
         panels = read_mesh(path.resolve())
     except ValueError as error:
@@ -193,7 +196,7 @@ def _remarks(place, said, values):
         )
     idle = [name for name, size in zip(DOFS, _sizes(values), strict=True) if size == 0]
     if idle:
-        yield f"{', '.join(idle)} has no added mass in the files, and 0 is stored: the files do not contain this motion"
+        yield f"the files do not contain {', '.join(idle)}: its added mass is stored as 0"
     if values.get("inertia_matrix") is None:
         yield (
             "the database has no inertia_matrix, so that no motions can be computed; give it by `hakobune body` "

@@ -16,31 +16,33 @@ def fender(
     table: Annotated[
         str | None, Parameter(help="CSV of the manufacturer with columns strain or deflection_m, reaction_kN, …")
     ] = None,
-    height: Annotated[
-        float, Parameter(help="height, m; for a pneumatic fender the diameter", allow_leading_hyphen=True)
-    ],
-    length: Annotated[float | None, Parameter(help="m, of v, h, pneumatic", allow_leading_hyphen=True)] = None,
+    height: Annotated[float, Parameter(help="height, m; diameter for a pneumatic fender", allow_leading_hyphen=True)],
+    length: Annotated[
+        float | None, Parameter(help="length of a v, h or pneumatic fender, m", allow_leading_hyphen=True)
+    ] = None,
     rated_reaction: Annotated[float | None, Parameter(help="kN", allow_leading_hyphen=True)] = None,
     pressure: Annotated[
         float | None, Parameter(help="initial pressure of a pneumatic fender, kPa [50]", allow_leading_hyphen=True)
     ] = None,
-    overload: Annotated[float | None, Parameter(help="kN/m beyond the table", allow_leading_hyphen=True)] = None,
+    overload: Annotated[
+        float | None, Parameter(help="stiffness beyond the table, kN/m", allow_leading_hyphen=True)
+    ] = None,
     count: Annotated[int, Parameter(help="side by side", allow_leading_hyphen=True)] = 1,
     causes: Annotated[str | None, Parameter(help="causes of variation, such as temperature,velocity [all]")] = None,
     dolphin: Annotated[
-        float | None, Parameter(help="kN/m, stiffness of the dolphin behind it", allow_leading_hyphen=True)
+        float | None, Parameter(help="stiffness of the dolphin behind the fender, kN/m", allow_leading_hyphen=True)
     ] = None,
     angle: Annotated[
         float, Parameter(help="inclination of the pressing face, degrees", allow_leading_hyphen=True)
     ] = 0.0,
     width: Annotated[
-        float | None, Parameter(help="m, width of the inclined face [length]", allow_leading_hyphen=True)
+        float | None, Parameter(help="width of the inclined face, m [length]", allow_leading_hyphen=True)
     ] = None,
     strain: Annotated[
         float | None, Parameter(help="deflection over height, such as 0.35", allow_leading_hyphen=True)
     ] = None,
     deflection: Annotated[float | None, Parameter(help="m", allow_leading_hyphen=True)] = None,
-    energy: Annotated[float | None, Parameter(help="kJ, energy to absorb", allow_leading_hyphen=True)] = None,
+    energy: Annotated[float | None, Parameter(help="energy to absorb, kJ", allow_leading_hyphen=True)] = None,
     output: Annotated[Path | None, Parameter(help="result, .h5 or .csv")] = None,
     plot: Annotated[Path | None, Parameter(help="picture: .png, .svg or .pdf")] = None,
 ):

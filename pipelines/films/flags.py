@@ -25,12 +25,12 @@ def animate(
         Parameter(help=("time between frames, s; the film shows ten frames a second [1, or 150 frames in total]")),
     ] = None,
     period: Annotated[float | None, Parameter(help="period of the waves around the body of a database, s")] = None,
-    omega: Annotated[float | None, Parameter(help="rad/s, in place of the period")] = None,
+    omega: Annotated[float | None, Parameter(help="frequency of these waves, rad/s, in place of the period")] = None,
     heading: Annotated[
-        float | None, Parameter(help="degrees, direction they travel to [180]", allow_leading_hyphen=True)
+        float | None, Parameter(help="direction that these waves travel to, degrees [180]", allow_leading_hyphen=True)
     ] = None,
     height: Annotated[float | None, Parameter(help="height of these waves, m [1/30 of their length]")] = None,
-    fixed: Annotated[bool, Parameter(help="the body is held", negative="")] = False,
+    fixed: Annotated[bool, Parameter(help="hold the body fixed", negative="")] = False,
     field: Annotated[str | None, Parameter(help="pressure: colour the panels by it")] = None,
 ):
     """Make a film of body, lines and waves from the file of a simulation or of a single point, or of a

@@ -19,8 +19,10 @@ def line_dynamics(
     study: Annotated[Path, Parameter(help="a line in motion (TOML)")],
     /,
     *,
-    duration: Annotated[float | None, Parameter(help="s, in place of the study's")] = None,
-    tolerance: Annotated[float | None, Parameter(help="error of a time step over the largest tension")] = None,
+    duration: Annotated[float | None, Parameter(help="duration of the run, s, in place of the study's")] = None,
+    tolerance: Annotated[
+        float | None, Parameter(help="largest error of a time step, as a fraction of the largest tension")
+    ] = None,
     output: Annotated[Path | None, Parameter(help="time series and frames, .h5")] = None,
     plot: Annotated[Path | None, Parameter(help="tensions and shapes: .png, .svg or .pdf")] = None,
 ):

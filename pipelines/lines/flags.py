@@ -14,18 +14,20 @@ def line(
     type: Annotated[
         str | None, Parameter(help='name in the catalogue: "R3 studless 76 mm", "wire 6x36 IWRC 52 mm" …')
     ] = None,
-    weight: Annotated[float | None, Parameter(help="N/m in water, if no type is given")] = None,
+    weight: Annotated[float | None, Parameter(help="weight in water, N/m, if no type is given")] = None,
     stiffness: Annotated[
-        float | None, Parameter(help="EA in kN, with --weight; if missing, the line is inextensible")
+        float | None, Parameter(help="axial stiffness EA, kN, with --weight; inextensible if not given")
     ] = None,
     length: Annotated[float, Parameter(help="m, unstretched")],
     depth: Annotated[float, Parameter(help="water depth at the anchor, m")],
-    fairlead_z: Annotated[float, Parameter(help="m, above still water", allow_leading_hyphen=True)] = 0.0,
-    span: Annotated[float | None, Parameter(help="m, horizontal from anchor to fairlead")] = None,
+    fairlead_z: Annotated[
+        float, Parameter(help="height of the fairlead above still water, m", allow_leading_hyphen=True)
+    ] = 0.0,
+    span: Annotated[float | None, Parameter(help="horizontal distance from anchor to fairlead, m")] = None,
     tension: Annotated[
         float | None, Parameter(help="horizontal tension at the fairlead, kN, instead of a span")
     ] = None,
-    friction: Annotated[float, Parameter(help="coefficient on the bed")] = 0.0,
+    friction: Annotated[float, Parameter(help="friction coefficient of the bed")] = 0.0,
     slope_deg: Annotated[
         float,
         Parameter(
@@ -54,12 +56,14 @@ def lines(
     file: Annotated[Path, Parameter(help="system of lines: TOML, MoorDyn (.dat, .txt) or MoorPy (.yaml)")],
     /,
     *,
-    body: Annotated[str | None, Parameter(help="body for --force and --offset; the first if not given")] = None,
+    body: Annotated[str | None, Parameter(help="body that --force and --offset act on [the first]")] = None,
     force: Annotated[
-        str | None, Parameter(help="Fx,Fy,Mz in kN and kN m on the body", allow_leading_hyphen=True)
+        str | None, Parameter(help="force on the body: Fx,Fy,Mz in kN and kN m", allow_leading_hyphen=True)
     ] = None,
     offset: Annotated[float | None, Parameter(help="offset to both sides, m: draw and print the offset curve")] = None,
-    direction: Annotated[str | None, Parameter(help="degrees of the offsets: a,b,c", allow_leading_hyphen=True)] = None,
+    direction: Annotated[
+        str | None, Parameter(help="directions of the offsets, degrees: a,b,c", allow_leading_hyphen=True)
+    ] = None,
     characteristic: Annotated[
         str | None, Parameter(help="name of a line: print its span and forces, from slack to taut")
     ] = None,

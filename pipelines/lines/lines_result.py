@@ -143,7 +143,7 @@ def _body(system, name, needed):
     if name is not None and name not in names:
         raise StudyError(f"--body is {name!r}; allowed: {', '.join(names) or 'none, the system has no body'}")
     if needed and not names:
-        raise StudyError("the system has no body; allowed with --force, --offset and --database: one with a body")
+        raise StudyError("the system has no body; --force, --offset and --database need a system with one")
     return name if name is not None else names[0] if names else None
 
 

@@ -55,8 +55,8 @@ def _breaking(types, given, file):
         other = sorted(set(table) - set(BREAKING)) if isinstance(table, dict) else [str(table)]
         if other:
             raise StudyError(
-                f"types.{name}: {other[0]} is given beside {KEY}; allowed: {' or '.join(BREAKING)}; the rest is of "
-                f"{file.name}"
+                f"types.{name}: {other[0]} is given beside {KEY}; allowed: {' or '.join(BREAKING)}; the other "
+                f"values come from {file.name}"
             )
         for one in same:
             found[one] = {key: value for key, value in types[one].items() if key not in BREAKING} | table

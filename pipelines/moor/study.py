@@ -448,7 +448,8 @@ def _corner_headings(where, degrees):
     if wrong or not degrees:
         shown = f"{wrong[0]:g}" if wrong else "empty"
         raise StudyError(
-            f"{where}.corner_headings_deg is {shown}; allowed: 0 to 90, at least one, for the corner +x, +y and "
-            "mirrored at the other three; for any other heading give [[lines]] with fairlead and heading_deg"
+            f"{where}.corner_headings_deg is {shown}; allowed: one or more headings from 0 to 90, for the "
+            "corner +x, +y; the other three corners mirror them; for other headings give [[lines]] with "
+            "fairlead and heading_deg"
         )
     return np.radians(degrees)

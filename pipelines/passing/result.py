@@ -88,7 +88,10 @@ def _hull(study, name):
         return meshed(body, None, panels=study.panels).whole(), np.zeros(3)
     hull = folded(read_mesh(body.file)).whole()
     if len(hull) > MOST * study.panels:
-        raise StudyError(f"{body.file} has {len(hull)} panels; allowed: {MOST * study.panels}, {MOST} times panels")
+        raise StudyError(
+            f"{body.file} has {len(hull)} panels; allowed: up to {MOST * study.panels}, which is {MOST} times the "
+            "key panels"
+        )
     if hull.draft >= study.water.depth:
         raise StudyError(
             f"{body.file} has a draft of {hull.draft:g} m in water of {study.water.depth:g} m; allowed: less"

@@ -91,9 +91,7 @@ def _of_drift(slow):
     if slow.by_current is not None:
         lines.append('current.waves = "still" excludes the change of drift by the current')
     if slow.damping is None:
-        lines.append(
-            "no wave drift damping: the derivative of drift needs stored headings on both sides of the direction"
-        )
+        lines.append("wave drift damping is left out: it needs stored headings on both sides of the wave direction")
     return lines
 
 

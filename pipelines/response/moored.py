@@ -99,7 +99,7 @@ def moored_together(path, read, db, sea, duration, points):
 
     for name, given in (("current is", read.current is not None), ("hinges are", bool(read.hinges))):
         if given:
-            raise StudyError(f"{name} given with --moored; allowed: those of {path} alone")
+            raise StudyError(f"{name} given with --moored; leave the key out: {path} gives it")
     study, _ = read_study(path)
     hulls = study.hulls_of(db)
     system, berth = study.system_of(db, hulls), study.berth_of(db, hulls)

@@ -76,7 +76,7 @@ def _check_body_of(where, point, bodies):
 def _pair(where, table, points, db):
     """`mooring.response.points.Pair` of a RelativeTable"""
     if not db.bodies:
-        raise StudyError(f"{where} is given, but the database has one body; allowed: with several")
+        raise StudyError(f"{where} is given, but the database has only one body; leave the table out")
     found = {point.name: point for point in points}
     unknown = [name for name in table.points if name not in found]
     if unknown:

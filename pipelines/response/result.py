@@ -55,7 +55,7 @@ def response(study: File | Tables | ResponseStudy, database: File | Database, mo
     place = Path("study" if isinstance(study, dict | ResponseStudy) else study)  # files lie beside it
     for table, name in ((read.current, "[current]"), (moored, "--moored")):
         if table is not None and read.climate:
-            raise StudyError(f"{name} is given with [climate]; allowed: with [sea]")
+            raise StudyError(f"{name} is given with [climate], but it is for [sea] only; leave it out")
     if read.sea:
         check_effort(read)
     db = database_of(database)

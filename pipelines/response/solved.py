@@ -51,8 +51,8 @@ def solved_in_climate(read, body, db, points, beside):
         raise StudyError("body.viscous is linearised in one sea; give damping_ratio for a climate")
     if db.has_viscous_motions:
         warnings.warn(
-            "viscous damping of the database's scene is left out in a climate, since each sea would need its "
-            "own: " + ("body.damping_ratio takes its place" if read.body.damping_ratio else
+            "viscous damping of the database's scene is left out in a climate, since each sea has its own "
+                "equivalent damping: " + ("body.damping_ratio takes its place" if read.body.damping_ratio else
                        "motions near resonance are too large; give body.damping_ratio"), stacklevel=2
         )  # fmt: skip
     from hakobune.mooring.response.climate import climate

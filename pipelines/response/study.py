@@ -241,7 +241,7 @@ def make_response_study(raw, name="the study"):
     study = typed(raw, ResponseStudy, StudyError)
     if (study.sea is None) == (study.climate is None):
         state = "has neither" if study.sea is None else "has both"
-        raise StudyError(f"{name} {state} [sea] and [climate]; allowed: one of them")
+        raise StudyError(f"{name} {state} [sea] and [climate]; give one of them")
     return study
 
 

@@ -109,7 +109,7 @@ def _check_sizes(key, body, own):
         value = getattr(body, name)
         if (name in own) == (value is None):
             said = "missing" if value is None else repr(value)
-            raise SceneError(f"{key}.{name} is {said}; a {body.shape} has {', '.join(own)}")
+            raise SceneError(f"{key}.{name} is {said}; the keys of a {body.shape} are {', '.join(own)}")
         if name in own and name not in ("file", "block"):
             _within(f"{key}.{name}", value, EXTENT)
     if body.shape != "ship" and (body.bow, body.stern, body.waterplane) != (None, None, None):
@@ -145,7 +145,9 @@ def _check_among_others(key, body):
             f"{key}.name is {body.name!r}; allowed: a word of letters, digits and _ for each of several bodies"
         )
     if body.place is None:
-        raise SceneError(f"{key}.place is missing; allowed: [x, y, heading], m, m, degrees, for each of several bodies")
+        raise SceneError(
+            f"{key}.place is missing; each of several bodies needs place = [x, y, heading], in m, m and degrees"
+        )
     _check_point(f"{key}.place", (*body.place[:2], 0.0))
     if not -360 <= body.place[2] <= 360:
         raise SceneError(f"{key}.place has the heading {body.place[2]}; allowed: -360 to 360")

@@ -175,7 +175,7 @@ def listed(key, value):
     if isinstance(value, Band):
         if not (math.isfinite(value.first) and math.isfinite(value.last) and value.first < value.last):
             raise SceneError(
-                f"{key} goes from {value.first} to {value.last}; allowed: finite numbers, with from below to"
+                f"{key} goes from {value.first} to {value.last}; allowed: finite numbers, the first below the last"
             )
         return [value.first, value.last]
     if not isinstance(value, Span):
@@ -183,5 +183,7 @@ def listed(key, value):
     if not 2 <= value.count <= MOST:
         raise SceneError(f"{key}: count is {value.count}; allowed: 2 to {MOST}")
     if not (math.isfinite(value.first) and math.isfinite(value.last) and value.first < value.last):
-        raise SceneError(f"{key} goes from {value.first} to {value.last}; allowed: finite numbers, with from below to")
+        raise SceneError(
+            f"{key} goes from {value.first} to {value.last}; allowed: finite numbers, the first below the last"
+        )
     return np.linspace(value.first, value.last, value.count).tolist()

@@ -64,7 +64,7 @@ def _side_by_side(study, output, flags):
 
     given = [flag for flag, text in flags.items() if text is not None]
     if given:
-        raise ValueError(f"{given[0]} is given and {study}; allowed: {given[0]} without a study")
+        raise ValueError(f"{given[0]} is given together with {study}; give only one of the two")
     if output is not None:
         check_result(output, "sections", [study])
     return finish(sections(study), (output, write_result))

@@ -23,7 +23,7 @@ def simulate(study, database, output, seeds=None, duration=None, fresh=False, ex
 
     console = new_console()
     if division is not None and not methods:
-        raise StudyError("--division is given without --methods, which it needs")
+        raise StudyError("--division is given without --methods; give both")
     if seeds is not None and seeds < 1:
         raise StudyError(f"--seeds is {seeds}; allowed: a whole number from 1")
     try:

@@ -234,7 +234,7 @@ def _say_before(console, plan, seeds, executor):
     if np.isfinite(one):
         rounds = -(-seeds // getattr(executor, "count", 1))
         saved = f' (dynamic_lines = "none": {words_of(static)})' if moves and np.isfinite(static) else ""
-        lines.append(f"a seed takes about {words_of(one)}{saved}, {seeds} of them {words_of(rounds * one)}")
+        lines.append(f"one seed takes about {words_of(one)}{saved}, and all {seeds} seeds {words_of(rounds * one)}")
     for line in lines:
         console.print(line, highlight=False, markup=False, soft_wrap=True)
 

@@ -357,8 +357,8 @@ def _settings(table, duration, words, shapes):
         raise StudyError(f'simulation.dynamic_lines is {dynamic!r}; allowed: "auto", "all", "none", or a list of names')
     if table.dynamic_water != "still" and not dynamic:
         raise StudyError(
-            f"simulation.dynamic_water is {table.dynamic_water!r}, but no line is in motion; give dynamic_lines, or "
-            f"leave it out"
+            f"simulation.dynamic_water is {table.dynamic_water!r}, but no line is in motion; give "
+            "dynamic_lines, or leave dynamic_water out"
         )
     lost = tuple((one.line, one.time) for one in table.lines_lost)
     wrong = [one for one in table.lines_lost if not 0 <= one.time < math.inf]

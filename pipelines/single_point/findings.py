@@ -81,9 +81,10 @@ def _resonant(study, system, best):
     }
     if near:
         yield (
-            f"the buoy with a slack hawser has natural periods of {' and '.join(sorted(near))}, within {100 * NEAR:g} "
-            f"% of the waves' peak at {peak:.3g} s: its chains then carry a resonance that its own drag alone damps; "
-            "another pretension, length of chain or mass moves it"
+            f"the buoy with a slack hawser has natural periods of {' and '.join(sorted(near))}, within "
+            f"{100 * NEAR:g} % of the waves' peak at {peak:.3g} s: the chains then carry a resonance that only "
+            "the drag of the buoy damps; change the pretension, the length of the chains or the mass of the "
+            "buoy"
         )
 
 

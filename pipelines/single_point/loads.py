@@ -169,8 +169,9 @@ def _turning(study, given, density, center, findings):
     except OutsideTests as error:
         if own["length_over_beam"] > SHIP:
             raise StudyError(
-                f"current: {error.limits}; they are of barges, and a ship of L/B = {own['length_over_beam']:.3g} lies "
-                'at another heading with another pull; give current.ship = "tanker", or coefficients, or file'
+                f"current: {error.limits}; the tests are of barges, and a ship of L/B = "
+                f"{own['length_over_beam']:.3g} lies at another heading with another pull; give current.ship = "
+                '"tanker", or coefficients, or file'
             ) from None
         tested = ", ".join(PROPORTIONS[name] for name in error.proportions)
         one = len(error.proportions) == 1

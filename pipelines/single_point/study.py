@@ -203,8 +203,8 @@ def _buoy(study, density, on_lines):
     draft = 1e3 * mass / (density * area)
     if not mass > 0:
         raise StudyError(
-            f"buoy.draft is {b.draft:g} m; allowed: above {up:.4g} m, the draft by the pull of the lines alone; give a "
-            "larger buoy or lighter lines"
+            f"buoy.draft is {b.draft:g} m; allowed: above {up:.4g} m, the draft that the pull of the lines "
+            "alone causes; give a larger buoy or lighter lines"
         )
     if b.draft is not None and not b.draft < height:
         raise StudyError(f"buoy.draft is {b.draft:g} m; allowed: below the height of {height:g} m")

@@ -188,9 +188,9 @@ def not_applied(checks, db):
     if not names or "imported" not in db.attributes:
         return ()
     return (
-        f"note: not applied: {', '.join(names)}: hakobune stores these while it solves, and this set is imported; "
-        "`hakobune import` held it against an own solution of the hull, against the hull, and against laws between its "
-        "numbers, and named what was wrong",
+        f"note: not applied: {', '.join(names)}: hakobune stores these while it solves, but this database is "
+        "imported; `hakobune import` compared it with an own solution of the hull, with the hull, and with "
+        "laws between its numbers, and reported what was wrong",
     )
 
 
@@ -281,9 +281,10 @@ def beyond_gap_water(db):
     beyond = [m for m in (2, 3, 4) if np.isfinite(found.period[m]) and 2 * np.pi / found.period[m] > found.water[m]]
     said = ", ".join(f"{found.names[m].lower()} {found.period[m]:.4g} s" for m in beyond)
     return () if not said else (
-        f"natural periods of {said} lie beyond the resonance of the water in a gap, which makes their added mass "
-        f"negative from {found.water[beyond].min():.3g} rad/s on: at longer periods that water moves with the body and "
-        "adds so much that these motions have no natural period there; in open water they have others",
+        f"natural periods of {said} lie beyond the resonance of the water in a gap, which makes their added "
+            f"mass negative from {found.water[beyond].min():.3g} rad/s on: at longer periods this water moves with "
+            "the body and adds so much mass that these motions have no natural period there; in open water their "
+            "natural periods are different",
     )  # fmt: skip
 
 

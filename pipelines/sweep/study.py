@@ -110,7 +110,10 @@ def cases(sweep):
 
     for i, one in enumerate(sweep.vary):
         if one.values is not None or one.first is None or one.last is None or not one.first < one.last:
-            raise StudyError(f"vary[{i}]: a Latin hypercube needs from and to, with from below to, instead of values")
+            raise StudyError(
+                f"vary[{i}]: a Latin hypercube needs the keys from and to in place of values, where from is the "
+                "smaller number"
+            )
     unit = qmc.LatinHypercube(len(sweep.vary), rng=sweep.seed).random(sweep.samples)
     low, high = np.array([(one.first, one.last) for one in sweep.vary]).T
     return [tuple(row) for row in (low + unit * (high - low)).tolist()]

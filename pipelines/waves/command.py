@@ -12,10 +12,12 @@ def waves(
     database: Annotated[Path, Parameter(help="database of the body, .h5")],
     /,
     *,
-    period: Annotated[float | None, Parameter(help="s, of the waves")] = None,
-    omega: Annotated[float | None, Parameter(help="rad/s, in place of the period")] = None,
-    heading: Annotated[float, Parameter(help="degrees, direction they travel to", allow_leading_hyphen=True)] = 180.0,
-    fixed: Annotated[bool, Parameter(help="the body is held", negative="")] = False,
+    period: Annotated[float | None, Parameter(help="period of the waves, s")] = None,
+    omega: Annotated[float | None, Parameter(help="frequency of the waves, rad/s, in place of the period")] = None,
+    heading: Annotated[
+        float, Parameter(help="direction that the waves travel to, degrees", allow_leading_hyphen=True)
+    ] = 180.0,
+    fixed: Annotated[bool, Parameter(help="hold the body fixed", negative="")] = False,
     width: Annotated[float | None, Parameter(help="m, of the map")] = None,
     at: Annotated[
         tuple[str, ...], Parameter(help="point x,y in m at which the wave is printed", allow_leading_hyphen=True)

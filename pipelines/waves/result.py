@@ -44,7 +44,7 @@ def waves(
     """
     wanted = np.asarray(at, float).reshape(-1, 2) if len(at) else np.zeros((0, 2))
     if not np.all(np.isfinite(wanted)):
-        raise ValueError("the key at has a point that is not finite; allowed: x,y in m")
+        raise ValueError("`at` has a point that is not finite; allowed: x,y in m")
     db = database_of(database)
     around = around_body(db, frequency(period, omega), heading, fixed)
     half = half_width(around, width)

@@ -24,7 +24,9 @@ def test_roll_of_a_box_is_damped_by_yamashita_between_the_proportions_of_his_tes
     else:
         with pytest.raises(ValueError) as refused:
             yamashita_roll(100.0, 10.0 * ratio, 10.0, 1025.0)
-        assert f"B/d = {ratio:.4g} is outside Yamashita's roll damping (5 to 10); give b_R" in str(refused.value)
+        assert f"B/d = {ratio:.4g} is outside the range of Yamashita's roll damping (5 to 10); give b_R" in str(
+            refused.value
+        )
 
 
 def test_limits_of_the_frequency_are_zero_and_infinity():

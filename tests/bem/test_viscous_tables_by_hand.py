@@ -79,7 +79,7 @@ def test_tables_of_b_are_in_metres_of_heave_and_degrees_of_roll_and_pitch():
 @pytest.mark.parametrize("table, box, words", [
     (Laws(), BOX, "viscous has no damping law; give one for heave, roll or pitch"),
     (Laws(roll="Ikeda"), BOX, "viscous.roll is 'Ikeda'; allowed: Yamashita, or a table of drag or b"),
-    (Laws(roll="Yamashita"), {}, "viscous.roll: b is made dimensionless by length, beam and draft of a box; give drag"),
+    (Laws(roll="Yamashita"), {}, "viscous.roll: b needs the length, beam and draft of a box; give drag"),
     (Laws(pitch=Law()), BOX, "viscous.pitch: give one of drag, b"),
     (Laws(pitch=Law(drag=1.0, b=[1.0])), BOX, "viscous.pitch: give one of drag, b"),
     (Laws(heave=Law(drag=-1.0)), BOX, "viscous.heave.drag is -1; allowed: at least 0, finite"),
@@ -88,12 +88,12 @@ def test_tables_of_b_are_in_metres_of_heave_and_degrees_of_roll_and_pitch():
     (Laws(heave=Law(b=[1.0], amplitudes_deg=[1.0])), BOX, "viscous.heave.b must have amplitudes and nothing else"),
     (Laws(roll=Law(b=[1.0], amplitudes=[1.0])), BOX, "viscous.roll.b must have amplitudes_deg and nothing else"),
     (Laws(roll=Law(b=[1.0], amplitudes=[1.0], amplitudes_deg=[1.0])), BOX, "must have amplitudes_deg and nothing else"),
-    (Laws(heave=Law(b=[1.0], amplitudes=[1.0])), {}, "viscous.heave: b is made dimensionless by length, beam and"),
-    (Laws(heave=Law(b=[1.0, 2.0], amplitudes=[1.0])), BOX, "amplitudes have to increase from above 0, with one b ≥ 0"),
-    (Laws(heave=Law(b=[1.0, 2.0], amplitudes=[0.0, 1.0])), BOX, "amplitudes have to increase from above 0"),
-    (Laws(heave=Law(b=[1.0, 2.0], amplitudes=[2.0, 1.0])), BOX, "amplitudes have to increase from above 0"),
-    (Laws(heave=Law(b=[1.0, -2.0], amplitudes=[1.0, 2.0])), BOX, "amplitudes have to increase from above 0"),
-    (Laws(heave=Law(b=[], amplitudes=[])), BOX, "amplitudes have to increase from above 0"),
+    (Laws(heave=Law(b=[1.0], amplitudes=[1.0])), {}, "viscous.heave: b needs the length, beam and"),
+    (Laws(heave=Law(b=[1.0, 2.0], amplitudes=[1.0])), BOX, "above 0, and each amplitude needs one b ≥ 0"),
+    (Laws(heave=Law(b=[1.0, 2.0], amplitudes=[0.0, 1.0])), BOX, "amplitudes must increase from above 0"),
+    (Laws(heave=Law(b=[1.0, 2.0], amplitudes=[2.0, 1.0])), BOX, "amplitudes must increase from above 0"),
+    (Laws(heave=Law(b=[1.0, -2.0], amplitudes=[1.0, 2.0])), BOX, "amplitudes must increase from above 0"),
+    (Laws(heave=Law(b=[], amplitudes=[])), BOX, "amplitudes must increase from above 0"),
 ])  # fmt: skip
 def test_a_law_that_says_nothing_or_too_much_is_refused(table, box, words):
     with pytest.raises(ValueError) as refused:

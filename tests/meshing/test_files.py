@@ -466,10 +466,10 @@ def test_any_of_several_counts_is_held_against_the_size_of_the_file(tmp_path):
         ("a.vtk", "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 2 float\n0 0 -1 1 0 -1\n"
          "CELLS 1 3\n2 0 1\nCELL_TYPES 1\n3\n", "contains line; allowed: triangle, quad"),
         ("a", "", "cannot read a file without suffix; allowed: .gdf"),
-        ("short.pnl", "1 4 0 0\n1 0 0 -1\n2 1 0 -1\n3 1 1\n4 0 1 -1\n1 4 1 2 3 4\n", "line 4: 3 numbers; a node has"),
+        ("short.pnl", "1 4 0 0\n1 0 0 -1\n2 1 0 -1\n3 1 1\n4 0 1 -1\n1 4 1 2 3 4\n", "line 4 has 3 numbers; a node"),
         ("three.pnl", "1 3 0 0\n1 0 0 -1\n2 1 0 -1\n3 1 1 -1\n1 4 1 2 3\n", "line 5: a panel has a number, then 3 or "
             "4"),
-        ("short.nemoh", "2 0\n1 0 0\n0 0 0 0\n", "line 2: 3 values; allowed: four, the number of the"),
+        ("short.nemoh", "2 0\n1 0 0\n0 0 0 0\n", "line 2 has 3 values; a point needs four: its number"),
         ("side.nemoh", "2 2\n", "line 1 is neither '2 0' nor '2 1';"),
         ("few.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n", "line 3: 2 nodes; a panel has 3 or 4"),
         ("zero.pnl", "1 3 1 2\n", "symmetry 1 2; allowed: 0 or 1 each"),

@@ -130,7 +130,7 @@ def raw(part=None, **more):
 
 @pytest.mark.parametrize("given, says", [
     (raw(around=8), None), (raw(around=200), None),
-    (raw(around=7), "around is 7; allowed: 8 to 200 panels on a circle"),
+    (raw(around=7), "around is 7; allowed: 8 to 200 panels around a circle"),
     (raw(around=201), "around is 201"), (raw(around=24.0), "around is 24.0"), (raw(symmetry="yx"), "symmetry is 'yx'"),
     *((raw(symmetry=planes), None) for planes in ("", "x", "y", "xy")),
     (raw(parts=[CYLINDER] * 200), None), (raw(parts=[CYLINDER] * 201), "there are no parts; allowed: size, symmetry"),
@@ -145,7 +145,7 @@ def raw(part=None, **more):
     (raw({"shape": "cone"}), "parts[0].shape is 'cone'; allowed: cylinder, "),
     (raw({"y": 1.0}), "parts[0].y is unknown; allowed for a cylinder: from, to, radius, end_radius, shape, turns, cut"),
     (raw({"radius": 0.0}), "parts[0]: radius is 0.0"), (raw({"end_radius": -1.0}), "parts[0]: end_radius is -1.0"),
-    (raw({"from": [1, 2]}), "parts[0].from is [1, 2]; allowed: three finite numbers, m"),
+    (raw({"from": [1, 2]}), "parts[0].from is [1, 2]; allowed: three finite numbers in m"),
     (raw({"to": [1, 2, math.nan]}), "parts[0].to is [1, 2, nan]"), (raw({"to": [1, 2, -9]}), "parts[0] has no size"),
     (raw({"to": 3.0}), "parts[0].to is 3.0"),
 ])  # fmt: skip
@@ -171,7 +171,8 @@ OUTLINE = {"shape": "outline", "points": [[0, 0], [1, 0], [0, -1]], "breadth": 2
     (BOX, {"size": [4, 2]}, "parts[1].size is"),
     (BOX, {"center": None}, "parts[1].center is None"), (SPHERE, {"radius": -2.0}, "parts[1]: radius is -2.0"),
     (SPHERE, {"center": [0, 0]}, "parts[1].center is [0, 0]"), (OUTLINE, {"breadth": 0}, "parts[1]: breadth is 0"),
-    (OUTLINE, {"points": [[0, 0, 0]]}, "parts[1].points is not a list of [x, z]; allowed: three or more, m"),
+    (OUTLINE, {"points": [[0, 0, 0]]},
+     "parts[1].points is not a list of points [x, z]; allowed: three points or more, in m"),
     (OUTLINE, {"points": [[0, "a"]]}, "parts[1].points is not a list"),
     *((part, {key: ...}, f"parts[1].{key} is missing; a {part['shape']} has {', '.join(drawing.NEEDED[part['shape']])}")
       for part in (CYLINDER, BOX, SPHERE, OUTLINE) for key in drawing.NEEDED[part["shape"]]),

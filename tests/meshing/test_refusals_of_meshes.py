@@ -34,15 +34,17 @@ def spun(*radii):
 
 
 LIMITS = {
-    "panels on a circle": (lambda n: drawing(around=n), 8, 7, "around is 7; allowed: 8 to 200 panels on a circle"),
-    "many on a circle": (lambda n: drawing(around=n), 200, 201, "around is 201; allowed: 8 to 200 panels on a circle"),
+    "panels around a circle": (lambda n: drawing(around=n), 8, 7,
+        "around is 7; allowed: 8 to 200 panels around a circle"),
+    "many on a circle": (lambda n: drawing(around=n), 200, 201,
+        "around is 201; allowed: 8 to 200 panels around a circle"),
     "mirror planes": (lambda s: drawing(symmetry=s), "xy", "yx", "symmetry is 'yx'; allowed: x, y, xy"),
     "parts": (lambda n: drawing(parts=[BLOCK] * n), 1, 0, "there are no parts; allowed: size"),
     "key of a drawing": (lambda key: drawing(**{key: 24}), "around", "round", "round is unknown; allowed: size"),
     "the first of two keys": (lambda key: drawing(**{key: 24, "zoom": 1}) if key else drawing(), "", "ground",
         "ground is"),
     "place": (lambda p: part(center=p), [0.0, 0.0, -1.0], [0.0, math.inf, -1.0], "parts[0].center is [0.0, inf, -1.0]"),
-    "numbers of a place": (lambda p: part(center=p), [0.0, 0.0, 0.0], [0.0, 0.0], "allowed: three finite numbers, m"),
+    "numbers of a place": (lambda p: part(center=p), [0.0, 0.0, 0.0], [0.0, 0.0], "allowed: three finite numbers in m"),
     "size": (lambda s: part(size=[4.0, s, 2.0]), 1e-3, 0.0, "parts[0] has no size; allowed: lengths above 0"),
     "length of a tube": (lambda z: tube(to=[0.0, 0.0, z]), -2.9, -3.0,
      "parts[0] has no size; allowed: lengths above 0"),
@@ -57,7 +59,7 @@ LIMITS = {
     "radius of an end": (lambda r: tube(end_radius=r), 0.1, -0.1, "parts[0]: end_radius is -0.1; allowed: m, above 0"),
     "breadth of an outline": (lambda b: drawing(parts=[SHEER | {"breadth": b}]), 0.1, 0.0, "parts[0]: breadth is 0.0"),
     "points of an outline": (lambda p: drawing(parts=[SHEER | {"points": p}]), SHEER["points"], [[0.0], [1.0], [2.0]],
-        "parts[0].points is not a list of [x, z]; allowed: three or more, m"),
+        "parts[0].points is not a list of points [x, z]; allowed: three points or more, in m"),
     "end of a tube": (lambda z: tube(to=[0.0, 0.0, z]), 2.0, math.inf,
         "parts[0].to is [0.0, 0.0, inf]; allowed: three"),
     "numbers of a size": (lambda s: part(size=s), [1.0, 1.0, 1.0], [1.0, 1.0], "parts[0].size is [1.0, 1.0]; allowed"),
@@ -84,7 +86,7 @@ def test_meshes_are_taken_up_to_their_limits_and_refused_beyond(name):
 
 
 @pytest.mark.parametrize("line, new, says", [
-    (1, "1.0", "line 2: '1.0'; 2 numbers are needed"),
+    (1, "1.0", "line 2 is '1.0'; it needs 2 numbers"),
     (2, "1 2", "line 3: symmetry 1 2; allowed: 0 or 1 each"),
     (3, "10 1", "a patch has [0, 0] spans and order [-2, 0]; allowed: 1 or more"),
 ])  # fmt: skip

@@ -208,8 +208,9 @@ def test_tries_end_at_the_first_within_the_limits_or_take_the_nearest(monkeypatc
         assert drawing.meshed(drawn, "").volume == 2.0
     assert asked == [(25, "", half, 8), (25, "", 0.0, 8), (38, "", half, 8), (25, "", half, 6)]
     assert str(told[0].message) == (
-        "drawing: the panels have a volume of 2 m³ and a waterplane of 3 m², and the drawing has 4 m³ and 5 m²; "
-        "allowed: 3 % apart, and the same middle; give smaller panels or a larger `around`"
+        "drawing: the panels have a volume of 2 m³ and a waterplane of 3 m², but the drawing has 4 m³ and "
+        "5 m²; allowed: a difference of up to 3 %, and the same middle; give smaller panels or a larger "
+        "`around`"
     )
 
 

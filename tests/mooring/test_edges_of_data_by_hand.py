@@ -268,7 +268,9 @@ def test_a_pretension_stretches_a_line_by_half_of_its_length_at_most(pull, taken
     if taken:
         Breakwater._check_stretch(made)
     else:
-        with pytest.raises(BreakwaterError, match=r"lines.axial_stiffness is 100 kN and the pretension up to 50.05 kN"):
+        with pytest.raises(
+            BreakwaterError, match=r"lines.axial_stiffness is 100 kN and the pretension of a line is up to 50.05 kN"
+        ):
             Breakwater._check_stretch(made)
         for none in (None, SimpleNamespace(axial_stiffness=None, spacing=5.0)):
             Breakwater._check_stretch(SimpleNamespace(lines=none, levels=made.levels, pretension=rises.get))

@@ -99,8 +99,10 @@ def test_a_line_of_segments_may_lie_on_a_bed_of_its_own():
 
 
 @pytest.mark.parametrize("line, says", [
-    (composite(loads=(PointLoad(39.0, 2e3),)), "sinkers or buoys that are not one between segments"),
-    (composite(loads=(PointLoad(40.0, 2e3), PointLoad(40.0, 1e3))), "sinkers or buoys that are not one between"),
+    (composite(loads=(PointLoad(39.0, 2e3),)),
+     "sinkers or buoys within a segment or two at one joint; allowed: one at each joint of two segments"),
+    (composite(loads=(PointLoad(40.0, 2e3), PointLoad(40.0, 1e3))),
+     "sinkers or buoys within a segment or two at one joint; allowed: one at each joint of two"),
     (CompositeLine("two", (Segment(40.0, 780.0, 5e8, kind=None),), "bed", "bow"), "has no mass"),
 ])  # fmt: skip
 def test_lines_of_segments_without_a_mass_or_with_loads_within_a_segment_do_not_move(line, says):

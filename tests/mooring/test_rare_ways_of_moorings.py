@@ -351,7 +351,7 @@ def test_bound_waves_that_do_not_count_are_told_in_per_cent(ratio, words, monkey
     monkeypatch.setattr(pair_levels, "bound_to_newman", lambda body, sea: ratio)
     db = SimpleNamespace(reader=SimpleNamespace(floating=lambda: None))
     found, (said,) = pair_levels.beside_newman(db, None, "auto")
-    assert found is None and said.endswith(f"of bound long waves {words}")
+    assert found is None and said.endswith(f"leaves out bound long waves: {words}")
     assert pair_levels.beside_newman(db, None, "newman") == (None, ())
 
 

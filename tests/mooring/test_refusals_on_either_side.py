@@ -100,9 +100,9 @@ LIMITS = {
     "tension without end": (span, [1e3, 1e4], [1e3, math.inf], "horizontal_tension is inf N; allowed: finite"),
     "strains": (lambda t: dynamic(t).stiffness, RISING, TWICE,
      "a strain twice; allowed: strains that rise from 0"),
-    "anchor": (lambda p: line(anchor=p), (1.0, 2.0, 3.0), NAN3, "; allowed: three finite numbers, m"),
+    "anchor": (lambda p: line(anchor=p), (1.0, 2.0, 3.0), NAN3, "; allowed: three finite numbers in m"),
     "numbers of an anchor": (lambda p: line(anchor=p), (1.0, 2.0, 3.0), (1.0, 2.0),
-     "; allowed: three finite numbers, m"),
+     "; allowed: three finite numbers in m"),
     "segments": (lambda s: line(segments=s), (dynamic(1e8),), (), "a line has 0 segments; allowed: 1 or more"),
     "amplitude of a fairlead": (
         lambda a: FairleadMotion.harmonic((0.0, 0.0, 0.0), a, 8.0), (1.0, 0.0, 1j), (1.0, math.inf, 0.0), "finite",
@@ -113,8 +113,8 @@ LIMITS = {
     "place of a fairlead": (
         lambda p: FairleadMotion.harmonic(p, (1.0, 0.0, 0.0), 8.0), (0.0, 0.0, 0.0), NAN3, "fairlead position is",
     ),
-    "period of waves": (lambda T: sea(period=T), 0.1, 0.0, "must be finite, (w,), period above 0 s"),
-    "phase of waves": (lambda p: sea(phase=p), -3.0, math.nan, "must be finite, (w,), period above 0 s"),
+    "period of waves": (lambda T: sea(period=T), 0.1, 0.0, "finite arrays of shape (w,), with periods above 0 s"),
+    "phase of waves": (lambda p: sea(phase=p), -3.0, math.nan, "must be finite arrays of shape (w,)"),
     "depth of waves": (lambda h: sea(depth=h), 0.1, 0.0, "water depth is 0 m; allowed: above 0, inf for deep water"),
     "length of a segment": (lambda v: segment(length=v), 0.1, 0.0,
      "segment one: length is 0 m; allowed: finite, above 0"),

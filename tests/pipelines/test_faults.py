@@ -92,7 +92,7 @@ MESHES = {
     "solve --mesh above.gdf --depth 20 --omega 0.5": ("above.gdf: 3 of 8 panels above the water", "z ≤ 0"),
     "solve --mesh hole.gdf --mesh-only --output x.gdf": ("hole.gdf: the hull is open",),
     "solve --mesh nan.gdf --depth 20 --omega 0.5": ("nan.gdf, line 6: 'nan' is not a finite number",),
-    "solve --mesh text.gdf --depth 20 --omega 0.5": ("text.gdf", "a GDF file has a header"),
+    "solve --mesh text.gdf --depth 20 --omega 0.5": ("text.gdf", "a GDF file"),
     "solve --mesh text.h5 --depth 20 --omega 0.5": ("text.h5: cannot read .h5", ".gdf"),
     "solve --mesh '' --depth 20 --omega 0.5": ("file is ''", "no such file"),
     "solve --mesh none.gdf --depth 20 --omega 0.5": ("none.gdf", "no such file"),

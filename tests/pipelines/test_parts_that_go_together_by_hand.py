@@ -164,7 +164,7 @@ def test_runs_are_compared_with_other_methods_on_the_waves_of_their_study(monkey
     assert first == ("s", "d", output) and {name: words[name] for name in more} == more
     assert second == ("result", "s", "d", 60.0, "v") and shown == "both"
     assert said == [f"written: {output}, picture of open {output}"]
-    with pytest.raises(StudyError, match="--division is given without --methods, which it needs"):
+    with pytest.raises(StudyError, match="--division is given without --methods; give both"):
         simulate.simulate(**{name: (given | {"methods": False})[name] for name in names})
     with pytest.raises(StudyError, match="--seeds is 0; allowed: a whole number from 1"):
         simulate.simulate(**{name: (given | {"seeds": 0})[name] for name in names})

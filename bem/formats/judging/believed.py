@@ -23,7 +23,11 @@ def believed(values, mesh, correct=False):
             why = f"the hull has {len(mesh)} panels, and this check solves at most {MOST_PANELS}"
         if values.others:
             why = "there are other bodies beside it"
-        return values, [f"not compared with our own solution: {why}; laws tested: {', '.join(tested)}"], doubts
+        return (
+            values,
+            [f"the files are not compared with our own solution: {why}; laws tested: {', '.join(tested)}"],
+            doubts,
+        )
     found = finding(sample(values, mesh), own)
     if found is None:
         return values, [], doubts
@@ -36,7 +40,11 @@ def believed(values, mesh, correct=False):
         return (
             values,
             [],
-            [f"{off}; no change of unit, point, sign, heading or depth explains it, nor do two{near}", *doubts],
+            [
+                f"{off}; no change of unit, point, sign, heading or depth explains it, and no pair of such changes "
+                f"does{near}",
+                *doubts,
+            ],
         )
     if cause.fitted:
         raise FormatError(f"{off}: {cause.text}; give {cause.way_out}")
@@ -45,6 +53,6 @@ def believed(values, mesh, correct=False):
         raise FormatError(f"{off}: {cause.text}; {way}")
     return (
         corrected(values, cause),
-        [f"corrected: {cause.text}; motions and drift of the files are left out"],
+        [f"the files are corrected: {cause.text}; their motions and drift are left out"],
         [],
     )

@@ -339,9 +339,9 @@ def _long_waves(values):
             ratio = mean / expected
             if ratio.real < 0 or abs(np.angle(ratio)) > 0.6:
                 lines.append(
-                    f"heave force of the longest wave is at {np.degrees(np.angle(mean)):.0f}°, it must be at 0°, in "
-                    "phase with the crest; forces have another sign, or phases are relative to another point or to a "
-                    "sine"
+                    f"the heave force of the longest wave has a phase of {np.degrees(np.angle(mean)):.0f}°; it "
+                    "must have 0°, in phase with the crest; forces have another sign, or phases are relative "
+                    "to another point or to a sine"
                 )
             elif abs(np.log(abs(ratio))) > np.log(1 + 2 * TRUE if not volume else 1 + TRUE):
                 lines.append(
@@ -372,9 +372,9 @@ def _surge(values, n, heave, kL, floats):
     if abs(np.angle(turned)) < 1.0:
         return []
     if abs(np.angle(turned)) < np.pi - 1.0:
-        return [f"surge force of the longest wave is at {np.degrees(np.angle(X[ahead, SURGE])):.0f}° at "
-                f"{np.degrees(beta[ahead]):g}°; phases are not relative to the origin of the axes, or the hull is "
-                "open"]  # fmt: skip
+        return [f"the surge force of the longest wave towards {np.degrees(beta[ahead]):g}° has a phase of "
+            f"{np.degrees(np.angle(X[ahead, SURGE])):.0f}°; phases are not relative to the origin of the axes, or "
+            "the hull is open"]  # fmt: skip
     long, B = kL < 2 * LONG, values.get("radiation_damping")[:, HEAVE, HEAVE]
     felt = values.get("excitation_force")[long, :, HEAVE].mean(axis=1).imag
     if np.sum(felt * values.omega[long] * B[long]) > 0:

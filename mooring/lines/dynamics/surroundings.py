@@ -143,7 +143,10 @@ class WaveTrain:
         given = (self.amplitude, self.period, self.direction, self.phase)
         a, T, b, p = np.broadcast_arrays(*(np.atleast_1d(np.asarray(v, float)) for v in given))
         if not all(np.all(np.isfinite(v)) for v in (a, T, b, p)) or a.ndim != 1 or np.any(T <= 0):
-            raise ValueError("waves: amplitude, period, direction and phase must be finite, (w,), period above 0 s")
+            raise ValueError(
+                "waves: amplitude, period, direction and phase must be finite arrays of shape (w,), with periods "
+                "above 0 s"
+            )
         if not self.depth > 0:
             raise ValueError(f"water depth is {self.depth:g} m; allowed: above 0, inf for deep water")
         for name, value in zip(("amplitude", "period", "direction", "phase"), (a, T, b, p), strict=True):

@@ -104,7 +104,10 @@ def dynamic_line(line, anchor, system, elements, surface=True, towards=0.0):
         at = load.position if way > 0 else line.length - load.position
         here = np.flatnonzero(np.abs(joints - at) < ON_JOINT)
         if not len(here) or bodies[here[0]] is not None:
-            raise ValueError(f"dynamic_lines: line {line.name} has sinkers or buoys that are not one between segments")
+            raise ValueError(
+                f"dynamic_lines: line {line.name} has sinkers or buoys within a segment or two at one joint; "
+                "allowed: one at each joint of two segments"
+            )
         bodies[here[0]] = _attached(load, system)
     if line.bed is None:
         bed = ElasticBed(below=below, friction=line.bed_friction, **FIRM)

@@ -10,8 +10,9 @@ def check_bending(body, free):
     held = [body.words[i] for i in range(body.rigid, len(body.words)) if i not in free]
     if held and body.links:
         raise ValueError(
-            f"simulation.motions holds {', '.join(held)}, and hinges {', '.join(one.name for one in body.links)} are "
-            "given; allowed with hinges: all shapes free; solve fewer shapes (count)"
+            f"simulation.motions holds {', '.join(held)}, and hinges "
+            f"{', '.join(one.name for one in body.links)} are given; with hinges no shape may be held; solve "
+            "fewer shapes (count)"
         )
     added = body.held_added_mass(np.inf)[0]
     for i in range(body.rigid, len(body.words)):

@@ -317,9 +317,9 @@ class Breakwater:
         most = max(self.pretension(rise) for _, rise in self.levels) * lines.spacing
         if 2 * most > lines.axial_stiffness:
             raise BreakwaterError(
-                f"lines.axial_stiffness is {lines.axial_stiffness / KN:g} kN and the pretension up to {most / KN:.4g} "
-                "kN of a line: the line would stretch by more than half of its length; give a stiffer line or a "
-                "heavier body"
+                f"lines.axial_stiffness is {lines.axial_stiffness / KN:g} kN and the pretension of a line is "
+                f"up to {most / KN:.4g} kN: the line would stretch by more than half of its length; give a "
+                "stiffer line or a heavier body"
             )
 
     def beside(self):

@@ -139,7 +139,7 @@ def waves_of(breakwater, asked, reader):
         omega = np.array([2 * np.pi / asked.period])
         if not low <= omega[0] <= high:
             raise BreakwaterError(
-                f"map.period is {asked.period:g} s; the database has {2 * np.pi / high:.4g} to {2 * np.pi / low:.4g}"
+                f"map.period is {asked.period:g} s; the database covers {2 * np.pi / high:.4g} to {2 * np.pi / low:.4g}"
             )
         at = f"regular waves of {asked.period:g} s at {_degrees(breakwater.waves.obliquity)} to the normal"
         return omega, np.array([[np.pi / 2 - breakwater.waves.obliquity]]), np.ones(1), at

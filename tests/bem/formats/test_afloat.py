@@ -95,7 +95,7 @@ def test_a_given_weight_takes_the_place_of_that_of_the_file():
     [
         (0.0, "includes the weight"),
         (0.018, "includes the weight"),
-        (0.022, "fits neither this weight nor no weight"),
+        (0.022, "fits neither with this weight nor without weight"),
         ("bare", "does not include the weight"),
     ],
 )
@@ -169,6 +169,8 @@ def test_files_without_a_stiffness_in_heave_have_that_of_the_hull(heave):
     """A set of zeros, as programs write where they have none, would let the body fall through the water"""
     found, remarks = on_hull(values({"hydrostatic_stiffness": stiffness(heave)}), HULL)
     assert found.body["hydrostatic_stiffness"] == pytest.approx(stiffness())
-    assert remarks[0].startswith(f"heave stiffness in the files is {heave * C33:.5g} N/m, but that of the hull 2e+06")
+    assert remarks[0].startswith(
+        f"heave stiffness in the files is {heave * C33:.5g} N/m, but that of the hull is 2e+06"
+    )
     kept = on_hull(values({"hydrostatic_stiffness": stiffness()}), HULL)
-    assert not any("is not taken" in line for line in kept[1])
+    assert not any("is not used" in line for line in kept[1])

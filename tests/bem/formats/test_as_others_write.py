@@ -72,7 +72,9 @@ def test_modes_beyond_six_are_of_another_body_or_of_bending_where_the_inputs_hav
     lines = written.read_text().splitlines()
     other = [line.replace("     1     1 ", "     7     7 ") for line in lines if "     1     1 " in line]
     written.write_text("\n".join([*lines, *other]))
-    with pytest.raises(FormatError, match=r"has 2 bodies; allowed: --body 1 to 2, one at a time, the others held"):
+    with pytest.raises(
+        FormatError, match=r"has 2 bodies; give one of them by --body, 1 to 2; the other bodies are held"
+    ):
         wamit.read(written, WATER)
     first = wamit.read(written, WATER | {"body": 1})
     assert first.get("added_mass") == pytest.approx(values.get("added_mass"), rel=1e-5, abs=1.0) and first.others == 1

@@ -206,7 +206,10 @@ def test_an_import_refuses_what_a_cause_explains_and_stores_it_corrected_if_aske
     assert believed.believed(right(), ())[1:] == ([], ["a law"])
     monkeypatch.setattr(believed, "own_of", lambda values, mesh: None)
     _, told, _ = believed.believed(right(), ())
-    assert "not compared with our own solution: no frequency belongs to a long wave; laws tested: laws" in told[0]
+    assert (
+        "the files are not compared with our own solution: no frequency belongs to a long wave; laws tested: laws"
+        in told[0]
+    )
 
 
 @pytest.mark.parametrize(

@@ -151,7 +151,7 @@ LIMITS = {
     "a section that is missing": (in_file("a.AH1", aqwa.read), ah1(), ah1(coefficients=("ADDEDMASS",)),
         "is no file of AQWA's hydrodynamic coefficients, or it ends too soon: 'DAMPING'"),
     "bodies of AQWA": (in_file("a.AH1", aqwa.read), ah1(), ah1(cog="COG\n 1 0 0 -1\n 2 0 0 -1\n"),
-        "a.AH1 has 2 bodies; allowed: --body 1 to 2, one at a time"),
+        "a.AH1 has 2 bodies; give one of them by --body, 1 to 2"),
     "water of a listing": (in_file("a.LIS", aqwa.read), listing(), listing(water="DEPTH"),
         r"a.LIS does not contain 'WATER\\s+DEPTH'; allowed: the listing of a run of AQWA-LINE"),
     "centre of a listing": (in_file("a.LIS", aqwa.read), listing(center="C.O.G GX 0.0 0.0 -1.0"), listing(center=""),
@@ -160,7 +160,7 @@ LIMITS = {
         "a.LIS has no added mass and damping of structure 1"),
     "speed of Diodore": (in_file("a.hdb", diodore.read), hdb(), hdb("0.5"), "a.hdb is for a body with forward speed; "
         "allowed: speed 0"),
-    "bodies of Diodore": (in_file("a.hdb", diodore.read), hdb(), hdb(bodies=2), "a.hdb has 2 bodies; allowed: --body"),
+    "bodies of Diodore": (in_file("a.hdb", diodore.read), hdb(), hdb(bodies=2), "a.hdb has 2 bodies; give one of them"),
     "sections of Diodore": (in_file("a.hdb", diodore.read), hdb(), hdb(first="ADDED_MASS"),
         "has no [ADDED_MASS_LINE_1]; allowed: a data base with hydrodynamic parameters"),
     "numbers of Diodore": (in_file("a.hdb", diodore.read), hdb(row="1.0D0 2 3 4 5 6"), hdb(row="x 2 3 4 5 6"),
@@ -207,7 +207,7 @@ LIMITS = {
         "has no number for Waterdepth; give Waterdepth and its value on one line"),
     "bodies of HAMS": (edited(hams, "h", "h/Input/ControlFile.in"), {"Reference_body_length": "Number_of_bodies 1\n"
         "Reference_body_length"}, {"Reference_body_length": "Number_of_bodies 2\nReference_body_length"},
-        "h has 2 bodies; allowed: --body 1 to 2"),
+        "h has 2 bodies; give one of them by --body, 1 to 2"),
     "axes of HAMS": (edited(hams, "h", "h/Input/ControlFile.in"), {"Reference_body_length": "LCS 1 2 3 0\n"
         "Reference_body_length"}, {"Reference_body_length": "LCS 1 2 3 5\nReference_body_length"},
         "LCS turns the body about z; allowed: axes parallel to those of the water"),
@@ -248,7 +248,7 @@ LIMITS = {
         "a.1 lacks damping; allowed: five numbers a line for each period between 0 and infinity"),
     "drift of WAMIT": (of_wamit, {".8": "".join(f" {T} {b} {b} {i} 1.0 0.0 1.0 0.0\n" for T in (6.283185, 3.141593)
         for b in (0.0, 90.0) for i in (1, 2, 6))}, {".8": " 6.283185 0.0 90.0 1 1.0 0.0 1.0 0.0\n"},
-        "a.8 has drift for pairs of different headings only; allowed: drift for each single heading"),
+        "a.8 has drift for pairs of different headings only; it also needs the drift for each single heading"),
     "forces of WAMIT": (of_wamit, {}, {".3": " 5.0 0.0 1 1.0 0.0 1.0 0.0\n"},
         "a.3 does not have the periods and headings of the other files; allowed: the same; it has no 6.2832, 3.14"),
     "headings of WAMIT": (of_wamit, {}, {".3": "".join(f" {T} {b} 1 1.0 0.0 1.0 0.0\n" for T in (6.283185, 3.141593)
@@ -300,7 +300,7 @@ def test_one_of_several_bodies_is_asked_for_by_its_number(asked, count, chosen):
     with pytest.raises(FormatError) as refused:
         body_of("a.1", count, known)
     head = "" if asked is None else f"--body is {asked}, "
-    assert str(refused.value).startswith(f"{head}a.1 has {count} bodies; allowed: --body 1 to {count}")
+    assert str(refused.value).startswith(f"{head}a.1 has {count} bodies; give one of them by --body, 1 to {count}")
 
 
 @pytest.mark.parametrize("module", [bemio, capytaine])

@@ -371,7 +371,8 @@ def long_wave(ratio=1.0, surge=-1j, k=0.1, headings=(0.0,), C=RHO * G, volume=1.
 
 @pytest.mark.parametrize("ratio, words", [
     (1.0, ""), (1.24, ""), (1.26, "is 1.26 times the value from C₃₃"), (1 / 1.24, ""), (1 / 1.26, "is 0.794 times"),
-    (np.exp(0.59j), ""), (np.exp(0.61j), "is at 35°, it must be at 0°, in phase with the crest"), (np.exp(-0.61j),
+    (np.exp(0.59j), ""), (np.exp(0.61j), "has a phase of 35°; it must have 0°, in phase with the crest"),
+    (np.exp(-0.61j),
         "is at -35°"),
     (-1.0, "is at 180°"), (2.0, "forces are for 1 m of wave height"),
 ])  # fmt: skip

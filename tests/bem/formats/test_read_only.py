@@ -63,7 +63,7 @@ def test_a_listing_of_wamit_is_read_as_its_files(tmp_path):
     """A = ρ L³ Ā, A₅₁ = ρ L⁴ Ā, B = ρω L³ B̄, X = ρg L² X̄ of exp(+iωt), C₃₅ = ρg L³ C̄, F = ρg L F̄"""
     place = tmp_path / "two.out"
     place.write_text(OUT)
-    with pytest.raises(FormatError, match="has 2 bodies; allowed: --body 1 to 2"):
+    with pytest.raises(FormatError, match="has 2 bodies; give one of them by --body, 1 to 2"):
         wamit.read(place, KNOWN)
     one, two = (wamit.read(place, KNOWN | {"body": body}) for body in (1, 2))
     w = 2 * np.pi / 5
@@ -135,9 +135,9 @@ def test_numbers_of_aqwa_are_about_the_centre_of_gravity_with_its_phases(tmp_pat
     assert two.get("excitation_force")[0, 0] == pytest.approx(5j * np.exp(-2j / 9.81))
     assert two.get("excitation_force")[0, 1] == pytest.approx(5j)
     place.write_text(text.replace("\n  1 2 1 ", "\n  1 1 1 "))
-    with pytest.raises(FormatError, match=r"a.AH1 lacks added mass between structures; allowed with --bodies: a run"):
+    with pytest.raises(FormatError, match=r"a.AH1 lacks added mass between structures; with --bodies give a run"):
         aqwa.coupled(place, {}, 2)
-    with pytest.raises(FormatError, match=r"a.LIS is read one structure at a time; allowed with --bodies: the .AH1"):
+    with pytest.raises(FormatError, match=r"a.LIS gives one structure at a time; with --bodies give the .AH1"):
         aqwa.coupled(tmp_path / "a.LIS", {}, 2)
     place.write_text("GENERAL\n 1 20.0 1025.0 32.2\nCOG\n 1 0 0 0\n")
     with pytest.raises(FormatError, match=r"a.AH1 is no file of AQWA|gravity"):
@@ -289,7 +289,7 @@ def test_the_second_of_two_bodies_of_bemio_has_its_own_columns(single, tmp_path)
                 wide[:, start : start + 6] = own * (2 if start else 1)
                 del group[name]
                 group[name] = wide
-    with pytest.raises(FormatError, match="2 bodies; allowed: --body 1 to 2"):
+    with pytest.raises(FormatError, match="2 bodies; give one of them by --body, 1 to 2"):
         bemio.read(place)
     assert bemio.read(place, {"body": 1}).get("added_mass") == pytest.approx(single.get("added_mass"))
     assert bemio.read(place, {"body": 2}).get("added_mass") == pytest.approx(2 * single.get("added_mass"))

@@ -165,7 +165,8 @@ def test_the_first_of_two_causes_helps_by_a_fifth_unless_it_is_a_unit(monkeypatc
 
 
 @pytest.mark.parametrize("nearest, end", [
-    ("forces are halved", "nor do two; the best guess, forces are halved, leaves 12.3 %"), ("", "nor do two"),
+    ("forces are halved", "and no pair of such changes does; the best guess, forces are halved, leaves 12.3 %"),
+    ("", "and no pair of such changes does"),
 ])  # fmt: skip
 def test_what_nothing_explains_is_told_with_the_best_guess_before_other_doubts(monkeypatch, nearest, end):
     found = causes.Finding(0.4567, "added_mass", None, 0.1234, nearest)
@@ -209,7 +210,7 @@ def test_why_a_set_is_not_compared_is_told(monkeypatch, panels, others, why):
     monkeypatch.setattr(believed, "own_of", lambda values, mesh: None)
     values = SimpleNamespace(others=others)
     assert believed.believed(values, range(panels)) == (
-        values, [f"not compared with our own solution: {why}; laws tested: one, two"], ["a doubt"]
+        values, [f"the files are not compared with our own solution: {why}; laws tested: one, two"], ["a doubt"]
     )  # fmt: skip
 
 
@@ -228,5 +229,5 @@ def test_a_recognised_error_is_refused_with_its_way_out(monkeypatch, way_out, wa
         f"radiation damping differs from our own solution of the hull by 50 %, allowed: 10 %: a cause; {way}"
     )
     assert believed.believed("values", (), correct=True) == (
-        "right", ["corrected: a cause; motions and drift of the files are left out"], []
+        "right", ["the files are corrected: a cause; their motions and drift are left out"], []
     )  # fmt: skip

@@ -175,7 +175,7 @@ def test_a_kernel_that_returns_an_array_counts_who_refers_to_it(tmp_path):
     for returned in (array, types.Tuple((types.float64, array))):
         result = SimpleNamespace(signature=SimpleNamespace(return_type=returned),
                                  target_context=SimpleNamespace(enable_nrt=False))  # fmt: skip
-        with pytest.raises(TypeError, match="returns an array; allowed: with counted=True"):
+        with pytest.raises(TypeError, match="returns an array; allowed only with counted=True"):
             made._save(tmp_path / "one.kernel", [], result)
     assert not list(tmp_path.iterdir())
 

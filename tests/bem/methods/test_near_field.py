@@ -168,7 +168,7 @@ def test_near_and_far_field_of_panels_differ_by_no_more_than_estimated(depth, re
 
 def test_the_estimate_needs_one_of_the_pressures():
     alone = solved(replace(panel_body(60, 20.0).problem, coarse=None).prepared(), 0.7)
-    with pytest.raises(ValueError, match="estimated error only in a run with a coarse mesh"):
+    with pytest.raises(ValueError, match="estimated only in a run that also has a coarse mesh"):
         near_field_error(alone, False)
 
 

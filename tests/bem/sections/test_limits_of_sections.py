@@ -29,7 +29,7 @@ def test_waves_nearly_along_a_body_are_refused():
     for degrees in (89.95, -89.95):
         with pytest.raises(ValueError, match=r"obliquity is -?89.95°; allowed: up to ±89.9"):
             section(10.0, 4.0, 9.0, 0.8, obliquity=np.radians(degrees))
-    with pytest.raises(ValueError, match="obliquity is 10° in deep water; allowed: 0, or a finite depth"):
+    with pytest.raises(ValueError, match="obliquity is 10° in deep water; allowed: obliquity 0, or a finite depth"):
         section(10.0, 4.0, np.inf, 0.8, obliquity=np.radians(10))
 
 

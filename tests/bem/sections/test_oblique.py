@@ -48,5 +48,5 @@ def test_long_waves_pass_under_as_depth_averaged_flow_does():
 def test_waves_that_run_along_are_refused():
     with pytest.raises(ValueError, match=r"obliquity is 90°; allowed: up to ±89\.9"):
         section(10.0, 5.0, 10.0, 0.9, obliquity=np.pi / 2)
-    with pytest.raises(ValueError, match="in deep water; allowed: 0, or a finite depth"):
+    with pytest.raises(ValueError, match="in deep water; allowed: obliquity 0, or a finite depth"):
         section(10.0, 5.0, np.inf, 0.9, obliquity=0.5)

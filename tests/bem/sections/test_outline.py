@@ -32,7 +32,7 @@ def test_what_is_no_section_is_refused():
         Outline((Edge(0, 1), Edge(1 + 0.5j, 1j), Edge(1j, 0)))
     with pytest.raises(OutlineError, match="crosses itself: edges 1 and 3"):
         closed(np.array([0, 2 + 2j, 2, 2j]))
-    with pytest.raises(OutlineError, match="draft is 4 m, the section is 4 m high"):
+    with pytest.raises(OutlineError, match="draft is 4 m, but the section is 4 m high"):
         rectangle(2.0, 4.0).wetted(4.0)
     with pytest.raises(OutlineError, match="into 2 pieces"):
         closed(np.array([-3, -2, -2 + 2j, 2 + 2j, 2, 3, 3 + 4j, -3 + 4j])).wetted(1.0)
@@ -132,7 +132,7 @@ def test_a_round_bilge_meets_the_water_at_its_own_end(degrees, taken, mirrored):
             "the section has to displace 8 m², and its whole area is 8 m²; allowed: less than the whole area",
         ),
         (lambda: rectangle(2.0, 4.0).draft_of(0.0), "has to displace 0 m²"),
-        (lambda: rectangle(2.0, 4.0).wetted(0.0), "draft is 0 m, the section is 4 m high; allowed: above 0"),
+        (lambda: rectangle(2.0, 4.0).wetted(0.0), "draft is 0 m, but the section is 4 m high; allowed: above 0"),
     ],
 )
 def test_more_that_is_no_section_is_refused(make, words):

@@ -21,7 +21,8 @@ def spring(k, end=2.0):
     return fender_of_points("spring", 1.0, [0.0, end], [0.0, k * end])
 
 
-@pytest.mark.parametrize("depth, told", [(10.001, "0.001 m of water under the keel is 0.01 % of the draft; limit 10 %"),
+@pytest.mark.parametrize("depth, told", [
+    (10.001, "the water under the keel is 0.001 m, 0.01 % of the draft; limit 10 %"),
                                          (10.99, "0.99 m of"), (11.0, ""), (None, "")])  # fmt: skip
 def test_a_ship_nearly_aground_is_told(depth, told):
     said = list(energy.shallow(SHIP, depth))

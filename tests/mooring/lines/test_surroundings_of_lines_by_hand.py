@@ -61,7 +61,7 @@ def test_a_table_of_a_cubic_is_that_cubic_with_its_velocities_or_without():
     (lambda: CurrentProfile([0.0, 0.0], np.zeros((2, 2))), "do not rise"),
     (lambda: CurrentProfile([0.0, 1.0], np.zeros((1, 2))), "current has shapes"),
     (lambda: CurrentProfile([0.0], [[np.inf, 0.0]]), "finite"),
-    (lambda: WaveTrain(1.0, 0.0, 0.0), "period above 0 s"), (lambda: WaveTrain(np.nan, 8.0, 0.0), "must be finite"),
+    (lambda: WaveTrain(1.0, 0.0, 0.0), "periods above 0 s"), (lambda: WaveTrain(np.nan, 8.0, 0.0), "must be finite"),
     (lambda: WaveTrain(1.0, 8.0, 0.0, depth=0.0), "water depth is 0 m"),
 ])  # fmt: skip
 def test_what_moves_nothing_is_refused_in_a_line(make, says):

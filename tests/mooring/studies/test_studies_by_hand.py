@@ -218,8 +218,10 @@ def test_lines_that_add_a_twentieth_to_heave_are_told(k, stiff):
     hydro = np.diag([0, 0, 100.0, 0, 1e9, 0])
     result = SimpleNamespace(equilibrium=SimpleNamespace(stiffness=np.diag([9.0, 9, k, 0, 1, 9])))
     said = [text for text in told._stiff_modes(result, hydro, WORDS) if text.startswith("heave")]
-    assert len(said) == stiff and (not stiff or "0.051 of the hydrostatic, limit 0.05" in said[0])
-    assert any(text.startswith("roll: mooring stiffness is inf") for text in told._stiff_modes(result, hydro, WORDS))
+    assert len(said) == stiff and (not stiff or "0.051 of the hydrostatic stiffness, limit 0.05" in said[0])
+    assert any(
+        text.startswith("roll: the mooring stiffness is inf") for text in told._stiff_modes(result, hydro, WORDS)
+    )
 
 
 def test_periods_outside_the_solved_ones_and_motions_that_are_unstable_are_told():

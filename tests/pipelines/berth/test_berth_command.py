@@ -61,7 +61,7 @@ def test_a_fender_that_is_too_small_is_told_with_status_1(tmp_path, capsys):
     study.write_text(SCENE.read_text().replace("length = 20.0", "length = 5.0").replace("dolphin = 34000.0", ""))
     assert cli.main(["berth", str(study)]) == 1
     told = capsys.readouterr().out
-    assert "in time: v 1 m × 5 m" in told and "give an overload stiffness" in told
+    assert "the berthing in time is not computed: v 1 m × 5 m" in told and "give an overload stiffness" in told
 
 
 def test_fenders_for_a_simulation_lie_along_the_side_of_the_ship_whatever_the_angle_of_its_approach(tmp_path):

@@ -152,8 +152,8 @@ def several(*fixed):
 
 
 @pytest.mark.parametrize(("fixed", "body", "first", "said"), [
-    (("pier",), "barge", 6, ["ship held still: the memory is that of barge beside them, as fixed bodies"]),
-    (("pier",), "ship", 0, ["barge held still: the memory is that of ship beside them, as fixed bodies"]),
+    (("pier",), "barge", 6, ["the memory is that of barge with ship held fixed beside it"]),
+    (("pier",), "ship", 0, ["the memory is that of ship with barge held fixed beside it"]),
     (("pier", "ship"), "", 0, []),
 ])  # fmt: skip
 def test_the_ship_is_one_of_several_and_the_others_are_held(monkeypatch, fixed, body, first, said):
@@ -167,8 +167,8 @@ def test_the_ship_is_one_of_several_and_the_others_are_held(monkeypatch, fixed, 
 
 
 @pytest.mark.parametrize(("db", "body", "says"), [
-    (several("pier"), "", "ship.body is ''; allowed: one that moves of a.h5, ship, barge"),
-    (several("pier"), "pier", "ship.body is 'pier'; allowed: one that moves of a.h5, ship, barge"),
+    (several("pier"), "", "ship.body is ''; allowed: a body of a.h5 that moves: ship, barge"),
+    (several("pier"), "pier", "ship.body is 'pier'; allowed: a body of a.h5 that moves: ship, barge"),
     (SimpleNamespace(path="a.h5", bodies=()), "ship",
      "ship.body is 'ship', but a.h5 contains one body; leave ship.body out"),
 ])  # fmt: skip

@@ -138,7 +138,7 @@ FAULTS = {
     ("angle_deg = 44.0", "angle_deg = 44.0\nlength = 8.0"): "but a line at 44° reaches the bed after 7.198 m",
     ("free_draft = 3.4", "free_draft = 5.1"): "the pretension is negative",
     ("free_draft = 3.4", ""): "the body's weight: nothing is given",
-    ("height = 6.7", "height = 4.9"): "draft is 5 m, the section is 4.9 m high",
+    ("height = 6.7", "height = 4.9"): "draft is 5 m, but the section is 4.9 m high",
     ("draft = 5.0", "draft = 5.0\nradius = 3"): "section.radius is unknown",
     ("depth = 10.0", "depth = 4.0"): "draft is 5 m in 4 m of water",
     ("depth = 10.0", "depth = 10.0\ntide = 2.0"): "with the water at +2 m: draft is 7 m, the section is 6.7 m high",
@@ -226,7 +226,7 @@ def test_a_row_of_units_of_a_database_shelters_what_lies_behind(tmp_path, capsys
     )
     assert pulls.shape[0] == 2 and np.all(np.ptp(pulls, axis=1) < 1e-6 * pulls.max(axis=1))  # alike in beam seas
     for change, said in {
-        "period = 3\n": "map.period is 3 s; the database has",
+        "period = 3\n": "map.period is 3 s; the database covers",
         "period = 7\ngap = 3\n": "map.gap is 3 m; allowed: 0 with one unit",
         "units = 2\ngap = 3\n": "map needs waves",
     }.items():

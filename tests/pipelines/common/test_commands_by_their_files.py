@@ -216,7 +216,7 @@ def _sections(room):
     room.at(sections__result__sections=room.found)
     status = of_sections.sections(STUDY, output=H5)
     assert room.made.files == [H5]
-    with pytest.raises(ValueError, match=r"--xi is given and study.toml; allowed: --xi without a study"):
+    with pytest.raises(ValueError, match=r"--xi is given together with study.toml; give only one of the two"):
         of_sections.sections(STUDY, xi="1,2")
     return status, ["found.h5"]
 

@@ -237,7 +237,7 @@ def test_mass_beside_a_database_is_compared_with_that_of_the_database():
     with pytest.raises(ValueError, match=r"\(kg given as t\?\); roll of this database has 201600"):
         hakobune.damping(record, mass=1e3 * ADDED, database=of_body(), motion="roll")
     notes = " ".join(hakobune.damping(record, mass=1.3 * ADDED, database=of_body(), motion="roll").notes)
-    assert "B1 and B2 are by that of the database" in notes
+    assert "B1 and B2 are computed with the mass of the database" in notes
     soft = SimpleNamespace(bodies_reader=made_up_body())
     assert "roll of the free body in the database has a period of about" in " ".join(
         hakobune.damping(rolled(ADDED, 0.04, 0.5)[0], database=soft, motion="roll").notes

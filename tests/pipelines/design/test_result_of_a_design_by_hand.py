@@ -147,7 +147,7 @@ def test_a_folder_is_looked_at_before_anything_is_made_and_workers_are_let_go(mo
     ({"simulation": {"duration": 600.0, "seeds": 5}}, {"simulation": {"duration_hours": 1.0}}, ""),
     ({"simulation": {"damping_ratio": {"roll": 0.03}}}, {"simulation": {"damping_ratio": {"roll": 0.05}}}, ""),
     ({"simulation": {"damping_ratio": {"roll": 0.03}, "seeds": 5}}, {"simulation": {"seeds": 2}},
-     "left out: damping_ratio = {'roll': 0.03} in the study's [simulation]; a project reads its own"),
+     "left out: damping_ratio = {'roll': 0.03} in the study's [simulation]; a project reads only its own"),
 ])  # fmt: skip
 def test_what_a_study_gives_its_simulation_and_the_project_does_not_is_told(study, project, told):
     said = list(result.unread_simulation(study, project))

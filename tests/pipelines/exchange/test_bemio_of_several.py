@@ -85,7 +85,7 @@ def test_a_fixed_body_is_refused_and_a_mesh_is_wanted_for_each(place, capsys):
     (place / "pier.toml").write_text(tomli_w.dumps(scene))
     assert main(["solve", str(place / "pier.toml"), "--output", str(place / "pier.h5")]) in (0, 1)
     assert main(["export", str(place / "pier.h5"), "--to", "bemio"]) == 2
-    assert "spar is fixed; allowed in this format: bodies that all move" in capsys.readouterr().err
+    assert "spar is fixed, but this format is for bodies that all move" in capsys.readouterr().err
     words = ["--from", "bemio", "--bodies", "float,spar", "--mesh", str(place / "float.gdf")]
     assert main(["import", str(place / "two_bemio.h5"), *words]) == 2
     assert "a file for each of float, spar" in capsys.readouterr().err

@@ -78,7 +78,7 @@ def test_refusals_name_the_way_out(folder, capsys):
     assert cli.main(["export", box, "--to", "capytaine"]) == 2
     assert "--fresh" in capsys.readouterr().err
     assert cli.main(["import", str(folder / "box.nc"), "--from", "capytaine"]) == 2
-    assert "give its mesh by --mesh" in capsys.readouterr().err
+    assert "give --mesh FILE" in capsys.readouterr().err
     assert cli.main(["import", str(folder / "box.nc"), "--from", "wamit"]) == 2
     assert "--depth is missing" in capsys.readouterr().err
 
@@ -126,7 +126,7 @@ def test_files_with_one_heading_run_in_waves_to_it_or_its_image_and_are_refused_
     surge, sway = forces_towards(body.waves, -0.1)[:, :2].T
     assert np.abs(sway + np.tan(0.1) * surge).max() < 1e-5 * np.abs(surge).max()
     with pytest.raises(
-        ValueError, match=r"waves travel to 30°, but the imported files have forces of waves to 0°, 180° alone"
+        ValueError, match=r"waves travel to 30°, but the imported files have forces of waves towards 0°, 180° only"
     ):
         made(30.0)
     with pytest.raises(ValueError, match="waves have a spreading, but the imported files"):

@@ -126,8 +126,8 @@ def test_a_hull_of_the_files_is_moved_to_its_place_and_the_height_of_its_axes(hu
 
 
 def test_a_hull_that_is_missing_is_told_with_the_file_that_would_have_it(hulls, tmp_path):
-    begins = "the hull is missing; give its mesh by --mesh"
-    ends = ": a file of panels, or a .toml of parts"
+    begins = "the hull is missing; give --mesh FILE"
+    ends = ", where FILE is a file of panels, or a .toml that builds the hull of parts"
     with pytest.raises(ValueError) as refused:
         importing.hull_of("place", "kind", SimpleNamespace(), None, {})
     assert str(refused.value) == begins + ends

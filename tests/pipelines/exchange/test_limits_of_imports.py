@@ -74,7 +74,7 @@ def values(sway=1.0, inertia=None):
 def test_motions_without_added_mass_and_missing_inertia_are_told():
     assert list(importing._remarks(Path("a.1"), (), values(inertia=np.eye(6)))) == []
     (said,) = importing._remarks(Path("a.1"), (), values(0.0, np.eye(6)))
-    assert said == f"{DOFS[1]} has no added mass in the files, and 0 is stored: the files do not contain this motion"
+    assert said == f"the files do not contain {DOFS[1]}: its added mass is stored as 0"
     (said,) = importing._remarks(Path("a.1"), (), values())
     assert said.startswith(
         "the database has no inertia_matrix, so that no motions can be computed; give it by `hakobune body` "

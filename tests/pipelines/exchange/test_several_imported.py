@@ -53,8 +53,9 @@ def imported(place, *more):
 def test_each_body_of_a_set_is_held_to_its_laws(place, capsys):
     weight = "--bodies", "a,b", "--gyration", "1,1,1;2,2,2", "--center-of-gravity", "0,0,0;9,0,0"
     assert imported(place, *weight) == 0
-    assert "b: not compared with our own solution: there are other bodies beside it" in capsys.readouterr().err.replace(
-        "\n", " "
+    assert (
+        "b: the files are not compared with our own solution: there are other bodies beside it"
+        in capsys.readouterr().err.replace("\n", " ")
     )
     one_way = " 5.0 7 11 1.5 0.0\n 5.0 11 7 -1.5 0.0\n"
     place.write_text(place.read_text() + one_way)

@@ -94,7 +94,13 @@ def test_a_line_with_segments_of_no_known_mass_stays_static_and_its_buoy_is_told
     assert "line 1 2 in static shape" in told[0] and "has no mass" in told[0]
     assert "sinkers and buoys of line 1 2" in told[1] and "tensions are too small" in told[1]
     off = replace(system.lines[0], loads=[replace(load, position=150.0) for load in system.lines[0].loads])
-    with pytest.raises(ValueError, match="line 1 2 has sinkers or buoys that are not one between segments"):
+    with pytest.raises(
+        ValueError,
+        match=(
+            "line 1 2 has sinkers or buoys within a segment or two at one joint; allowed: one at each joint of "
+            "two segments"
+        ),
+    ):
         dynamic_line(off, (0.0, 290.0, -50.0), replace(system, lines=(off, system.lines[1])), 20)
 
 

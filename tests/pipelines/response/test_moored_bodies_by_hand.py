@@ -226,5 +226,5 @@ def test_several_bodies_move_on_the_damping_of_what_drives_them_and_the_stiffnes
         moored.moored_together(*given)
     for key, value, says in (("hinges", ("h",), "hinges are"), ("current", "c", "current is")):
         setattr(read, key, value)
-        with pytest.raises(StudyError, match=rf"{says} given with --moored; allowed: those of m\.toml alone"):
+        with pytest.raises(StudyError, match=rf"{says} given with --moored; leave the key out: m\.toml gives it"):
             moored.moored_together(*given)

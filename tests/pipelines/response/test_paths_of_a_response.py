@@ -69,7 +69,7 @@ def test_a_climate_is_solved_for_its_years(way):
 ])  # fmt: skip
 def test_a_climate_has_neither_current_nor_moorings(way, current, moored, says):
     way.read.climate, way.read.current = SimpleNamespace(years=50.0), current
-    with pytest.raises(StudyError, match=rf"{says} is given with \[climate\]; allowed: with \[sea\]"):
+    with pytest.raises(StudyError, match=rf"{says} is given with \[climate\], but it is for \[sea\] only"):
         result.response("s.toml", "a.h5", moored)
 
 

@@ -54,7 +54,7 @@ def test_the_table_belongs_to_the_scene_and_survives_as_text():
         (
             {"wave_height": 1.0, "heave": {"b": [1.0, 2.0], "amplitudes": [1.0]}},
             {},
-            "viscous damping: amplitudes have to increase from above 0, with one b ≥ 0 for each",
+            "viscous damping: amplitudes must increase from above 0, and each amplitude needs one b ≥ 0",
         ),
         ({"wave_height": 1.0, "heave": {"drag": -1.0}}, {}, "drag is -1"),
         ({"wave_height": 1.0, "yaw": {"drag": 1.0}}, {}, "viscous.yaw is unknown"),

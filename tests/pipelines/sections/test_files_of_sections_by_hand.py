@@ -77,7 +77,7 @@ def test_a_study_of_sections_is_printed_and_written(made, monkeypatch, tmp_path,
     assert said == [(path, "sections", [study]), (made, path), "printed"] and capsys.readouterr().out == f"{path}\n"
     for flag in ("beam_draft", "depth_draft", "xi"):
         name = f"--{flag.replace('_', '-')}"
-        with pytest.raises(ValueError, match=rf"{name} is given and s\.toml; allowed: {name} without a study"):
+        with pytest.raises(ValueError, match=rf"{name} is given together with s\.toml; give only one"):
             command.sections(study, **{flag: "1"})
 
 

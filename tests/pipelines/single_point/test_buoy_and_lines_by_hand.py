@@ -133,7 +133,7 @@ def test_a_buoy_with_its_draft_with_lines_lies_at_its_place_with_the_mass_that_b
 
 @pytest.mark.parametrize("more, said", [
     ({"buoy__draft": 2.0}, "mass and draft are both given"),
-    ({"buoy__mass": None, "buoy__draft": 0.1}, r"buoy.draft is 0.1 m; allowed: above [\d.]+ m, the draft by the pull"),
+    ({"buoy__mass": None, "buoy__draft": 0.1}, r"buoy.draft is 0.1 m; allowed: above [\d.]+ m, the draft that the"),
     ({"buoy__mass": None, "buoy__draft": 5.0}, "buoy.draft is 5 m; allowed: below the height of 5 m"),
 ])  # fmt: skip
 def test_a_draft_that_cannot_be_is_refused(more, said):

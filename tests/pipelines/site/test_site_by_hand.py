@@ -139,9 +139,9 @@ def test_more_than_four_times_the_years_measured_is_an_extrapolation(tmp_path, y
 
 LIMITS = [
     ("spring_low = -0.8", "spring_low = 0.0", "spring_low = 0.8",
-     "levels.spring_low is 0.8; allowed: at most 0, since levels are above mean water"),
+     "levels.spring_low is 0.8; allowed: at most 0, since levels are heights above mean water"),
     ("spring_high = 1.2", "spring_high = 0.0", "spring_high = -0.1",
-     "levels.spring_high is -0.1; allowed: at least 0, since levels are above mean water"),
+     "levels.spring_high is -0.1; allowed: at least 0, since levels are heights above mean water"),
     ("surge = 0.9", "surge = 0.0", "surge = -0.1", "levels.surge is -0.1; allowed: 0 to the depth, 16 m"),
     ("surge = 0.9", "surge = 15.9", "surge = 16.0", "levels.surge is 16; allowed: 0 to the depth, 16 m"),
     ("tsunami = 1.5", "tsunami = 15.1", "tsunami = 15.3", "levels: the lowest is -16.1 m in 16 m of water"),

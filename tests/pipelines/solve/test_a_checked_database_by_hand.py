@@ -139,7 +139,7 @@ def test_nothing_is_checked_where_nothing_is_solved_and_damage_is_all_that_is_to
 def test_checks_that_were_not_applied_to_an_imported_set_have_their_reason():
     checks = [SimpleNamespace(name=name, largest=largest) for name, largest in (("energy", np.nan), ("damping", 0.1))]
     (said,) = report.not_applied(checks, SimpleNamespace(attributes={"imported": "wamit: a.1"}))
-    assert said.startswith("note: not applied: energy: ") and "`hakobune import` held it against" in said
+    assert said.startswith("note: not applied: energy: ") and "`hakobune import` compared it with" in said
     assert report.not_applied(checks[1:], SimpleNamespace(attributes={"imported": "wamit: a.1"})) == ()
     assert report.not_applied(checks, SimpleNamespace(attributes={})) == ()
 

@@ -42,7 +42,7 @@ def test_a_hypercube_has_a_sample_in_each_part_of_every_range_and_its_seed_makes
     ({"vary": [vary("a", values=[1.0], first=0.0, last=1.0, count=3)]}, "give values, or from, to and count"),
     ({"vary": [vary("a", values=[1.0])], "samples": 3}, 'samples is given; it needs sampling = "latin-hypercube"'),
     ({"vary": [vary("a", first=1.0, last=1.0)], "sampling": "latin-hypercube", "samples": 3},
-     "a Latin hypercube needs from and to, with from below to, instead of values"),
+     "a Latin hypercube needs the keys from and to in place of values, where from is the smaller number"),
     ({"vary": [vary("a", first=0.0, last=1.0)], "sampling": "latin-hypercube", "samples": 1}, None),
     ({"vary": [vary("a", first=0.0, last=1.0)], "sampling": "latin-hypercube", "samples": 0}, "samples has 0 numbers"),
 ])  # fmt: skip

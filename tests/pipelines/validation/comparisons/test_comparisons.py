@@ -181,7 +181,7 @@ def test_every_set_asks_for_scenes_of_different_names():
         (["nothing"], "depth-series"),
         (["sections", "--xi", "two"], "a,b,c or start:stop:count"),
         (["sections", "--xi", "0.5,-1"], "waves.xi_B"),
-        (["sections", "--xi", "0.5:0.1:3"], "with from below to"),
+        (["sections", "--xi", "0.5:0.1:3"], "the first below the last"),
         (["sections", "--output", __file__], "which is a file"),
     ],
 )
