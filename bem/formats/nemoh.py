@@ -157,8 +157,11 @@ def read(place, known=None):
         if path.exists():
             own, rows = _zones(path, len(cal.headings), columns)
             if len(own) != len(omega) or not np.allclose(own, omega, rtol=1e-6):
+                missing = [f"{w:.5g}" for w in omega if not np.isclose(own, w, rtol=1e-6).any()]
+                lacks = f"; it has no {', '.join(missing[:4])} rad/s" if missing else ""
                 raise FormatError(
-                    f"{path} does not have the frequencies of RadiationCoefficients.tec; allowed: the same frequencies"
+                    f"{path} does not have the frequencies of RadiationCoefficients.tec; allowed: the same "
+                    f"frequencies{lacks}"
                 )
             pairs = _taken(rows, forces, 2)
             X = (pairs[..., 0] * np.exp(1j * pairs[..., 1])).transpose(1, 0, 2)
