@@ -18,7 +18,7 @@ GROUPS = {DIFFERENCE: "qtf", SUM: "qtf_sum"}
 ERRORS, ADDED, COARSER = "estimated_error", "added_by_far_field", "total_of_coarser"
 AXES = ("omega", "wave_direction_1", "wave_direction_2", "influenced_dof")  # axes after the frequency of the force
 APART = 0.05  # difference of drift by pressure and by far field, over the largest drift, that is accepted
-USABLE = 0.25  # and that is still used, with a warning: the bound wave alone gives 0.9 to 1.5 times the complete force
+USABLE = 0.25  # and that is still used, with a warning: the bound wave alone gives 0.9 to 1.6 times the complete force
 MEANING = {
     DIFFERENCE: "T of Re sum_i sum_j a_i conj(a_j) T_ij exp(-i(omega_i - omega_j)t), of waves omega + difference "
     "towards wave_direction_1 and omega towards wave_direction_2; the other order has the conjugate; T_ii is the mean "
@@ -89,8 +89,7 @@ def diagonal_gap(forces):
 
 
 def failed_gap(forces):
-    """Words on a `diagonal_gap` above APART, and whether the pairs are of use all the same; None for one that is
-    accepted or unknown"""
+    """Words on a `diagonal_gap` above APART, and the gap; None for one that is accepted or unknown"""
     gap = None if forces.kind is SUM else diagonal_gap(forces)
     if gap is None or gap <= APART:
         return None
@@ -98,7 +97,7 @@ def failed_gap(forces):
         f"mean drift by pressure differs from the far-field drift by {100 * gap:.3g} % of the largest, limit "
         f"{100 * APART:g} %"
     )
-    return words, gap <= USABLE
+    return words, gap
 
 
 def write_forces(path, stored):

@@ -30,7 +30,7 @@ LEVELS = ("newman", "bound-wave", "body", "full", "auto")
 ENOUGH = 0.05  # largest part, over Newman's slow force, that "auto" neglects
 # both from docs/slow_forces.md: slow forces by either level relative to the whole
 OF_BOUND = (
-    "without the other terms, slow forces are 0.9 to 1.5 times the complete ones (boxes in 12 and 20 m of water, and a "
+    "without the other terms, slow forces are 0.9 to 1.6 times the complete ones (boxes in 12 and 20 m of water, and a "
     "ship with 2.6 m under its keel)"
 )
 OF_NEWMAN = (
@@ -231,15 +231,15 @@ def beside_newman_of_bodies(db, sea, level):
 
 
 def _failed(db, level):
-    """Remark on stored pairs that fail their check and are used all the same, as they are asked for by name"""
+    """Remark on stored pairs that fail their check and are used all the same"""
     from hakobune.bem.second_order.stored import failed_gap, read_forces
 
     failed = failed_gap(read_forces(db).forces)
     if failed is None:
         return ()
     return (
-        f'qtf = "{level}" uses wave pairs that fail their check: {failed[0]}; slow forces may be wrong by about as much; '
-        f'qtf = "bound-wave" needs no pairs',
+        f'qtf = "{level}" uses wave pairs that fail their check: {failed[0]}; slow forces may be wrong by about as '
+        f'much; qtf = "bound-wave" needs no pairs',
     )
 
 
@@ -281,7 +281,7 @@ def stored_pairs(db, sea, level="body", spread=False, body=None):
     body : number of one of several bodies
     raises : ValueError, with a message of one line, for what is not stored in it
     """
-    from hakobune.bem.second_order.stored import failed_gap, read_forces
+    from hakobune.bem.second_order.stored import USABLE, failed_gap, read_forces
 
     if not isinstance(sea, Sea) or (sea.spreading is not None and not spread):
         raise ValueError(f'qtf = "{level}" in a sea of several directions; it needs one long-crested system')
@@ -302,7 +302,7 @@ def stored_pairs(db, sea, level="body", spread=False, body=None):
             f"the wave pairs in {db.path} do not include the free-surface forcing; 'hakobune qtf {db.path} "
             f"--level full' adds it"
         )
-    if level == "auto" and (failed := failed_gap(forces)) is not None and not failed[1]:
+    if level == "auto" and (failed := failed_gap(forces)) is not None and failed[1] > USABLE:
         raise ValueError(
             f"the wave pairs in {db.path} fail their check and are not used: {failed[0]}; "
             'qtf = "body" or "full" uses them all the same'

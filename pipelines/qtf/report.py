@@ -1,16 +1,19 @@
 """Report on forces of wave pairs: size of each part, deviation of Newman's approximation, errors."""
 
+import math
+
 import numpy as np
 
 from hakobune.bem.panels.pressure_drift.hull_interpolation import twisted_panels
 from hakobune.bem.second_order.kinds import SUM
-from hakobune.bem.second_order.stored import diagonal_gap, failed_gap
+from hakobune.bem.second_order.stored import APART, USABLE, diagonal_gap, failed_gap
 from hakobune.bem.waves import wavenumber
 from hakobune.mooring.criteria.failing import fails
 
 from .question import A_WAVE, carried_by
 
 MODES = [0, 1, 5]
+MORE = "the difference falls with more panels"
 MORE_OF_TWISTED = (
     "flow at the pointed ends and on the twisted panels of this hull is uncertain, and more panels may not lower the "
     "difference"
@@ -34,11 +37,13 @@ def failures(stored, db=None):
     """
     failed = failed_gap(stored.forces)
     if failed is not None:
-        words, usable = failed
-        used = "uses these pairs with a warning" if usable else "leaves these pairs out"
-        yield fails(
-            f'{words}; {_smaller_panels(stored.forces, db)}; qtf = "auto" {used}, and qtf = "bound-wave" needs none'
-        )
+        words, gap = failed
+        remedy = _smaller_panels(stored.forces, db)
+        if remedy == MORE and db is not None:
+            most = math.ceil(db.mesh.total * gap / APART - 1e-9)
+            remedy += f", at best as one over their number: {most} or more for the limit"
+        used = "uses these pairs with a warning" if gap <= USABLE else "leaves these pairs out"
+        yield fails(f'{words}; {remedy}; qtf = "auto" {used}, and qtf = "bound-wave" needs none')
 
 
 def _smaller_panels(forces, db):
@@ -46,7 +51,7 @@ def _smaller_panels(forces, db):
     size, most = (np.inf, np.inf) if db is None else (float(db.mesh.sizes.max()), _carried(db))
     if most >= forces.omega[-1]:
         twisted = db is not None and twisted_panels(db.mesh).any()
-        return MORE_OF_TWISTED if twisted else "the difference falls with more panels"
+        return MORE_OF_TWISTED if twisted else MORE
     length = 2 * np.pi / wavenumber(float(forces.omega[-1]), db.water_depth, db.gravity)
     within = "in the mesh, and import it (--mesh)" if "imported" in getattr(db, "attributes", ()) else "in the scene"
     return (

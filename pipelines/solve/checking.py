@@ -11,7 +11,7 @@ from hakobune.bem.database.integrity import DamagedError, repair
 from hakobune.bem.database.schema import LIMITS
 from hakobune.bem.database.widening import read_group
 from hakobune.bem.second_order.kinds import DIFFERENCE
-from hakobune.bem.second_order.stored import GROUPS, failed_gap, read_forces
+from hakobune.bem.second_order.stored import GROUPS, USABLE, failed_gap, read_forces
 from hakobune.bem.stored_laws import OF_MOTIONS, broken_laws, worst_damping
 from hakobune.meshing.hydrostatics import stands
 from hakobune.meshing.quality import Finding, findings
@@ -67,7 +67,7 @@ def check(path, console, repair=False):
 def _of_pairs(db):
     """What is wrong with the stored forces of wave pairs"""
     if read_group(db, GROUPS[DIFFERENCE]) is not None and (failed := failed_gap(read_forces(db).forces)) is not None:
-        yield f'wave pairs: {failed[0]}; qtf = "auto" {"warns of them" if failed[1] else "leaves them out"}'
+        yield f'wave pairs: {failed[0]}; qtf = "auto" {"warns of them" if failed[1] <= USABLE else "leaves them out"}'
 
 
 def _unfit(one, db):
