@@ -54,6 +54,8 @@ def _context(read, verdict, advice, paths, folder):
         "levels": list(_levels(read, paths, folder)),
         "return_period": words.return_words(own, verdict),
         "in_time": words.time_words(read),
+        "not_run": sum(one.numbers is None for one in verdict.ran),
+        "mooring": list(words.mooring_words(read)),
         "states": [words.state_row(state) for state in read.project.states],
         **_of_body(read, paths, folder),
         "lines": list(words.line_rows(read, verdict)),
@@ -170,8 +172,9 @@ def _checks(paths):
             if not one.passed:
                 failed, text = True, f"{level}: {one.name} is {one.largest:.2g} at ω {one.omega:.3g} rad/s"
                 if one.name in ESTIMATED and given_panels(db):
-                    text += "; the scene gives panels, so that no tolerance was asked for"
-                    yield {"css": "open", "text": text}
+                    text = f"{level}: the estimated error of {one.name.removeprefix('estimated_')} is at most "
+                    text += f"{100 * one.largest:.2g} %, at ω {one.omega:.3g} rad/s; "
+                    yield {"css": "source", "text": f"{text}the scene gives panels, so that no tolerance was asked for"}
                     continue
                 yield {"css": "fails", "text": f"{text}; limit {one.limit:g}"}
     text = "reciprocity, Haskind relation, energy, residual, estimated errors, each against its stored limit."
