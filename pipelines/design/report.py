@@ -4,7 +4,6 @@ The content of the page is independent of time and place: the same inputs give t
 """
 
 import os
-import tomllib
 from importlib.resources import files
 
 import numpy as np
@@ -163,7 +162,7 @@ def _checks(paths):
     """Results of the checks of the databases, one line each"""
     from hakobune.bem.database import open_database
 
-    from ..solve.report import ESTIMATED, checked
+    from ..solve.report import ESTIMATED, checked, given_panels
 
     failed = False
     for level, path in paths.items():
@@ -179,12 +178,6 @@ def _checks(paths):
                 yield {"css": "fails", "text": f"{text}; limit {one.limit:g}"}
     text = "reciprocity, Haskind relation, energy, residual, estimated errors, each against its stored limit."
     yield {"css": "source", "text": f"Checked{' besides' if failed else ', and passed'}: {text}"}
-
-
-def given_panels(db):
-    """Whether the scene of a database gave panels, as a number or a mesh file, so that no tolerance applies"""
-    scene = tomllib.loads(str(db.attributes.get("scene", "")))
-    return "panels" in scene or any(body.get("shape") == "mesh" for body in scene.get("bodies", ()))
 
 
 def _equipment(read, db):
