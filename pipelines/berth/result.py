@@ -269,8 +269,8 @@ def _above_formulas(approach, course, db):
     if course.energy > (1 + MORE) * energy:
         yield (
             f"the memory of the water gives the fenders {course.energy / 1e3:.4g} kJ, C_M {course.virtual_mass:.3g}, "
-            f"{100 * (course.energy / energy - 1):.0f} % more than the largest formula ({name}: {energy / 1e3:.4g} kJ, C_M "
-            f"{mass:.3g}), as happens where little water is under the keel; the table of fenders of a batch is for "
+            f"{100 * (course.energy / energy - 1):.0f} % more than the largest formula ({name}: {energy / 1e3:.4g} kJ, "
+            f"C_M {mass:.3g}), as happens where little water is under the keel; the table of fenders of a batch is for "
             f"the energy of the formula, {approach.energy / 1e3:.4g} kJ: size them for the larger one"
         )
 
