@@ -13,6 +13,7 @@ from ..common.weather.seas import period_of
 from ..printing.number import fixed
 from .fatigue import QUANTITY as FATIGUE
 from .kinds.mooring import BESIDE
+from .kinds.needs import REACTION
 from .kinds.numbers import Numbers
 from .report_tables import CASE_HEAD, OF_PROJECT, WORDS, case_row, farthest
 from .verdict import FAILS, NUMBER, OPEN
@@ -221,7 +222,8 @@ def part_table(read, verdict):
             values = one.numbers.parts.get(quantity, {})
             pick = min if quantity in least else max
             item = pick(values, key=values.get) if values else ""
-            cells.append(f"{values[item]:.3g} {item}" if values else "")
+            shown = [item] if quantity != REACTION and values else values  # the jetty needs it of each fender
+            cells.append(", ".join(f"{values[item]:.3g} {item}" for item in shown))
         rows.append((one.case.name, cells))
     return quantities, rows
 
