@@ -367,8 +367,9 @@ def _clearance(mesh, depth, edges):
         yield Finding(
             "warning",
             f"{_count(wide)} on the bottom longer than the depth of water under them: up to "
-            f"{mesh.sizes[wide].max():.3g} m over {gaps[wide].min():.3g} m; give more panels: "
-            f"about {float(enough):.0f} on the whole hull are enough",
+            f"{mesh.sizes[wide].max():.3g} m over {gaps[wide].min():.3g} m; motions and mean drift "
+            f"change little, but drift by pressure and forces of wave pairs (qtf) need more panels: about "
+            f"{float(enough):.0f} on the whole hull are enough",
         )
 
 

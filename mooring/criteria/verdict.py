@@ -110,7 +110,8 @@ def judge(criteria, cases):
 def _judged(criterion, cases):
     held = [case for case in cases if criterion.holds(case.state, case.lines, case.analysis)]
     if not held:
-        return Judged(criterion, (), f"no load case is {_which(criterion)}" if cases else "no load case could be run")
+        which = f"no load case is {_which(criterion)}; add such a state, or take another rule set or limits of your own"
+        return Judged(criterion, (), which if cases else "no load case could be run")
     uses, missing = [], []
     for case in held:
         try:

@@ -82,11 +82,13 @@ def findings(moored, body, mean, constant, dragged):
             if found[name] > TOO_MUCH * sum(parts)
         ]
         if much:
+            longest = max(2 * np.pi / own[name][0] for name in own if found[name] > TOO_MUCH * sum(own[name][1:]))
             beside = ", in addition to the drag of the water" if dragged else ""
             yield (
                 'left out: the memory of the water; memory = "constant" gives slow motion the damping at '
                 f"{mean:.3g} rad/s: {', '.join(much)}{beside}; its σ is therefore too small; give "
-                'memory = "states"'
+                'memory = "states", or where a quay refuses it compare with a run of constant_period = '
+                f"{longest:.3g}, which has the damping of slow motion"
             )
         return
     still = dragged or np.any(body.quadratic.reshape(-1, 6)[: len(drift), PLANE] > 0)

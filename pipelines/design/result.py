@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from datetime import datetime
 from pathlib import Path
+from time import perf_counter
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,14 +12,18 @@ import numpy as np
 from hakobune.mooring.criteria.failing import fails
 
 from ..common.outputs import check_folder
+from ..common.progress import duration as time_words
 from ..executors.choice import executor_of
 from ..results.given import File
 from ..results.provenance import provenance
 from ..results.quantity import Quantity
 from ..results.result import Result, labels
+from .advice import most_tried
+from .kinds.changes import ways
 from .project import read_project
 from .report_tables import WORDS
 from .report_words import advice_words, band, fatigue_words, method_words, percent, summary
+from .verdict import FAILS
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -77,9 +82,13 @@ def made(read, folder, workers, console, advice=True):
     folder.mkdir(parents=True, exist_ok=True)
     paths = databases(read, folder, workers, console)
     with _Counting(console, folder / "log.txt") as step:
+        began = perf_counter()
         verdict = judged_project(read, run_cases(read, paths, folder, workers, step), of_databases(read, paths))
         change = None
         if advice:
+            if verdict.word == FAILS:
+                write_report(read, verdict, None, paths, folder)
+                step.search(_announced(read, verdict, perf_counter() - began, folder))
             cases = {one.case.name: one.case for one in verdict.ran}
             others = project_quantities(read)
             change = advise(read, verdict.judged, cases, others, paths, folder / "advice", step)
@@ -87,12 +96,25 @@ def made(read, folder, workers, console, advice=True):
     return verdict, write_report(read, verdict, change, paths, folder), change
 
 
+def _announced(read, verdict, seconds, folder):
+    """The verdict, and what the search of advice then does; seconds : that the load cases took, little where kept"""
+    each, most = seconds / max(len(verdict.ran), 1), most_tried(ways(read.study))
+    text = f"the mooring {verdict.word}{summary(verdict)}\nwritten: {folder / 'report.html'}, without advice"
+    if not most:
+        return text
+    took = f", each about {time_words(each)}" if each > 1 else ", which take as long as when they ran first"
+    return (
+        f"{text}\nsearching the smallest change that passes: at most {most} changes are tried, and each runs its "
+        f"governing load cases again{took}; Ctrl-C ends the search, and --no-advice omits it"
+    )
+
+
 class _Counting:
     """Context whose value, called with the number done, the total number and a name, shows the progress of the cases,
     and writes it to the file `log` with the time of day"""
 
     def __init__(self, console, log):
-        self.console, self.log = console, log
+        self.console, self.log, self.searching = console, log, False
 
     def __enter__(self):
         self.log.write_text("", encoding="utf-8")
@@ -103,10 +125,25 @@ class _Counting:
 
     def __call__(self, done, known, name):
         text = f"{done} of {known}: {name}"
-        with self.log.open("a", encoding="utf-8") as log:
-            print(datetime.now().strftime("%H:%M:%S"), text, file=log)
+        self._log(text)
         if self.status:
             self.status.update(text)
+        elif self.searching:
+            self._print(f"change {text}")
+
+    def search(self, text):
+        """Print what a search of advice begins with; each change that it tries is then a line too"""
+        self.searching = True
+        self._log(text)
+        self._print(text)
+
+    def _log(self, text):
+        with self.log.open("a", encoding="utf-8") as log:
+            print(datetime.now().strftime("%H:%M:%S"), text, file=log)
+
+    def _print(self, text):
+        if self.console:
+            self.console.print(text, highlight=False, markup=False, soft_wrap=True)
 
     def __exit__(self, *_):
         if self.status:

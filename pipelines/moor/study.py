@@ -171,10 +171,12 @@ class Study(Table):
 
         raises : StudyError as `check_streams` and `check_floats`
         """
+        from ..solve.report import doubts
+
         self.check_depth(db.water_depth, db.path)
         check_floats(db)
         said = [line for line in dict.fromkeys(unread(one.catalogue) for one in self.types.values()) if line]
-        said += doubtful_weather(self)
+        said += [*doubtful_weather(self), *doubts(db)]
         for one in each_body(db):
             box = hull.get(one.name) if db.bodies else hull
             if box is not None:

@@ -37,7 +37,7 @@ class Scene(SceneTable, dict=True):  # dict=True: derived quantities are cached 
 
     want : names or groups of results; by default everything
     tolerance : relative error of the coefficients [0.01]; or give panels
-    panels : number of panels on the whole hull, in place of tolerance
+    panels : number of panels on the whole hull; a tolerance beside it is the limit of the checks alone
     method : solution method: auto, panel, contour, transfer, pressure, strip or inverse-strip
     rotation_center : m, x, y, z of the point of rotations and moments
     lid : whether an interior lid removes irregular frequencies

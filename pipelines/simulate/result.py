@@ -206,7 +206,8 @@ def _of_lines(file, rows):
         one = made[f"tension.{key}"]
         made[f"tension.{key}"] = Quantity(one.values, one.axes, "N", one.description, LINES)
     used, simplified = used_in_runs(file), np.asarray(file.attrs.get("simplified_tension", []), float)
-    made["tension.used"] = Quantity(used.max(axis=0), ("line",), "", "used", LINES, share=True)
+    of = "used of MBL" if "fender_height" in file.attrs else "used"
+    made["tension.used"] = Quantity(used.max(axis=0), ("line",), "", of, LINES, share=True)
     if len(simplified):
         pulled = made["tension.largest"].values
         made["tension.simplified"] = Quantity(simplified, ("line",), "N", "simplified", LINES)
@@ -218,7 +219,9 @@ def _of_lines(file, rows):
     word, table = ("MBL", LINES) if berth else ("breaking load", "")
     made["line.breaking_load"] = Quantity(breaking, ("line",), "N", word, table)
     if berth:
-        made["line.working_load"] = Quantity(allowable * breaking, ("line",), "N", "WLL", LINES)
+        made["line.working_load"] = Quantity(
+            allowable * breaking, ("line",), "N", f"WLL, {100 * allowable:g} % of MBL", LINES
+        )
         made["tension.used_of_working"] = Quantity(
             used.max(axis=0) / allowable, ("line",), "", "used of WLL", LINES, share=True
         )

@@ -155,8 +155,7 @@ class TurningTable(Table):
 
 class YawRateTable(Table):
     """Linear force due to the yaw rate of a ship, where coefficients, a file or a type of ship give the current force;
-    by default
-    after Clarke et al. (1983)
+    by default after Clarke et al. (1983)
 
     Y_r : coefficient Y'_r of the side force, referred to ½ρL³V
     N_r : coefficient N'_r of the yaw moment, referred to ½ρL⁴V, at most 0

@@ -63,7 +63,6 @@ FAULTS = {
     "xi_B nearly the same": ("omegas = [0.4, 0.8]", "xi_B = [0.5, 0.5000000015]", ("waves.xi_B", "twice")),
     "no headings": ("[0, 45]", "[]", ("headings_deg", "0 values")),
     "tolerance too fine": ("tolerance = 0.01", "tolerance = 1e-9", ("tolerance", "1e-09")),
-    "both accuracies": ("tolerance = 0.01", "tolerance = 0.01\npanels = 500", ("tolerance", "panels")),
     "no panels": ("tolerance = 0.01", "panels = 0", ("panels", "0")),
     "unknown method": ("tolerance = 0.01", 'method = "magic"', ("method", "magic", "auto, panel")),
     "unknown product": ("tolerance = 0.01", 'want = ["drfit"]', ("drfit", "drift")),

@@ -82,7 +82,7 @@ def test_a_head_has_the_numbers_of_the_study_its_database_and_its_lines(head):
         "database": "b.h5", "duration": 600.0, "split_frequency": 0.3, "mean_period": 8.0, "allowable": 0.6,
         "density": 1025.0, "gravity": 9.8, "water_depth": 30.0, "hull": [100.0, 20.0, 6.0, 4.0], "memory_states": 12,
         "place_at_rest": "start", "told": "left out\ntold", "findings_of_all": "one\ntwo", "seeds_differ": True,
-        "moored_period": "period",
+        "moored_period": "period", "on_bed_at_rest": [20.0, 0.0],
     }  # fmt: skip
     assert np.isnan(head(mean_period=None)[0].attributes["mean_period"])
 

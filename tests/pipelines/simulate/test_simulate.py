@@ -105,6 +105,7 @@ def folder(tmp_path, monkeypatch):
     for module in (work, runs):
         monkeypatch.setattr(module, "prepared", prepared)
     monkeypatch.setattr(runs, "simplified", lambda study, db: NOTHING_BESIDE)
+    monkeypatch.setattr("hakobune.pipelines.solve.report.doubts", lambda db: ())  # it is no database
     return tmp_path
 
 
