@@ -94,7 +94,7 @@ def failed_gap(forces):
     if gap is None or gap <= APART:
         return None
     words = (
-        f"mean drift by pressure differs from the far-field drift by {100 * gap:.3g} % of the largest, limit "
+        f"mean drift by pressure differs from the far-field drift by {100 * gap:{'.3g' if gap < 1 else '.0f'}} % of the largest, limit "
         f"{100 * APART:g} %"
     )
     return words, gap
