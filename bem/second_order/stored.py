@@ -93,9 +93,9 @@ def failed_gap(forces):
     gap = None if forces.kind is SUM else diagonal_gap(forces)
     if gap is None or gap <= APART:
         return None
+    share = f"{100 * gap:.3g}" if gap < 1 else f"{100 * gap:.0f}"
     words = (
-        f"mean drift by pressure differs from the far-field drift by {100 * gap:.3g} % of the largest, limit "
-        f"{100 * APART:g} %"
+        f"mean drift by pressure differs from the far-field drift by {share} % of the largest, limit {100 * APART:g} %"
     )
     return words, gap
 
