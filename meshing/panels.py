@@ -45,7 +45,7 @@ class PanelMesh:
             raise ValueError(f"symmetry is {self.symmetry!r}; allowed: {', '.join(map(repr, SYMMETRIES))}")
         if self.corners.size and (self.corners.min() < 0 or self.corners.max() >= len(self.points)):
             raise ValueError(
-                f"a panel names point {self.corners.max()}, the mesh has points 0 to {len(self.points) - 1}"
+                f"a panel names point {self.corners.max()}, but the mesh has points 0 to {len(self.points) - 1}"
             )
         if self.body is not None:
             object.__setattr__(self, "body", np.array(self.body, np.int64))
@@ -252,7 +252,7 @@ class PanelMesh:
         dry = points[self.corners, 2].max(axis=1) > 0
         if not wet.any():
             raise ValueError(
-                f"nothing of the hull lies below z = 0, its lowest point is at {z.min():.4g} m; move it down to "
+                f"the hull has no part below z = 0; its lowest point is at {z.min():.4g} m; move it down to "
                 "its draft (`--move x,y,z`)"
             )
         cut, corners = [], list(self.corners[wet & ~dry])

@@ -53,8 +53,9 @@ def prepare_far(shapes, places, depth, tolerance=1e-3):
     found = too_near([place.x + 1j * place.y for place in places], [body.plan.reach for body in bodies], depth)
     if found:
         raise ValueError(
-            f"the circles around bodies {found[0] + 1} and {found[1] + 1} {found[2]}; transfer matrices need at least "
-            f"{SHARE_OF_DEPTH * depth:.3g} m between them, {SHARE_OF_DEPTH:g} of the depth; use contours or panels"
+            f"the circles around bodies {found[0] + 1} and {found[1] + 1} {found[2]}; transfer matrices need "
+            f"at least {SHARE_OF_DEPTH * depth:.3g} m between two circles, which is {SHARE_OF_DEPTH:g} of the "
+            "depth; use method contour or panel"
         )
     gaps = nearest([body.plan for body in bodies], places)
     return FarBodies(tuple(bodies), tuple(places), tuple(gaps))

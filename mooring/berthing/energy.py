@@ -77,7 +77,9 @@ def virtual_mass_pianc(ship, depth):
 def virtual_masses(ship, depth=None):
     """{method: C_M}; PIANC's if the depth, m, is given.  Raises BerthingError if the ship is aground."""
     if depth is not None and not depth > ship.draft:
-        raise BerthingError(f"the depth is {depth:g} m with a draft of {ship.draft:g} m; allowed: more than the draft")
+        raise BerthingError(
+            f"the depth is {depth:g} m with a draft of {ship.draft:g} m; allowed: a depth above the draft"
+        )
     found = {"Ueda 1981": virtual_mass_ueda(ship), "Vasco Costa": virtual_mass_vasco_costa(ship)}
     found["older, (π/4) ρ d² L"] = virtual_mass_older(ship)
     return found if depth is None else found | {"PIANC 2002": virtual_mass_pianc(ship, depth)}

@@ -126,8 +126,8 @@ def harmonic_tension(
     if np.any(line.status != State.GROUNDED):
         raise ValueError(
             f"the line of {length:g} m with its fairlead at x = {x:g} ± {_rounded(out)} m, z = {z:g} ± "
-            f"{_rounded(up)} m does not always have a part on the bed and a tension; the simplified method needs "
-            "both, at rest and at the outermost position"
+            f"{_rounded(up)} m does not always have a part on the bed and a tension, at rest and at the "
+            "outermost position; the simplified method needs both"
         )
     H, V = line.horizontal_fairlead, line.vertical_fairlead
     span = H / weight * np.arcsinh(V / H)

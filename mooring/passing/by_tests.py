@@ -31,8 +31,8 @@ def depth_factors(draft, depth, gap, beam):
     beam : m, mean of both ships"""
     if not 0 < draft < depth or not gap > 0:
         raise ValueError(
-            f"draft is {draft:g} m, water depth {depth:g} m and gap {gap:g} m; allowed: water under the keel "
-            "and between the ships"
+            f"draft is {draft:g} m, water depth {depth:g} m and gap {gap:g} m; allowed: a depth above the "
+            "draft, and a gap above 0"
         )
     return np.array([1 + a * math.exp(b * draft / depth - 0.08 * (gap / beam - place) ** 2) for a, b, place in FACTORS])
 

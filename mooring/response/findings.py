@@ -220,7 +220,7 @@ def large_rotations(degrees):
     named = [f"{name.lower()} {value:.3g}°" for name, value in degrees.items() if value > LARGEST_ROTATION]
     if named:
         yield (
-            f"{', '.join(named)} of amplitude, and linear theory is valid up to about {LARGEST_ROTATION:g}°: "
-            "this motion is not realistic; give viscous damping ([viscous] of the scene; simulate also takes "
-            "simulation.damping_ratio), or use lower waves"
+            f"the motion has an amplitude of {', '.join(named)}; linear theory is valid up to about "
+            f"{LARGEST_ROTATION:g}°, so this motion is not realistic; give viscous damping ([viscous] of the scene; "
+            "simulate also takes simulation.damping_ratio), or use lower waves"
         )

@@ -58,7 +58,7 @@ def two_dimensional(omega, angle, density, name):
     if np.abs(density[:, again + 1] - density[:, again]).max(initial=0.0) <= EQUAL * density.max(initial=0.0):
         angle, density = np.delete(angle, again + 1), np.delete(density, again + 1, axis=1)
     if len(angle) < 3 or np.diff(angle).min(initial=1.0) < SAME:
-        raise ValueError(f"{name}: {len(angle)} directions; allowed: at least 3, each once")
+        raise ValueError(f"{name} has {len(angle)} directions; allowed: at least 3, all different")
     gaps = np.diff(angle, append=angle[0] + 2 * np.pi)
     if np.count_nonzero(gaps > 1.5 * np.median(gaps)):  # a sector: no waves travel outside it
         k = int(np.argmax(gaps))

@@ -55,7 +55,7 @@ def half_width(around, width):
     if width is None:
         return max(SPANS * span, LENGTHS * 2 * np.pi / around.k)
     if not span < width < 1e3 * span:
-        raise ValueError(f"width is {width:g} m; allowed: from the body's {span:g} m to a thousand times that")
+        raise ValueError(f"width is {width:g} m; allowed: from the body's {span:g} m to a thousand times this width")
     return width / 2
 
 

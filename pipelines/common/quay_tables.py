@@ -394,7 +394,9 @@ class StationTable(Table):
 
         known = [body.name for body in db.bodies]
         if self.body not in (known or [""]):
-            raise StudyError(f"{where}.body is {self.body!r}; allowed: {', '.join(known) or 'left out, there is one'}")
+            raise StudyError(
+                f"{where}.body is {self.body!r}; allowed: {', '.join(known) or 'no key body, since there is one body'}"
+            )
         owner = known.index(self.body) if known else 0
         beams = [m.shape for m in db.modes if m.body == owner and isinstance(m.shape, Beam)]
         if not beams:

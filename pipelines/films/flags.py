@@ -15,7 +15,7 @@ def animate(
     output: Annotated[Path, Parameter(help="film, .gif")],
     seed: Annotated[int | None, Parameter(help="number of a seed with a stored record [the first]")] = None,
     start: Annotated[
-        float | None, Parameter(help="first second of the film, after the ramp [around the largest tension]")
+        float | None, Parameter(help="time when the film begins, s after the ramp [around the largest tension]")
     ] = None,
     length: Annotated[
         float | None, Parameter(help="length of the film, s [60; at a single point the whole run]")

@@ -73,7 +73,8 @@ def anchors_of(tables, names, bollards=()):
     rest = [i for i, table in enumerate(tables) if not table.lines]
     if len(rest) > 1:
         raise StudyError(
-            f"anchors[{rest[0]}] and anchors[{rest[1]}] have no lines; allowed: one table without lines, for all others"
+            f"anchors[{rest[0]}] and anchors[{rest[1]}] have no lines; only one table may leave out lines, and "
+            "it is for all other lines"
         )
     others = made[rest[0]] if rest else None
     return [None if name in bollards else found.get(name, others) for name in names]

@@ -9,7 +9,7 @@ from cyclopts import Parameter
 
 
 def qtf(
-    database: Annotated[Path, Parameter(help="database of a body; with its inertia if it floats")],
+    database: Annotated[Path, Parameter(help="database of a body; a floating body needs its inertia")],
     /,
     *,
     omega: Annotated[str | None, Parameter(help="frequencies at even steps, rad/s, start:stop:count")] = None,

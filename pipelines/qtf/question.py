@@ -150,7 +150,7 @@ def _frequencies(omega, low, high):
 def _headings(given):
     headings = np.asarray(given, float)
     if not len(headings) or not np.all(np.isfinite(headings)):
-        raise ValueError(f"--heading is {_said(np.degrees(headings))}; allowed: one or more, finite, degrees")
+        raise ValueError(f"--heading is {_said(np.degrees(headings))}; allowed: one or more finite angles, degrees")
     turned = np.exp(1j * headings)  # headings that differ by full circles count once
     return headings[[np.abs(turned[:n] - turned[n]).min(initial=1.0) > SAME for n in range(len(headings))]]
 

@@ -128,7 +128,7 @@ def test_a_wall_that_stands_out_of_the_water_is_cut_to_a_box_whose_points_are_sh
     cut = tall.clipped()
     assert cut.volume == pytest.approx(10 * 6 * 3.3, rel=1e-12) and cut.symmetry == "xy" and cut.name == tall.name
     assert np.ptp(hydrostatics(cut).volumes) < 1e-9 and len(np.unique(cut.points.round(9), axis=0)) == len(cut.points)
-    with pytest.raises(ValueError, match="lies below z = 0, its lowest point is at 1 m; move it down to"):
+    with pytest.raises(ValueError, match="has no part below z = 0; its lowest point is at 1 m; move it down to"):
         tall.moved(dz=4.3).clipped()
 
 
@@ -161,7 +161,7 @@ def test_what_is_no_mesh_is_named():
     with pytest.raises(ValueError, match="symmetry is 'z'"):
         one((0, 0, 0), (1, 0, 0), (1, 1, 0), symmetry="z")
     PanelMesh(np.zeros((3, 3)), [[0, 1, 2, 2]])
-    with pytest.raises(ValueError, match="names point 3, the mesh has points 0 to 2"):
+    with pytest.raises(ValueError, match="names point 3, but the mesh has points 0 to 2"):
         PanelMesh(np.zeros((3, 3)), [[0, 1, 2, 3]])
     with pytest.raises(ValueError, match="the mesh has points 0 to 2"):
         PanelMesh(np.zeros((3, 3)), [[0, 1, 2, -1]])

@@ -73,8 +73,8 @@ def _steady_of_few(file):
     kept, runs = len(file["deflection"]), len(file["seed"])
     if kept < runs:
         yield (
-            f"steady strains come from the {kept} of {runs} runs with stored records; other runs may have larger "
-            f"strains; give simulation.keep_series = {runs}"
+            f"steady strains come from {kept} of {runs} runs, those with stored records; other runs may have "
+            f"larger strains; give simulation.keep_series = {runs}"
         )
 
 

@@ -83,8 +83,8 @@ def mode_remarks(scene, hulls):
             points = [_in_shape(scene, mode, i, hulls[i].whole().centroids) for i in mode.moves]
             error = 100 * shape.error(np.concatenate(points))
             yield (
-                f"{mode.name}: its shape on the hull is uncertain by {error:.2g} % of its largest displacement, "
-                "by which two splines differ"
+                f"{mode.name}: its shape on the hull is uncertain by {error:.2g} % of its largest "
+                "displacement, the difference of two splines"
             )
             if shape.dimensions < 3:
                 where = "in a plane" if shape.dimensions == 2 else "on a line"

@@ -26,8 +26,8 @@ def series(
     *,
     output: Annotated[Path, Parameter(help="folder, made if it is not there")] = Path("series"),
     only: Annotated[str | None, Parameter(help="cases a,b,c, or beginnings of their names: A, B-sinker, …")] = None,
-    seeds: Annotated[int | None, Parameter(help="records of waves, over which statistics are taken [1]")] = None,
-    hours: Annotated[float | None, Parameter(help="multi-point: of each run in time [3]")] = None,
+    seeds: Annotated[int | None, Parameter(help="number of wave records for the statistics [1]")] = None,
+    hours: Annotated[float | None, Parameter(help="multi-point: duration of each run, h [3]")] = None,
     quay: Annotated[
         float | None, Parameter(help="dolphin: distance from the hull to a quay behind, m", allow_leading_hyphen=True)
     ] = None,

@@ -157,7 +157,7 @@ def test_virtual_mass_by_memory_is_within_a_quarter_of_the_measured_bands(tmp_pa
         (lambda: energy.ship(100, 20, 8, mass=1e4), "block coefficient is 0.00061, of 10 t; allowed: 0.1 to 1"),
         (
             lambda: energy.virtual_masses(TANKER, 19.0),
-            "the depth is 19 m with a draft of 19.7 m; allowed: more than the draft",
+            "the depth is 19 m with a draft of 19.7 m; allowed: a depth above the draft",
         ),
         (lambda: energy.berthing_energy(TANKER, 0.0, 1.5, 0.5), "speed of the berthing is 0 m/s; allowed: above 0"),
         (lambda: energy.berthing_energy(TANKER, 0.1, 0.5, 0.5), "virtual mass is 0.5; allowed: at least 1"),

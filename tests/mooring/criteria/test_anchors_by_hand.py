@@ -76,7 +76,10 @@ def test_lines_have_the_anchor_that_names_them_or_the_one_for_all_others():
         ([{"kind": "drag", "holding_kN": 1.0, "lines": ["port"]}], "'port' is unknown; allowed lines: fore, aft"),
         ([{"kind": "drag", "holding_kN": 1.0, "lines": ["side"]}], "'side' is on no anchor"),
         (2 * [{"kind": "drag", "holding_kN": 1.0, "lines": ["aft"]}], "'aft' is in two tables; allowed lines: fore"),
-        (2 * [{"kind": "drag", "holding_kN": 1.0}], "have no lines; allowed: one table without lines, for all others"),
+        (
+            2 * [{"kind": "drag", "holding_kN": 1.0}],
+            "have no lines; only one table may leave out lines, and it is for all other lines",
+        ),
     ],
 )
 def test_anchors_that_cannot_be_are_told_with_what_is_allowed(tables, words):

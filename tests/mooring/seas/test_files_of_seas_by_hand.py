@@ -168,7 +168,7 @@ def test_a_direction_at_both_ends_of_a_turn_is_one():
     np.testing.assert_allclose(found.spectrum.values, plain.spectrum.values, rtol=1e-12)
     np.testing.assert_allclose(found.spreading.density(angle, 0.5), plain.spreading.density(angle, 0.5), rtol=1e-9)
     closed[1][:, -1] *= 1.5
-    with pytest.raises(ValueError, match="5 directions; allowed: at least 3, each once"):
+    with pytest.raises(ValueError, match="5 directions; allowed: at least 3, all different"):
         two_dimensional(omega, *closed, "sea")
 
 
@@ -183,7 +183,7 @@ def test_a_direction_at_both_ends_of_a_turn_is_one():
         (("CDIR\n     4", "CDIR\n     0"), "line 13 is '0'; expected: the number of directions"),
         (("FACTOR\n 0.5\n1 0 0 0\n 0 2 6 0\n0 0 0 3", "NODATA"), "has no data there (NODATA)"),
         ((" 0.3000", " 0.2000"), "goes from 1.25664 to 1.25664"),
-        ((" -90.0", " 180.0"), "4 directions; allowed: at least 3, each once"),
+        ((" -90.0", " 180.0"), "4 directions; allowed: at least 3, all different"),
     ],
 )
 def test_a_fault_of_a_swan_file_has_its_line(tmp_path, change, says):

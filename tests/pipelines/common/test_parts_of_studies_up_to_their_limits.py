@@ -264,7 +264,7 @@ def test_anchors_are_of_lines_that_end_at_one_each_in_one_table():
     refused("anchors[0].lines: 'C' is on no anchor; allowed lines: A, B", anchors, ["C"])
     refused("anchors[0].lines: 'D' is unknown; allowed lines: A, B", anchors, ["D"])
     refused("anchors[1].lines: 'D' is unknown; allowed lines: none is left", anchors, ["A", "B"], ["D"])
-    refused("anchors[0] and anchors[1] have no lines; allowed: one table without lines", anchors, [], [])
+    refused("anchors[0] and anchors[1] have no lines; only one table", anchors, [], [])
 
 
 def test_a_study_is_a_path_a_dictionary_or_itself():

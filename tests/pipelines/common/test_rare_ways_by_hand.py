@@ -433,7 +433,7 @@ def test_stations_lie_on_a_beam_with_both_its_ends(monkeypatch):
         assert says in str(refused.value)
     alone = Beams(monkeypatch, ())
     assert StationTable([1.0]).stations("s", alone)[0][0] == "x 1"
-    with pytest.raises(StudyError, match="allowed: left out, there is one"):
+    with pytest.raises(StudyError, match="allowed: no key body, since there is one body"):
         StationTable([1.0], "p").stations("s", alone)
     alone.modes = []
     with pytest.raises(StudyError, match="the body is not a beam"):
@@ -670,9 +670,8 @@ def test_how_well_a_shape_is_known_is_told_in_per_cent(dimensions, masses, known
     monkeypatch.setattr(modes, "modes_of", lambda scene, hulls: [mode])
     hull = SimpleNamespace(whole=lambda: SimpleNamespace(centroids=np.zeros((2, 3))))
     first, *said = modes.mode_remarks(SimpleNamespace(motions_known=known), [hull, hull])
-    assert (
-        first
-        == "m: its shape on the hull is uncertain by 1.2 % of its largest displacement, by which two splines differ"
+    assert first == (
+        "m: its shape on the hull is uncertain by 1.2 % of its largest displacement, the difference of two splines"
     )
     assert len(said) == len(told) and all(words in line for words, line in zip(told, said, strict=True))
 

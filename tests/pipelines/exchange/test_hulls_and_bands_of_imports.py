@@ -153,7 +153,7 @@ def test_what_lies_above_the_water_is_no_hull(above, left, capsys):
     assert len(made) == left and made.points[:, 2].max() == 0.0
     said = capsys.readouterr().err
     assert (f"a box: 1 panels up to {above:.3g} m above the water are left out" in said) == (left == 5)
-    with pytest.raises(ValueError, match="nothing of the hull lies below z = 0, its lowest point is at 1 m"):
+    with pytest.raises(ValueError, match="the hull has no part below z = 0; its lowest point is at 1 m"):
         importing.below_water(mesh.moved(dz=6.0))
 
 

@@ -90,7 +90,7 @@ def test_rotations_beyond_linear_theory_are_warned_of(folder, capsys):
         assert main(["response", "study.toml", "--database", "box.h5"]) == int(warned)  # water reaches the stern
         said = capsys.readouterr().out
         assert ("FAILS: air gap at stern" in said) == warned and (
-            "of amplitude, and linear theory is valid up to about 15°: this motion is not" in said
+            "; linear theory is valid up to about 15°, so this motion is not" in said
         ) == warned, said
 
 

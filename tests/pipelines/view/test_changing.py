@@ -60,7 +60,7 @@ def test_half_a_hull_is_mirrored_and_a_whole_one_folded(tmp_path, capsys):
         (["--mirror", "z"], "allowed: x, y, xy"),
         (["--scale", "-1"], "one factor above 0"),
         (["--move", "1,2"], "three distances"),
-        (["--move", "0,0,9", "--clip"], "nothing of the hull lies below"),
+        (["--move", "0,0,9", "--clip"], "the hull has no part below"),
     ):
         assert cli.main(["mesh", str(tmp_path / "whole.msh"), *words, "--output", str(tmp_path / "no.gdf")]) == 2
         assert said in capsys.readouterr().err and not (tmp_path / "no.gdf").exists()

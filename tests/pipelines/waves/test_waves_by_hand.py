@@ -82,7 +82,7 @@ def test_a_map_is_wider_than_the_body_and_up_to_a_thousand_times(small, capsys, 
     """Of 1.004 m, as panels make it"""
     status = main(["waves", str(small), "--omega", "0.8", "--width", f"{width}"])
     said = capsys.readouterr().err
-    assert ("m to a thousand times that" in said) is not good and (status == 2) is not good
+    assert ("m to a thousand times this width" in said) is not good and (status == 2) is not good
 
 
 def test_the_map_is_drawn_with_the_way_of_the_waves(small, tmp_path, asked, pictures):
