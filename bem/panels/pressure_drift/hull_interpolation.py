@@ -1,11 +1,12 @@
 """Potential and its gradient at quadrature points of a hull, interpolated from the nodes of panels in a row.
 
 Away from edges φ is the polynomial through the six nodes of a panel and its neighbours in each direction.  At a
-distance r from an edge φ = c₀ + c₁ r^μ + c₂ r^(2μ) + c₃ r^(3μ) …, and |∇φ|² is singular like r^(2μ−2): these powers are
-fitted to the nodes of two panels on the panel at the edge, of three on the one behind it, corrected for the known
-collocation error of the nodal values there (`edge_flow`).  Fewer panels in the row give fewer powers.
+distance r from an edge φ = c₀ + c₁ r^μ + c₂ r^(2μ) + c₃ r^(3μ) …, and |∇φ|² is singular like r^(2μ−2): on the panel
+at the edge these powers are fitted to the nodes of two panels, on the next panel to the nodes of three panels. The
+nodal values near the edge are corrected for their known collocation error (`edge_flow`).
+Fewer panels in the row give fewer powers.
 
-On the panel at the edge the points are at r ~ t³, t Gauss points, which makes the integrand smooth for μ = 2/3.
+On the panel at the edge the points are at r ~ t³, with t the Gauss points, so that the integrand is smooth for μ = 2/3.
 """
 
 from typing import NamedTuple
@@ -22,7 +23,7 @@ SLIVER = 0.3  # collocation error of the first node of panels that are thin rela
 
 
 class HullQuadrature(NamedTuple):
-    """n panels with q points each, φ interpolated from m of the nodes of `bem.panels.elements`."""
+    """n panels with q points each; φ is interpolated from m nodes of `bem.panels.elements`."""
 
     panels: np.ndarray  # (n,)
     points: np.ndarray  # (n, q, 3) m
@@ -97,7 +98,8 @@ def _quadrature(mesh, panels, both, rules, along=None):
 
 
 class LineRule(NamedTuple):
-    """One-dimensional rule across each of n panels: q points between −1 and 1, and the nodal basis functions there."""
+    """One-dimensional rule across each of n panels: q points between −1 and 1, and the nodal basis functions at these
+    points."""
 
     at: np.ndarray  # (n, q)
     weights: np.ndarray  # (n, q)
