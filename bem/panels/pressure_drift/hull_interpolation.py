@@ -1,14 +1,16 @@
 """Potential and its gradient at quadrature points of a hull, interpolated from the nodes of panels in a row.
 
 Away from edges φ is the polynomial through the six nodes of a panel and its neighbours in each direction.  At a
-distance r from an edge φ = c₀ + c₁ r^μ + c₂ r^(2μ) + c₃ r^(3μ) …, and |∇φ|² is singular like r^(2μ−2): these powers are
-fitted to the nodes of two panels on the panel at the edge, of three on the one behind it, corrected for the known
-collocation error of the nodal values there (`edge_flow`).  Fewer panels in the row give fewer powers.
-Twisted panels are solved as flat ones with gaps between, and errors of their nodal values alternate from node to node:
-in a row with one, half of the powers and one are fitted by least squares.  Interpolated, drift by pressure on a ship
-with V-shaped ends was 7 times the largest drift off, so it is 0.06 times.
+distance r from an edge φ = c₀ + c₁ r^μ + c₂ r^(2μ) + c₃ r^(3μ) …, and |∇φ|² is singular like r^(2μ−2): on the panel
+at the edge these powers are fitted to the nodes of two panels, on the next panel to the nodes of three panels. The
+nodal values near the edge are corrected for their known collocation error (`edge_flow`).
+Fewer panels in the row give fewer powers.
+Twisted panels are solved as flat ones with gaps between them, and the errors of their nodal values alternate from node
+to node: in a row with a twisted panel half of the powers, and one more, are fitted by least squares. With interpolation
+instead, the drift by pressure of a ship with V-shaped ends had an error of 7 times the largest drift; it has 0.06 times
+now.
 
-On the panel at the edge the points are at r ~ t³, t Gauss points, which makes the integrand smooth for μ = 2/3.
+On the panel at the edge the points are at r ~ t³, with t the Gauss points, so that the integrand is smooth for μ = 2/3.
 """
 
 from typing import NamedTuple
@@ -26,7 +28,7 @@ SLIVER = 0.3  # collocation error of the first node of panels that are thin rela
 
 
 class HullQuadrature(NamedTuple):
-    """n panels with q points each, φ interpolated from m of the nodes of `bem.panels.elements`."""
+    """n panels with q points each; φ is interpolated from m nodes of `bem.panels.elements`."""
 
     panels: np.ndarray  # (n,)
     points: np.ndarray  # (n, q, 3) m
@@ -125,7 +127,8 @@ def _quadrature(mesh, panels, both, rules, along=None):
 
 
 class LineRule(NamedTuple):
-    """One-dimensional rule across each of n panels: q points between −1 and 1, and the nodal basis functions there."""
+    """One-dimensional rule across each of n panels: q points between −1 and 1, and the nodal basis functions at these
+    points."""
 
     at: np.ndarray  # (n, q)
     weights: np.ndarray  # (n, q)
