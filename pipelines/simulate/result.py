@@ -93,7 +93,6 @@ def simulate(
     executor: str = "local",
     window: float | None = None,
     console: Console | None = None,
-    pictures: bool = False,
 ) -> Result:
     """Motions of a moored body in time, or of several bodies moored to each other, seed by seed.
 
@@ -102,7 +101,6 @@ def simulate(
     output : path of the file of all runs, continued where it stopped; None to keep no file
     seeds : number of seeds; duration : s of a run; both replace the study's; fresh : replace an existing file
     executor : as in the command; window : s, of the windows reported for the first record; console : for the progress
-    pictures : whether the caller draws some afterwards; matplotlib then loads during the runs
     returns : Result, in SI; records are in the file
     raises : ValueError, with a message of one line, before anything is written; KeyboardInterrupt, complete seeds
     are kept
@@ -113,8 +111,7 @@ def simulate(
                             executor=executor, window=window, console=console)  # fmt: skip
     workers = executor_of(executor)
     try:
-        outcome = fill(input_of(study), database_of(database), output, console, workers, seeds, duration, fresh, window,
-                       pictures)  # fmt: skip
+        outcome = fill(input_of(study), database_of(database), output, console, workers, seeds, duration, fresh, window)
     finally:
         workers.shutdown(wait=False, cancel_futures=True)
     if outcome.interrupted:
