@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .. import DOFS
+from ..algebra.cubic_spline import cubic_spline
 from ..database.file import DatabaseError
 from ..database.widening import read_group, write_group
 from .kinds import DIFFERENCE, SUM
@@ -193,6 +194,8 @@ class BetweenPairs:
 
 def _through(x, y, at):
     """Values at (q,) of a cubic spline through y (n, …), or of a polynomial through fewer than four; shape (q, …)"""
-    from scipy.interpolate import BarycentricInterpolator, CubicSpline
+    if len(x) > 3:
+        return cubic_spline(x, y)(at)
+    from scipy.interpolate import BarycentricInterpolator
 
-    return (CubicSpline if len(x) > 3 else BarycentricInterpolator)(x, y)(at)
+    return BarycentricInterpolator(x, y)(at)

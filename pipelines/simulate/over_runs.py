@@ -15,7 +15,7 @@ from ..common.units import KN
 from ..moor.study import make_study
 from ..printing.number import significant
 from .beside import differ as differ_by
-from .file import STATISTICS, told, whole_rows
+from .file import STATISTICS, ropes_of, told, whole_rows
 
 OF_LINES = "left out: inertia and drag"  # start of the finding of `mooring.motion.simulation.trial` on static lines
 MOVE = (
@@ -84,11 +84,6 @@ def most_loaded(file):
 def _way_out(file, otherwise):
     """MOVE where lines were static that could move, else what is given"""
     return MOVE if any(line.startswith(OF_LINES) for line in told(file)) else otherwise
-
-
-def ropes_of(file):
-    """Names of the ropes of a berth among the lines"""
-    return {rope["name"] for rope in tomllib.loads(file.attrs.get("study", "")).get("rope", ())}
 
 
 def anchors_in_runs(file):

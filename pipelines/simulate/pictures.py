@@ -1,5 +1,7 @@
 """Pictures of a simulation: records, spectra, watch circle, tension against offset, exceedance."""
 
+import gc
+from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
@@ -8,8 +10,7 @@ from hakobune.mooring.motion.statistics import FEW, frequencies_in, in_plane, se
 
 from ..common.picture import save
 from ..common.units import KN
-from .file import STATISTICS, bodies_of, units_of, whole_rows
-from .over_runs import ropes_of
+from .file import STATISTICS, bodies_of, opened, ropes_of, units_of, whole_rows
 
 SHOWN = 600.0  # s of a record
 MOTIONS = (("surge", 1.0, "m"), ("sway", 1.0, "m"), ("heave", 1.0, "m"), ("roll", 180 / np.pi, "°"),
@@ -21,6 +22,20 @@ FINE, BEYOND = 0.15, 10.0  # a value's width and the end of spectra, at most, ov
 LAST = 2.0  # rad/s, end of spectra, or that of shorter waves
 PLANE = (0, 1, 5)  # motions without hydrostatic restoring
 MOST_POINTS = 20_000
+
+
+def prepare():
+    """Load matplotlib, for a process that will draw and has time before"""
+    import matplotlib.backends.backend_agg
+    import matplotlib.figure  # noqa: F401
+
+    gc.freeze()  # what is loaded stays: to search it for cycles took a fifth of the time of the pictures
+
+
+def draw_run(output):
+    """`draw` of the file at a path"""
+    with opened(output) as file:
+        return draw(file, Path(output))
 
 
 def draw(file, output):

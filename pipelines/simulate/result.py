@@ -93,7 +93,6 @@ def simulate(
     executor: str = "local",
     window: float | None = None,
     console: Console | None = None,
-    pictures: bool = False,
 ) -> Result:
     """Motions in time of a moored body, or of several bodies that are moored together, seed by seed.
 
@@ -104,7 +103,6 @@ def simulate(
     fresh : whether to replace an existing file
     executor : executor as in the command; window : length of the windows reported for the first record, s
     console : console for the progress
-    pictures : whether the caller draws pictures afterwards; matplotlib is then loaded during the runs
     returns : Result, in SI; records are in the file
     raises : ValueError, with a message of one line, before anything is written; KeyboardInterrupt, complete seeds
     are kept
@@ -115,8 +113,7 @@ def simulate(
                             executor=executor, window=window, console=console)  # fmt: skip
     workers = executor_of(executor)
     try:
-        outcome = fill(input_of(study), database_of(database), output, console, workers, seeds, duration, fresh, window,
-                       pictures)  # fmt: skip
+        outcome = fill(input_of(study), database_of(database), output, console, workers, seeds, duration, fresh, window)
     finally:
         workers.shutdown(wait=False, cancel_futures=True)
     if outcome.interrupted:

@@ -21,7 +21,6 @@ from hakobune.mooring.motion.statistics import over_runs
 from ..common.bounds import LongWaves
 from ..common.interrupt import ctrl_c
 from ..common.outputs import DATABASE, check_output
-from ..common.picture import loaded_meanwhile
 from ..common.progress import duration as words_of
 from ..common.typed import differing
 from ..executors.choice import Here, in_order_until
@@ -91,13 +90,12 @@ class Outcome:
     interrupted: bool
 
 
-def simulate(asked, database, output, console, executor, seeds=None, duration=None, fresh=False, windows=None,
-             pictures=False):  # fmt: skip
+def simulate(asked, database, output, console, executor, seeds=None, duration=None, fresh=False, windows=None):
     """Complete the file of a simulation; returns its Outcome.
 
     asked : Input of the study; database : open; console : for the progress, None for none
     seeds : number of seeds instead of the study's; duration : s, instead of the study's; fresh : replace existing runs
-    windows : s, length of windows of a record, which must then be stored; pictures : whether some are drawn afterwards
+    windows : s, length of windows of a record, which must then be stored
     raises : ValueError, with a message of one line, before anything is written
     """
     output, db, folder, (study, text) = Path(output), database, asked.folder, asked[:2]
@@ -131,7 +129,7 @@ def simulate(asked, database, output, console, executor, seeds=None, duration=No
         header = _header(task, text, db, body, identity, ready, beside, kept)
         _make_room(output, header, plan, fresh)
     with opened(output, "r+") as file:
-        outcome = _fill(file, task, plan, console, executor, pictures)
+        outcome = _fill(file, task, plan, console, executor)
         if outcome.made or (outcome.there and not summary_is_whole(file)):
             put_summary(file, summary(file))
     return outcome
@@ -320,12 +318,12 @@ def _make_room(output, header, plan, fresh):
             create(output, header, [*there, *more], max(plan.keep_series, len(old["kept_seed"])), old)
 
 
-def _fill(file, task, plan, console, executor, pictures):
+def _fill(file, task, plan, console, executor):
     whole = whole_rows(file)
     asked = np.isin(file["seed"][()], plan.seeds)
     rows = [int(row) for row in np.flatnonzero(asked & ~whole)]
     failures, made = [], 0
-    with ctrl_c() as stop, loaded_meanwhile(pictures and rows):
+    with ctrl_c() as stop:
         progress = _Progress(console, len(rows), plan, stop)
         try:
             for place, result in in_order_until(stop, executor, _calls(executor, task, file, rows, progress)):
