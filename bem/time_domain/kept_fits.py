@@ -1,7 +1,8 @@
-"""Fits of the memory, and other arrays, from earlier runs, kept with the compiled kernels.
+"""Fits of the memory and other arrays, kept from earlier runs in the folder of the compiled kernels.
 
-A fit takes seconds, and every study of a database needs the same fit.  It depends on arrays alone. A digest of the
-arrays, of the source files and of the versions of numpy and scipy names its file, so any change leads to a new fit.
+A fit takes seconds, and every study of a database needs the same fit.  The fit depends on arrays alone. The name of
+its file is a digest of these arrays, of the source files and of the versions of numpy and scipy, so that a change of
+any of them leads to a new fit.
 """
 
 import hashlib
@@ -32,7 +33,8 @@ class NoFit(Exception):
 def kept_fit(source, make, *arrays):
     """`Passive` from make(), or from an earlier call with the same arrays; source : the file of its code
 
-    raises : NoFit, of make() now or earlier: a search in vain takes as long as a fit
+    raises : NoFit if make() raises it or has raised it earlier; this is also kept, because a search in vain takes as
+        long as a fit
     """
     file = _file(source, arrays)
     found = _read(file)

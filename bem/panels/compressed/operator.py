@@ -380,7 +380,7 @@ class CompressedEquations:
 
     @property
     def bytes(self):
-        """of the blocks"""
+        """Memory of the blocks, bytes"""
         return (
             sum(a.nbytes for *_, a in self.near)
             + sum(a.nbytes for *_, a in self.far.sources)
