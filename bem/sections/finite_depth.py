@@ -14,7 +14,7 @@ the velocity 1 or y of the bottom at the keel, no velocity at the bed, and at y 
 
 μₘ = (m − ½)π/b, aₘ = 2 (−1)^(m+1) coth(μₘs) / bμₘ³, m = 1 …  By Green's theorem ⟨ψ(b, ζ), u⟩ is then half of the
 integral ∫ φ dy or ∫ yφ dy over the bottom for the flow of u under a fixed keel, and no term of roll grows with the
-gap.  (The ψ (yζ² − y³/3) / 2s, whose outflow is up to s/2, conserved energy only to 1e-12 in water thirty drafts
+gap.  (With ψ = (yζ² − y³/3) / 2s, whose outflow is up to s/2, energy was conserved to 1e-12 in water thirty drafts
 deep.)
 
 In oblique waves all quantities vary as exp(iκx) along the body, κ = k sinθ. In R, T and f √(kₙ² + κ²) and √(l_q² +
