@@ -32,7 +32,7 @@ def drift_of_two(H, slope, ahead, ahead_slope, theta, beta, k, n, density, gravi
 
     In waves of amplitudes a_i the mean drift is Re Σ Σ a_i conj(a_j) D_ij.
 
-    ahead, ahead_slope : H and H′ of each wave in the direction of every wave, (headings, headings)
+    ahead, ahead_slope : H and H′ of each wave in the direction of every wave, (headings, headings).
     The other arguments are those of `mean_drift`, which gives D_ii.  The far field of a pair contains the
     interference of each incident wave with the scattered wave of the other:
 

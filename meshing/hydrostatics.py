@@ -83,7 +83,7 @@ def hydrostatics(
     density : kg/m³; gravity : m/s²; mass : kg; None: the displaced mass
     depth : depth of water, m; the bed closes a hull whose walls end on it, as if the hull floated there
     returns : Hydrostatics
-    Raises ValueError for a hull with inward normals or a hole, which has no volume.
+    raises : ValueError for a hull with inward normals or a hole, which has no volume
     """
     density, gravity = _positive("density", density), _positive("gravity", gravity)
     com, origin = _vector("center_of_mass", center_of_mass), _vector("rotation_center", rotation_center)

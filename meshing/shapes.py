@@ -32,7 +32,7 @@ def box(length, beam, draft, *, panels=500, symmetry="xy", counts=None, grading=
     grading : False for equal panels; longest : greatest length of an edge, m; to keep it, `panels` may be exceeded
     bottom : whether the box has a bottom; False for a caisson that stands on the sea bed
     returns : PanelMesh; volume and areas are exact
-    Raises ValueError for dimensions that are not positive and for too few panels.
+    raises : ValueError for dimensions that are not positive and for too few panels
     """
     _check_dimensions(length=length, beam=beam, draft=draft)
     n_length, n_beam, n_draft = _counts(counts) if counts else box_counts(length, beam, draft, panels, bottom, longest)

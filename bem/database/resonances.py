@@ -80,7 +80,7 @@ def _resonances(body):
 def about(body, found, beside=()):
     """Frequencies that show the shape of each peak of `found`, within the stored frequencies, rad/s; shape (q,)
 
-    beside : frequencies that are known already, rad/s, (p,)
+    beside : frequencies that are known already, rad/s, (p,).
     Roll and pitch of a round body resonate at one frequency except for rounding. A frequency too near to an earlier
     one, or to a frequency of `beside`, is left out, so that splines can pass through the remaining frequencies.
     """
@@ -137,7 +137,7 @@ def by_motion(energies):
 def zeros(functions, low, f, high, g):
     """Zeros ω of m nearly straight functions that have the values f at low (m,) and g at high (m,); shape (m,)
 
-    functions : (m,) → (m,)
+    functions : (m,) → (m,).
     The method is a secant within a bracket: if an end of the bracket stays for a second step, its value is halved
     (Illinois; Dowell and Jarratt, BIT 11, 1971). Three steps square the error.
     """

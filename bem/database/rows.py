@@ -57,7 +57,7 @@ def create(path, header, omega, wave_direction, names):
     """Make the file of a scene with every number still NaN; an existing file of that name is replaced.
 
     omega : (n,) rad/s; wave_direction : (m,) rad; names : keys of `schema.QUANTITIES`
-    Raises DatabaseError if the path cannot be written.
+    raises : DatabaseError if the path cannot be written
     """
     omega, wave_direction = np.unique(np.asarray(omega, float)), np.unique(np.asarray(wave_direction, float))
     with beside(path, LATER) as file:

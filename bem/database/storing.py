@@ -46,7 +46,7 @@ class Storing:
 
         omega : rad/s; headings : (m,) rad, the order of the heading axis in `result`
         result : dictionary from `solve_frequency`: {name: array}, with "checks", "estimated_error" and "wall_time"
-        Raises DatabaseError, and adds nothing, if a value has the wrong shape or is not finite.
+        raises : DatabaseError, and adds nothing, if a value has the wrong shape or is not finite
         """
         (i,) = places_on(self.axes, [omega], "omega")
         key = tuple(headings)

@@ -44,7 +44,7 @@ def on_hull(values, mesh, weight=Weight()):  # noqa: B008 - a frozen value
     """Values whose body has the geometry of a hull (PanelMesh in its water), and messages on the changes.
 
     weight : `Weight` that replaces the values of the file
-    Raises FormatError if file and hull contradict each other.
+    raises : FormatError if file and hull contradict each other
     """
     body, remarks = dict(values.body), []
     if weight.center is not None:

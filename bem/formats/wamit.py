@@ -121,7 +121,7 @@ def read(place, known):
 
     known : {"density", "gravity"}; optional are "water_depth" m, "length_unit" m, "rotation_center" (3,) m and "body",
         the number of the body from 1
-    Raises FormatError.
+    raises : FormatError
     """
     place = Path(place)
     whole = place.suffix.lower() == ".out"

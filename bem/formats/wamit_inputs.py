@@ -91,7 +91,7 @@ def inputs_of(place, known):
 
     known : {"length_unit": m, "rotation_center": (3,) m, "period_kind", "water_depth": m, "gravity": m/s², "body"},
         with None or no entry for values not given
-    Raises FormatError.
+    raises : FormatError
     """
     place, known = Path(place), {name: value for name, value in known.items() if value is not None}
     pot, cfg = (beside(place, suffix) for suffix in (".pot", ".cfg"))

@@ -48,7 +48,7 @@ def wave_table(omega, depth, gravity, reach, draft, accuracy=1e-5):
     """Table of frequency `omega` rad/s for horizontal distances up to `reach` and points down to `draft` (m).
 
     accuracy : largest error, 1e-8 … 1e-3, of G relative to the larger of |G| and 1/r, and of ∇G relative to the
-        larger of |∇G| and 1/r²; G includes 1/r and the images
+        larger of |∇G| and 1/r²; G includes 1/r and the images.
     Beyond `reach`, G is NaN if `reach` is less than about ten depths.
     raises : ValueError for an accuracy outside this range
     """
@@ -132,7 +132,7 @@ def _wave_piece(k, depth, draft, accuracy):
 def _zone(start, end, half, draft, values):
     """Row of `Table.zones` and pieces of g₁ and g₂ for start < R < end, of half-width at most `half` m.
 
-    values : function (R, Y, V) → g₁ (R, Y), g₂ (R, V)
+    values : function (R, Y, V) → g₁ (R, Y), g₂ (R, V).
     The row holds start, columns per metre, rows of g₁ and of g₂ per metre, number of the first piece of each (filled
     in by `_table`), number of the last column, of the last rows of g₁ and of g₂.
     """

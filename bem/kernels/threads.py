@@ -41,7 +41,7 @@ def parallel_rows(work, rows, pairs):
     work : a kernel call that writes only to the rows of its range, so that results do not depend on the number of
         threads
     pairs : number of pairs of points and sources in all rows together
-    raises : the exception of the first range that fails; ranges that have not begun are then omitted
+    raises : the exception of the first range that fails; ranges that have not begun are then omitted.
     A call of `parallel_rows` within `work` uses only the thread of its range.
     """
     threads = min(thread_count(), rows)

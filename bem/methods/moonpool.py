@@ -38,7 +38,7 @@ def piston(mesh, corners, depth, headings, near, gravity=9.80665):
 
     mesh : PanelMesh of the hull; near : resonance frequency by a formula, rad/s; headings : headings of waves, rad,
         (m,)
-    Raises ValueError for a moonpool that is not convex.
+    raises : ValueError for a moonpool that is not convex
     """
     lids = (DampingLid(corners, 0.0),)
     whole = with_symmetry(mesh, mirrored_in([corners], mesh.symmetry))

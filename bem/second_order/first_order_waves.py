@@ -95,7 +95,7 @@ class PanelWaves(FirstOrderWaves):
     around
 
     omega : frequencies of the waves, rad/s, (n,)
-    of_force : frequencies of the force, at which the body radiates, rising, rad/s, (d,)
+    of_force : frequencies of the force, at which the body radiates, rising, rad/s, (d,).
     A frequency that is in `omega` and in `of_force` needs a single run.
     """
 

@@ -325,7 +325,7 @@ def _of_both(values, shape):
 def resolution_errors(forces, coarser):
     """Estimated errors of forces by the contour method; shape (d, n, m, m, 6)
 
-    coarser : whole force at ten times the tolerance, (d, n, m, m, 6)
+    coarser : whole force at ten times the tolerance, (d, n, m, m, 6).
     The estimate is the difference between the two forces, root mean square over a pair and its neighbours, which
     exceeds the error of the finer result.
     """

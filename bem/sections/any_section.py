@@ -40,7 +40,7 @@ def any_section(wetted, depth, omega, *, density=1025.0, gravity=9.80665, tolera
     """`Section` of a `Wetted` outline at one frequency.
 
     depth : m, finite; omega : rad/s; tolerance : relative error
-    Raises ValueError if the tolerance cannot be reached.
+    raises : ValueError if the tolerance cannot be reached
     """
     flow = section_flow(wetted, depth, omega, gravity, tolerance)
     n = float(group_factor(flow.k, depth))

@@ -71,7 +71,7 @@ def section(beam, draft, depth, omega, *, density=1025.0, gravity=9.80665, toler
     beam, draft : m; depth : m, may be inf; omega : rad/s
     obliquity : θ of waves and motions that vary as exp(ikx sinθ) along the body, rad; for finite depth only
     tolerance : relative error; the error of sway–roll coupling is relative to √(sway · roll)
-    Raises ValueError if the tolerance cannot be reached.
+    raises : ValueError if the tolerance cannot be reached
     """
     flow = section_flow(beam, draft, depth, omega, gravity=gravity, tolerance=tolerance, obliquity=obliquity)
     impedance = radiation(flow, density)

@@ -59,7 +59,7 @@ class Strips:
         """`FirstOrder` at ω rad/s for waves towards `headings` (m,) rad; no Kochin functions.
 
         dofs : needed degrees of freedom; results of other degrees of freedom are zero
-        Raises ValueError if a section cannot be solved.
+        raises : ValueError if a section cannot be solved
         """
         headings = np.atleast_1d(np.asarray(headings, float))
         impedance, scattered = np.zeros((6, 6), complex), np.zeros((len(headings), 6), complex)

@@ -33,7 +33,7 @@ def fewest_states(omega, wanted, size, group, tolerance, answered, words):
 
     omega : rad/s, (q,); wanted : transform to fit, (q, m, m); size : scale of each motion, (m,)
     group : indices of the coupled motions; answered : `sensitivity` of the motions, (q, m); words : names of all
-        motions
+        motions.
     The fit is computed, or kept from an earlier call.  Raises FitError.
     """
     arrays = omega, wanted, size, tolerance, answered

@@ -67,7 +67,7 @@ def beside_incident(reader, omega, headings, motions, places):
     """Waves that a `Reader`'s body adds at places, complex, m per m, (q, p, n), and the largest share missed in any
     wave.
 
-    omega : rad/s, (q,); headings : rad, (p,); motions : (q, p, 6); places : m, (n, 2), see `at_waterline`
+    omega : rad/s, (q,); headings : rad, (p,); motions : (q, p, 6); places : m, (n, 2), see `at_waterline`.
     The share missed is the part of the far field that the sources do not reproduce.  Raises the errors of
     `waves_around`.
     """

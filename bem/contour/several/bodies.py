@@ -40,7 +40,7 @@ def prepare_several(shapes, places, depth, tolerance=1e-3):
 
     shapes : [("box", (length, beam, draft)) or ("buoy", (radius, draft))], m
     places : [`exterior.Place`] of the middle of each body; depth : m, finite
-    Raises ValueError for the reasons of `solver.prepare_box`, for bodies that touch, and for gaps below `NARROWEST`.
+    raises : ValueError for the reasons of `solver.prepare_box`, for bodies that touch, and for gaps below `NARROWEST`
     """
     makers = {"box": prepare_box, "buoy": prepare_cylinder}
     bodies = [makers[shape](*sizes, depth, tolerance) for shape, sizes in shapes]
