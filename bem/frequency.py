@@ -32,7 +32,7 @@ def solve_frequency(prepared, omega, headings, want, theta=None, dofs=None):
 
     prepared : prepared problem from `bem.methods.panel_problem.prepare`
     omega : frequency, rad/s; headings : directions that the waves travel to, rad, (m,); want : names of datasets
-    theta : equally spaced angles of the Kochin functions, rad, (t,); dofs : names of the needed motions; None: all
+    theta : equally spaced angles of the Kochin functions, rad, (t,); dofs : names of the needed motions; if None, all
     returns : arrays over the forces and motions of the problem (NaN where not in `dofs`), "checks", "wall_time" (s)
         and, if the method estimates errors, "estimated_error" of names in `schema.ESTIMATES`
     """
@@ -101,7 +101,7 @@ class FrequencyRun:
 
     @property
     def radiated(self):
-        """B/ω from the far field, with B = 2ρgC_g/(πkω²) ∫ Hᵢ H̄ⱼ dθ; shape (6, 6); None if it is not computed"""
+        """B/ω from the far field, with B = 2ρgC_g/(πkω²) ∫ Hᵢ H̄ⱼ dθ; shape (6, 6), or None if it is not computed"""
         if not self.far_field:
             return None
         H = self.kochin[0][0][:, : len(self.theta)]

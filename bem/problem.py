@@ -18,7 +18,7 @@ class Problem:
         one body
     modes : `bem.modes.Mode` of each shape beyond the rigid motions
     inertia_matrix, hydrostatic_stiffness : matrices about `rotation_center`, (6, 6), for several bodies or with
-        shapes (n, moving); None if motions are not computed. The stiffness includes that of the structure
+        shapes (n, moving), or None if motions are not computed. The stiffness includes that of the structure
     structural_damping : (n, moving), or None
     viscous : `bem.viscous.Viscous` or None
     tolerance : requested relative error

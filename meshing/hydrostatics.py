@@ -80,7 +80,7 @@ def hydrostatics(
 
     mesh : PanelMesh, up to z = 0
     center_of_mass, rotation_center : (3,) m
-    density : kg/m³; gravity : m/s²; mass : kg; None: the displaced mass
+    density : kg/m³; gravity : m/s²; mass : kg; if None, the displaced mass
     depth : depth of water, m; the bed closes a hull whose walls end on it, as if the hull floated there
     returns : Hydrostatics
     raises : ValueError for a hull with inward normals or a hole, which has no volume

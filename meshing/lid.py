@@ -25,7 +25,7 @@ def lid(mesh, size=None):
     """Panels of the inner free surface of a hull, normals up, with the mirror planes of the hull.
 
     mesh : PanelMesh
-    size : wanted edge length of panels, m; None: a third as many panels as the hull has
+    size : wanted edge length of panels, m; if None, a third as many panels as the hull has
     returns : PanelMesh in z = 0, or None if nothing of the hull reaches the water surface
 
     Every closed waterline that runs counter-clockwise receives a lid. A clockwise waterline bounds a moonpool, whose

@@ -151,7 +151,7 @@ class PanelMesh:
 
     @cached_property
     def foot(self):
-        """PanelMesh that closes walls without a bottom at their foot, normals down; None for a hull with a bottom
+        """PanelMesh that closes walls without a bottom at their foot, normals down, or None for a hull with a bottom
 
         The foot consists of the edges that belong to one panel at the lowest level of the mesh.  The triangles
         between each edge and one common point have the same sum of signed areas as the true bottom, but may overlap:

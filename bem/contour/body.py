@@ -110,7 +110,7 @@ class ContourBody:
 
     @cached_property
     def sharper(self):
-        """The same body for a tenth of the tolerance; None at the smallest tolerance"""
+        """The same body for a tenth of the tolerance, or None at the smallest tolerance"""
         digits = self.accuracy.digits + DIGIT
         if digits > MARGIN - np.log10(TOLERANCES[0]) + 1e-9:
             return None
@@ -211,7 +211,7 @@ class ContourBody:
 
     @memoised
     def unit(self, cls, degree):
-        """Coefficients of the constant function 1; shape (n,); None if the class has no net flux"""
+        """Coefficients of the constant function 1; shape (n,), or None if the class has no net flux"""
         if cls != (1, 1):
             return None
         contour = self.plan.polynomial_contour(degree)

@@ -46,7 +46,8 @@ class Between:
     outlines : points of each of several moving bodies in plan, m; empty for one body
     shapes : for each motion beyond the rigid ones, the number of its body among the moving bodies
     limits : stored limits of added mass, {"added_mass_zero", "added_mass_infinity": (6, 6)}
-    wall : y of a wall along x, m; None without a wall. Beside a wall, waves also meet the image of the hull in the wall
+    wall : y of a wall along x, m, or None without a wall. Beside a wall, waves also meet the image of the hull in the
+        wall
     """
 
     omega: np.ndarray

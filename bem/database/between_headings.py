@@ -56,7 +56,8 @@ class Ring:
     force, drift : signs of the modes in the image, (M, 6) and (M, 3)
     theta : indices of the angles at which the stored Kochin function is that of the image, (M, t)
     images : index of the image of each θ, {plane: (t,)}; angles : angles θ of the Kochin functions, rad, (t,)
-    is_round : whether a turn of the body gives all values at any heading; wall : y of the wall, m; None without a wall
+    is_round : whether a turn of the body gives all values at any heading; wall : y of the wall, m, or None without a
+        wall
     from_others : whether values at any heading follow from rings of other quantities; gaps of any width are then
         allowed
     """

@@ -193,7 +193,7 @@ def checks_crc(checks, wall_time):
 def check_cells(file, name, values=None, rows=None):
     """Raise DatabaseError, naming the first frequencies, if stored cells of a quantity are damaged.
 
-    rows : (n,) bool, the frequencies that are checked; None for all
+    rows : (n,) bool, the frequencies that are checked, or None for all
     """
     damaged = damaged_cells(file, name, values)
     if damaged.ndim and rows is not None:

@@ -46,7 +46,7 @@ def natural_periods(body, coupled=True) -> NaturalPeriods:
 
     body : `bem.database.reader.Reader`, `restrained` by its mooring. Outside the stored frequencies its added mass
         keeps the value at their end, and `inside` is False
-    coupled : whether the motions are coupled; False: each motion alone
+    coupled : whether the motions are coupled; if False, each motion alone
     raises : ValueError where inertia, stiffness or added mass are not stored
     """
     if body.inertia is None or body.stiffness is None:

@@ -164,7 +164,7 @@ class Reader:
 
     @cached_property
     def free(self):
-        """Motions, in columns, that the links permit; shape (n, m); None without links"""
+        """Motions, in columns, that the links permit; shape (n, m), or None without links"""
         return free_of(self._held) if self.links else None
 
     @cached_property
@@ -281,7 +281,7 @@ class Reader:
     def motions(self, omega, headings=None):
         """Motions about rotation_center per unit wave amplitude, m/m and rad/m; shape (q, p, n), complex.
 
-        omega : frequencies, rad/s, (q,); headings : directions that waves travel to, rad, (p,); None for the stored
+        omega : frequencies, rad/s, (q,); headings : directions that waves travel to, rad, (p,), or None for the stored
             ones
         raises : BetweenError outside the stored frequencies and headings, and for a body without inertia
         """
@@ -322,7 +322,7 @@ class Reader:
         return motions[..., self.columns_of(body)]
 
     def columns_of(self, body):
-        """Slice of the motions of one of several bodies among all; None for a fixed body"""
+        """Slice of the motions of one of several bodies among all, or None for a fixed body"""
         if body.fixed:
             return None
         first = 6 * [one.name for one in self.bodies if not one.fixed].index(body.name)
@@ -402,7 +402,7 @@ class Reader:
         return -(w**2) * (self.inertia + A) - 1j * w * (B + self.damping) + self.stiffness
 
     def where_stored(self, omega, headings, name):
-        """`Stored` numbers of motions or drift in these waves; None if nothing is stored"""
+        """`Stored` numbers of motions or drift in these waves, or None if nothing is stored"""
         place = self.between.stored(omega)
         if name not in self.between.quantities or not (self.own or name == DRIFT[0]) or not np.any(place >= 0):
             return None

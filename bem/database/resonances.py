@@ -183,7 +183,7 @@ def _modes(body, omega):
 
 
 def free_modes(free, inertia, stiffness):
-    """`natural_modes` of the motions permitted by links, columns of `free` (n, m); None for all motions
+    """`natural_modes` of the motions permitted by links, columns of `free` (n, m), or None for all motions
 
     The vectors (…, n, m) contain all motions.
     """

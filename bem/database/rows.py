@@ -83,7 +83,7 @@ def estimate_of(name):
 
 
 def row_values(file, omega, headings, names):
-    """Stored values of one frequency, {name: array in the shape that `append` needs}; None if one of the values is
+    """Stored values of one frequency, {name: array in the shape that `append` needs}, or None if one of the values is
     missing"""
     (i,) = places_on(file, [omega], "omega")
     columns, found = places_on(file, headings, "wave_direction"), {}

@@ -26,9 +26,9 @@ NEEDED = ("added_mass", "radiation_damping", "excitation_force")
 
 
 class Weight(NamedTuple):
-    """mass : mass, kg; None: the displaced mass
-    center : centre of mass, m, (3,); None: the centre in the file, or 0 if the file has none
-    gyration : radii of gyration, m, (3,); None if not given
+    """mass : mass, kg; if None, the displaced mass
+    center : centre of mass, m, (3,); if None, the centre in the file, or 0 if the file has none
+    gyration : radii of gyration, m, (3,), or None if not given
     """
 
     mass: float | None = None

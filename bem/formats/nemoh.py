@@ -194,7 +194,7 @@ def coupled(place, known, count):
 
 
 def hull_of(place, known=None):
-    """The file of the hull named in Nemoh.cal; None if it is missing.  Raises FormatError."""
+    """The file of the hull named in Nemoh.cal, or None if it is missing.  Raises FormatError."""
     place = Path(place)
     cal = _cal_of(_inside(place, "Nemoh.cal"))
     mesh = cal.bodies[body_of(place, len(cal.bodies), known)].mesh

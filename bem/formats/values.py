@@ -48,7 +48,7 @@ class Values:
     left_out: tuple = ()
 
     def get(self, name):
-        """A quantity or a value of the body; None if missing"""
+        """A quantity or a value of the body, or None if missing"""
         return self.quantities.get(name, self.body.get(name))
 
     def need(self, *names):
@@ -146,7 +146,7 @@ def _of_one(values, number):
 def values_of(db, several=False):
     """The Values of an opened database.  Raises DatabaseError if nothing is solved yet.
 
-    several : whether a database of several bodies is allowed; False: DatabaseError
+    several : whether a database of several bodies is allowed; if False, DatabaseError
     """
     db.require_rigid()
     if not several:

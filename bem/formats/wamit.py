@@ -52,7 +52,7 @@ def write(values, place, names=None):
 
     place : path NAME, with or without a suffix
 
-    names : {suffix: file name} of the files to write; None: all files, with the name NAME
+    names : {suffix: file name} of the files to write; if None, all files, with the name NAME
     """
     A, B = values.need("added_mass", "radiation_damping")
     place, rho, rho_g = Path(place), values.density, values.density * values.gravity
@@ -185,7 +185,7 @@ def coupled(place, known, count):
 
 
 def hull_of(place, known=None):
-    """The .gdf of a body beside NAME.1 or NAME.out; None if missing"""
+    """The .gdf of a body beside NAME.1 or NAME.out, or None if missing"""
     place = Path(place)
     given = inputs_of(place, {name: known.get(name) for name in ("body",)} if known else {})
     if given.hull:

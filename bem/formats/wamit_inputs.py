@@ -218,7 +218,7 @@ def _kind_listed(place, given):
 
 
 def beside(place, suffix):
-    """The file with the name of `place` and another suffix, in any case of letters; None if there is no such file"""
+    """The file with the name of `place` and another suffix, in any case of letters, or None if there is no such file"""
     found = (place.with_suffix(one) for one in (suffix, suffix.upper()))
     return next((path for path in found if path.is_file()), None)
 

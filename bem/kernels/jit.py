@@ -94,7 +94,7 @@ def kernel(inline=False, counted=True):
 
     Kernels of `bem` write to given arrays, because an allocation or a direct array assignment takes a second to
     compile, due to its error message.  Kernels start no threads; `bem.kernels.threads.parallel_rows` starts them.
-    inline : whether the kernel is always inlined into its callers; False: the compiler decides
+    inline : whether the kernel is always inlined into its callers; if False, the compiler decides
     counted : whether references to arrays are counted, which is necessary if the kernel makes or returns an array.
         For two bodies moored to each other, counting took two thirds of the time where loops make slices of arrays
     """

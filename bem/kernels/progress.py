@@ -16,7 +16,7 @@ _callback = ContextVar("progress callback", default=None)
 
 @contextmanager
 def progress_callback(callback):
-    """Context in which callback(stage, count) is called when `count` more items of a stage are done; None: no
+    """Context in which callback(stage, count) is called when `count` more items of a stage are done; if None, no
     callback"""
     token = _callback.set(callback)
     try:

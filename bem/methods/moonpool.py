@@ -33,7 +33,7 @@ class Piston(NamedTuple):
 
 
 def piston(mesh, corners, depth, headings, near, gravity=9.80665):
-    """`Piston` of the moonpool with `corners` (k, 2) in a held hull; None for too many panels, or if the rise has no
+    """`Piston` of the moonpool with `corners` (k, 2) in a held hull, or None for too many panels, or if the rise has no
     peak.
 
     mesh : PanelMesh of the hull; near : resonance frequency by a formula, rad/s; headings : headings of waves, rad,

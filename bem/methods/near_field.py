@@ -28,7 +28,7 @@ def near_field_drift(run, moving):
     run : the quantities of one frequency of a mesh with four nodes per panel (`bem.panels.one_frequency.PanelRun`)
         or of the contour method (`bem.methods.shape_run.ShapeRun`); a run of the contour method must include the
         drift by the far field
-    moving : whether the body floats freely; False: the body is fixed
+    moving : whether the body floats freely; if False, the body is fixed
     raises : ValueError for a method without pressures on the hull, or a run without the needed quantities
     """
     force = _method(run, moving).pressure_drift(run, _motions(run, moving))

@@ -145,7 +145,8 @@ def solved_by_harmonics(geometry, S, D, K, velocities, all_harmonics=True):
     """Return ({class: potentials (columns, hull nodes)}, largest residual relative to its right-hand side).
 
     S, D : `sector_rows`; K : ω²/g in 1/m; velocities : {class: (columns, hull nodes)}, m/s
-    all_harmonics : whether all harmonics are solved; False: only those that exert a force, the harmonics of the motions
+    all_harmonics : whether all harmonics are solved; if False, only those that exert a force, the harmonics of the
+        motions
     raises : LinAlgError if the equations of a harmonic are singular
     """
     from scipy.linalg import solve

@@ -22,7 +22,7 @@ class FirstOrderWaves:
     """Base class of panels and the contour method; a subclass sets `prepared`, `surfaces` and `around`.
 
     headings : rad, (m,); lines : stiffness in addition to that of the water, (6, 6), or None
-    surfaces : `hull_flow.HullSurfaces`; around : `surface_waves.SurfaceWaves` or an object with its methods; None if
+    surfaces : `hull_flow.HullSurfaces`; around : `surface_waves.SurfaceWaves` or an object with its methods, or None if
         the forcing of the surface is not wanted
     swayed : motions from another resolution about the rotation centre, (n, m, 6), for which the squares are also
         computed

@@ -44,7 +44,7 @@ class QuadraticForces:
     squares, bound_wave, body, surface : parts of T at Ω and ω, complex, (d, n, m, m, 6); NaN where ω' does not exist,
         or, for sums, where ω' < ω; surface is None if not computed
     added : drift by far field minus drift by pressure at equal frequencies in surge, sway and yaw, N/m² and N m/m²,
-        (n, m, m, 3), included in `squares`; None if unknown
+        (n, m, m, 3), included in `squares`, or None if unknown
     kind : `kinds.DIFFERENCE` or `SUM`
     """
 

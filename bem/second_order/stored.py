@@ -31,7 +31,7 @@ class Held:
     """Restraint of the body in addition to the water.
 
     floats : whether the body moves; name : name of the study whose lines hold the floating body, or empty
-    lines : stiffness of the lines about the rotation centre, (6, 6); None without lines
+    lines : stiffness of the lines about the rotation centre, (6, 6), or None without lines
     """
 
     floats: bool
@@ -57,7 +57,7 @@ class StoredForces:
         computed, or None
     errors : estimated errors of the whole force, (d, n, m, m, 6), or None
     coarser : whole force at a coarser resolution, from which the errors are estimated, (d, n, m, m, 6), or None
-    asked : largest difference or sum that an unfinished run will store, rad/s; None for a finished run
+    asked : largest difference or sum that an unfinished run will store, rad/s, or None for a finished run
     names : names of the forces, like `influenced_dof` in a database
     """
 

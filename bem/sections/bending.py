@@ -44,9 +44,9 @@ def bending_strip(
     """`BendingStrip` of a flat strip.
 
     width : m; rigidity : D, N m; mass : kg/m²; depth : m; omega : rad/s; count : number of places along y
-    shapes : number of bending shapes; None: as many as the waves need. With eight shapes and three waves along the
+    shapes : number of bending shapes; if None, as many as the waves need. With eight shapes and three waves along the
         strip the error is 1 %
-    draft : m; 0 as in theories of thin plates; None: the draft by the weight. A draft of 8 mm on a width of 10 m
+    draft : m; 0 as in theories of thin plates; if None, the draft by the weight. A draft of 8 mm on a width of 10 m
         reduces the deflection of the edges by 1.5 %
     raises : ValueError for the reasons of `any_section`
     """

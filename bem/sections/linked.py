@@ -22,7 +22,7 @@ KINDS = ("hinge", "rigid")
 class Floating(NamedTuple):
     """A section at y, m.
 
-    mass : kg/m; None: the mass of the displaced water; center : z of the centre of gravity, m
+    mass : kg/m; if None, the mass of the displaced water; center : z of the centre of gravity, m
     gyration : radius of gyration about the centre of gravity, m; fixed : whether the section is fixed
     """
 

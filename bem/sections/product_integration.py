@@ -60,7 +60,7 @@ def panels_of(edges):
 def layers(panels, targets, own=None):
     """Single and double layer (p, m · NODES) of densities at the nodes for targets (p,), complex, m
 
-    own : panel of which each target is a node, (p,); None: no target lies on a panel
+    own : panel of which each target is a node, (p,); if None, no target lies on a panel
     """
     m = len(panels.middle)
     away = panels.points.reshape(-1) - targets[:, None]

@@ -55,7 +55,7 @@ def returned_wave(transmission, reflection, k, distance, repeated=True):
 
     transmission, reflection : coefficients for waves from either side, complex, referred to y = 0; k : rad/m
     distance : distance from the middle of the body to the wall, m
-    repeated : whether all reflections are included; False: only the first, as in the report
+    repeated : whether all reflections are included; if False, only the first, as in the report
     """
     turn = np.exp(2j * k * distance)
     return transmission * turn / (1 - reflection * turn if repeated else 1)

@@ -136,7 +136,7 @@ def memory_of_database(db, tolerance=1e-3, motions=None, goal=None):
     tolerance : allowed error of the transform relative to its largest value for each motion, 1e-5 to 0.1; or WORTH
         times the deviation of coupled motions if this is larger
     motions : indices of the motions of a study, None for all; coefficients of other motions are neither read nor fitted
-    goal : `goal_of_database` for these arguments, to save time for several tolerances; None: computed here
+    goal : `goal_of_database` for these arguments, to save time for several tolerances; if None, computed here
     raises : ValueError if damping or added mass of these motions are unknown, or known at too few frequencies, or
     contradict each other because the band is too short; `fewest_states.FitError` if the tolerance is not reached
     """

@@ -23,7 +23,7 @@ def sensitivity(body, omega, transform, added_mass_infinity, size, rigid=None):
     """Diagonal of Y times size² at omega (q,) rad/s; shape (q, n); 0 for bodies without mass or restoring forces
 
     transform : H, kg/s …, (q, n, n); size : square root of the largest H of each motion, (n,)
-    rigid : number of rigid motions, which come first; None: all motions are rigid
+    rigid : number of rigid motions, which come first; if None, all motions are rigid
     """
     count, rigid = len(size), len(size) if rigid is None else rigid
     out = np.zeros((len(omega), count))

@@ -83,8 +83,8 @@ class WholeAxis:
 def whole_axis(omega, added_mass, damping, added_mass_infinity=None, monopole=None):
     """`WholeAxis` from coefficients (n, 6, 6) at rising omega (n,) rad/s, dense enough for linear interpolation.
 
-    added_mass_infinity : (6, 6); None: the matrix with which causality best reproduces the added mass of the band
-    monopole : function from ω (q,) to M, kg/s …, (q, 6, 6); None if unknown
+    added_mass_infinity : (6, 6); if None, the matrix with which causality best reproduces the added mass of the band
+    monopole : function from ω (q,) to M, kg/s …, (q, 6, 6), or None if unknown
     """
     below, low = _below(omega, damping, monopole)
     above, high = _above(omega, damping)

@@ -25,8 +25,8 @@ def nearest_circles(axes, radii):
 
 
 def too_near(axes, radii, depth):
-    """Return (i, j, description) of two circles whose distance is less than `SHARE_OF_DEPTH` of the depth, m; None if
-    there are no such circles"""
+    """Return (i, j, description) of two circles whose distance is less than `SHARE_OF_DEPTH` of the depth, m, or None
+    if there are no such circles"""
     i, j, clear = nearest_circles(axes, radii)
     if clear >= SHARE_OF_DEPTH * depth:
         return None

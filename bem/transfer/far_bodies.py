@@ -231,7 +231,7 @@ class Coupled:
         return slices(np.cumsum([0, *(len(one.few) for one in self.each)]))
 
     def pairs(self):
-        """Return ((i, j), S) of all pairs: S [(q, q)] of each mode gives waves about i that j sends; None if no wave
+        """Return ((i, j), S) of all pairs: S [(q, q)] of each mode gives waves about i that j sends, or None if no wave
         arrives
 
         Pairs of equal bodies at equal distance and direction are consecutive and share one matrix S.

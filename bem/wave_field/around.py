@@ -21,8 +21,8 @@ class WavesAround(NamedTuple):
     """One body, or several, in waves of 1 m towards one direction.
 
     omega : rad/s; k : rad/m; beta : rad; sources : `Sources` in the plan; middle : middle of the plan, m, (2,)
-    strengths : strengths of the sources, m, (s,); motion : motions about the rotation centre, m and rad, (n,); None
-        for a fixed body
+    strengths : strengths of the sources, m, (s,); motion : motions about the rotation centre, m and rad, (n,), or
+        None for a fixed body
     missed : share of the far field that the sources do not reproduce; pierces : whether the hull reaches the surface
     """
 

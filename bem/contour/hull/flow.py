@@ -60,7 +60,7 @@ class HullPoints:
 
     @cached_property
     def under(self):
-        """`UnderKeel` of a cylinder; None for a box"""
+        """`UnderKeel` of a cylinder, or None for a box"""
         return UnderKeel(self.body, self.degree, self.contour) if isinstance(self.body.plan, Circle) else None
 
     @property

@@ -228,7 +228,7 @@ class SeveralBodies:
 
     @cached_property
     def sharper(self):
-        """The same bodies for a tenth of the tolerance; None at the smallest tolerance"""
+        """The same bodies for a tenth of the tolerance, or None at the smallest tolerance"""
         return None if any(body.sharper is None for body in self.bodies) else self._by(lambda body: body.sharper)
 
     def _by(self, better):

@@ -66,7 +66,8 @@ class Finding(NamedTuple):
 
 
 def finding(values, own):
-    """`Finding` on a `sample` of Values against `Own`; None if the set agrees with hakobune's solution within `AGREED`
+    """`Finding` on a `sample` of Values against `Own`, or None if the set agrees with hakobune's solution within
+    `AGREED`
 
     Agreement is tested on flat panels with one node, as in most programs, and with four nodes, which is close to the
     limit of many panels.

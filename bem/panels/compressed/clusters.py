@@ -35,7 +35,7 @@ class Clusters:
     def of(cls, corners, normals, sizes, hull, body=None):
         """corners : (panels, 4, 3) m; normals : (panels, 3); sizes : (panels,) m
         hull : number of panels of the hull, which come first; body : index of the body of each of these panels,
-            (hull,); None for one body
+            (hull,), or None for one body
         """
         middles, rows, roots, low = corners.mean(axis=1), [], [], 0
         axis = np.abs(normals).argmax(axis=1)

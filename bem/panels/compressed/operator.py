@@ -346,7 +346,7 @@ class CompressedEquations:
     def apply(self, columns, exactly=False):
         """A x for x in `Columns`; shape (n, p)
 
-        exactly : whether products are in double precision; False: in the precision of the stored blocks"""
+        exactly : whether products are in double precision; if False, in the precision of the stored blocks"""
         kind, part = (complex, float) if exactly else (np.complex64, np.float32)
         values = np.ascontiguousarray(columns.values, kind)
         # real and imaginary parts side by side: the blocks are real
