@@ -10,11 +10,11 @@ about the rotation centre, with
     b = max(B, ωA / πN)       the damping itself, or the damping with which oscillations exp(−Bt / 2(M + A)) of
                any mass M take N periods and more to die out
 
-for any inertia and restoring forces, which moorings change.  A resonance with so little damping does not develop fully
-within N periods; its height depends on the duration of the waves.  N = 1000 is three hours of waves of 11 s.  In
-waves that start from rest and last N periods, the mean variance of the resonant motion is proportional to (1 − (1 −
-e⁻ˣ)/x)/x, with x = 2B/b₀ ≤ 2 for B ≤ b₀ = ωA / πN. An error b₀ε of B then changes the standard deviation by ε/3 at
-most (tests/bench/damping_floor.py).
+This scale is valid for any inertia and restoring forces, which moorings change.  A resonance with so little damping
+does not develop fully within N periods; its height depends on the duration of the waves. N = 1000 is three hours of
+waves of 11 s. In waves that start from rest and last N periods, the mean variance of the resonant motion is
+proportional to (1 − (1 − e⁻ˣ)/x)/x, with x = 2B/b₀ ≤ 2 for B ≤ b₀ = ωA / πN. An error b₀ε of B then changes the
+standard deviation by ε/3 at most (tests/bench/damping_floor.py).
 """
 
 import numpy as np
@@ -90,8 +90,8 @@ def estimate(run, rough, refinement):
 
 
 def share_left(refinement):
-    """Error of the results of a mesh over their difference from those of a coarser mesh; refinement : as in
-    `estimate`"""
+    """Ratio of the error of a mesh to the difference between its results and those of a coarser mesh; refinement : as
+    in `estimate`"""
     return 1 / (refinement**ERROR_ORDER - 1)
 
 

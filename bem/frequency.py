@@ -54,8 +54,8 @@ class FrequencyRun:
 
     A method provides `radiation`, `froude_krylov`, `diffraction`, `haskind`, `kochin` and `residual` as in
     `bem.first_order.FirstOrder`; `kochin` is at `theta` and at the headings, and `haskind` is None where it is
-    unknown. It also provides `solves`, and `differences`: signed errors of `radiation` (6, 6) and `excitation` (m, 6)
-    from two resolutions, or None; `kochin_errors` are the signed errors of `kochin`.
+    unknown. A method also provides `solves`, and `differences`: signed errors of `radiation` (6, 6) and `excitation`
+    (m, 6) from two resolutions, or None; `kochin_errors` are the signed errors of `kochin`.
     """
 
     most_sharper = 0  # largest number of sharper runs, one after another
@@ -237,8 +237,8 @@ class FrequencyRun:
 
         Errors of motions and drift are their changes when coefficients, forces and Kochin functions change by their
         errors. In long waves these changes nearly cancel, and at resonance the dependence is not linear.
-        For this purpose all errors are differences between two resolutions: errors raised by `haskind` would destroy
-        the cancellation.
+        All errors are therefore differences between two resolutions: errors raised by `haskind` would destroy the
+        cancellation.
         """
         if self.errors is None:
             return {}

@@ -6,7 +6,7 @@ A row of G requires that the point of the link moves equally on both bodies alon
 both bodies rotate equally about such an axis. μ is the force and moment that the first body exerts on the second.
 A spring and a damper act along a slider or about a hinge (a power take-off). The travel s is the displacement of the
 second body from the first along or about the axis, and the force is k (s − rest) + c ṡ. One of the two bodies may be
-SPACE, which means the scene at rest; a single body is called ALONE.
+SPACE, which means the fixed scene. A single body is called ALONE.
 """
 
 from functools import partial

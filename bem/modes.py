@@ -127,7 +127,7 @@ def turning(bodies, modes=()):
 
 def transform_of(bodies, rotation_center, modes=()):
     """Matrix from generalized normals about the origin to generalized normals about `rotation_center`; shape (n, n).
-    For several bodies it is about the rotation centre of each body"""
+    With several bodies the new normals are about the rotation centre of each body"""
     rigid = axes_of(bodies) if bodies else reference_change(rotation_center)
     out = np.eye(len(rigid) + len(modes))
     out[: len(rigid), : len(rigid)] = rigid

@@ -140,7 +140,8 @@ def _number(table, key, where):
 
 
 def meshed(drawing, name=""):
-    """PanelMesh of a `Drawing`: the first of several meshes (`TRIES`) whose volume, waterplane and centre agree with it
+    """PanelMesh of a `Drawing`: the first of several meshes (`TRIES`) whose volume, waterplane and centre agree with
+    those of the drawing
 
     If no mesh agrees within the limits, the nearest mesh is returned with a warning.
     Raises ValueError where nothing lies below the surface, or where the panels fail a check.

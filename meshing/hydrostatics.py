@@ -62,7 +62,8 @@ def stands(mesh, depth):
 
 
 def waterplane_area(mesh):
-    """Waterplane area of the whole hull or hulls, m²; 0 or less if the hull is submerged or its normals point inward"""
+    """Waterplane area of the whole hull or hulls, m²; not positive if the hull is submerged or the normals point
+    inward"""
     area = -mesh.copies * mesh.area_vectors[:, 2].sum()
     return area if mesh.foot is None else area - mesh.copies * mesh.foot.area_vectors[:, 2].sum()
 

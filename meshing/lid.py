@@ -59,8 +59,8 @@ def polar_lid(mesh, size):
     raises : ValueError as `lid`
 
     The edges along the rim determine the accuracy.  For a cylinder with 0.2 m of water under the keel, in waves three
-    panel sizes long, the error of the excitation is 0.4 %. A lid that is not axisymmetric gives the same error; half
-    the edges along the rim and twice as many across give 0.6 %.
+    panel sizes long, the error of the excitation is 0.4 %. A lid that is not axisymmetric gives the same error; with
+    half the edges along the rim and twice as many across, the error is 0.6 %.
     """
     rings = _closed(waterline(mesh), mesh)
     rim, pole = _regular(rings[0]) if len(rings) == 1 else (None, None)
@@ -87,7 +87,7 @@ def panelled(ring, size, symmetry):
 
 
 def waterline(mesh):
-    """Intersection of the hull with the water surface: a list of (k, 3) m polylines with the body on their left.
+    """Intersection of the hull with the water surface: a list of polylines, m, (k, 3), with the body on the left.
 
     Closed polylines end with their first point, open ones on mirror planes; only the meshed part of the hull is
     covered.  Waterlines that touch in a point remain separate, each with the body on its left.  Raises ValueError

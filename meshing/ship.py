@@ -14,7 +14,8 @@ from them; otherwise l is LONG, and φ = φ_b = φ_s follows from l.
 If the waterplane coefficient C_WP = 1 − 2l (1 − φ) is given, the fullness φ changes linearly from the keel to the
 waterline, so that the volume is C_B L B d: the ends are V-shaped where C_WP is above C_B/C_M. In this case l is 0.4, or
 0.5 where 0.4 is not enough.  Panels are graded towards both ends, the bilge and the waterline. A factor on the
-half-breadths makes the volume of the panels L B d C_B; it differs from 1 by the square of the panel size.
+half-breadths makes the volume of the panels L B d C_B; the factor differs from 1 in proportion to the square of the
+panel size.
 x points to the bow.
 """
 

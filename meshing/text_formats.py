@@ -183,8 +183,8 @@ def _panel(path, k, row, numbers):
 
 
 def length_unit(path, gravity):
-    """Unit of length of a GDF file, m, from its acceleration of gravity.  Raises ValueError if it is neither m nor
-    ft."""
+    """Unit of length of a GDF file, m, from its acceleration of gravity.  Raises ValueError if the unit is neither m
+    nor ft."""
     if 9.7 < gravity < 9.9:
         return 1.0
     if 31.8 < gravity < 32.5:

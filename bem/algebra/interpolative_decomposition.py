@@ -84,7 +84,7 @@ def interpolative_decomposition(matrix, tolerance):
 
     matrix : A itself, (n, m), or `Sketch.matrix`; rows : increasing indices, (r,), r ≥ 1; X : (n, r)
 
-    R of pivoted QR is the Cholesky factor of A Aᵀ with the same pivots. The Cholesky factorisation ends at the rank
+    R of pivoted QR is the Cholesky factor of A Aᵀ with the pivots of QR. The Cholesky factorisation ends at the rank
     and takes at most a third of the time of QR. If the square of the tolerance is lost in rounding, R is computed by
     QR.
     """

@@ -68,7 +68,7 @@ class ContourBody:
 
         omega : frequency, rad/s; headings : directions that the waves travel to, rad, (m,); theta : angles of the
             Kochin functions, rad, (t,)
-        dofs : needed degrees of freedom 0 … 5; the others remain zero
+        dofs : needed degrees of freedom 0 … 5; results of other degrees of freedom are zero
         raises : ValueError for a frequency that is not positive and finite, and for an angle that is not finite
         """
         if not 0 < omega < np.inf:

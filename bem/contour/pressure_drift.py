@@ -11,7 +11,7 @@ The drift from pressure checks the drift from the far field. An evanescent mode 
 in the gap; these forces cancel, and the far field contains no evanescent mode, if the potentials on both sides of the
 gap are equal. The error of the drift from pressure is of first order in the difference of these potentials, whereas
 the errors of forces and far field are of second order. The flow is therefore solved again with a finer body.
-In resonant roll the drift is the small difference of pressures tens of times as large.
+In resonant roll the drift is a small difference of pressures that are tens of times larger.
 
 For a box in 20 and 100 m of water and a tolerance of 1e-3, drift from near and far field differs by 5e-5 of the
 largest force on the fixed body; without the finer body the difference is 5e-4 to 8e-4. In 2000 m of water the

@@ -86,7 +86,7 @@ class Between:
                 vars(self).pop(name, None)
 
     def error(self, omega, name):
-        """Estimated error of `value`, about one standard deviation; for complex quantities it is that of the modulus;
+        """Estimated error of `value`, about one standard deviation of the value or, if complex, of its modulus;
         shape (q, …).
 
         The error covers interpolation and is zero at stored frequencies; the solver's error is stored beside each
@@ -96,7 +96,8 @@ class Between:
         return self._everywhere(omega, name, self._deviation)
 
     def largest_error(self, omega, names):
-        """Largest estimated error over `names` at omega (q,), relative to the largest stored value of the same kind;
+        """Largest estimated error of the quantities `names` at omega (q,), relative to the largest stored value of
+        its kind;
         shape (q,)
 
         Each diagonal coefficient is one kind; a force over all headings is one kind. The error of a coupling ij is

@@ -25,7 +25,7 @@ class NaturalPeriods:
     inside : False for a mode whose added mass is the value at the end of the stored frequencies, and where the water
         of a gap or a moonpool resonates, (n,)
     water : lowest stored frequency at which water in a gap or a moonpool, above its resonance, makes the inertia of
-        each motion negative, rad/s, (m,); nan if there is none
+        each motion negative, rad/s, (m,); nan if there is no such frequency
     """
 
     names: tuple[str, ...]

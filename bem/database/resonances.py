@@ -82,7 +82,7 @@ def about(body, found, beside=()):
 
     beside : frequencies that are known already, rad/s, (p,).
     Roll and pitch of a round body resonate at one frequency except for rounding. A frequency too near to an earlier
-    one, or to a frequency of `beside`, is left out, so that splines can pass through the remaining frequencies.
+    frequency, or to a frequency of `beside`, is omitted, so that splines can pass through the remaining frequencies.
     """
     low, high = body.between.span
     omega = np.concatenate([[], *(_places(one.omega, one.damping) for one in found)])
@@ -107,7 +107,7 @@ def positive(inertia):
     positive
 
     At resonance of the water in a gap or a moonpool, negative added mass exceeds the mass of the body. λ then grows
-    without limit towards this frequency, and the search continues beyond it.
+    without limit towards the resonance frequency, and the search continues at higher frequencies.
     """
     values = np.linalg.eigvalsh(inertia)
     if np.all(values[..., 0] > 0):
@@ -118,8 +118,8 @@ def positive(inertia):
 
 
 def by_motion(energies):
-    """Index of the mode of each motion, by the assignment with the largest sum of energy shares; shape (n,); −1 for
-    none.
+    """Index of the mode of each motion, by the assignment with the largest sum of energy shares; shape (n,); −1 for a
+    motion without mode.
 
     energies : kinetic energy of each motion in each mode, (m, n); links make m smaller than n
     """

@@ -66,7 +66,7 @@ def create(path, header, omega, wave_direction, names):
 
 @contextlib.contextmanager
 def writing(path):
-    """The open file of a database, for `append`; only one process at a time may open it."""
+    """The open file of a database, for `append`; only one process at a time may open the file."""
     if not isinstance(path, h5py.File):
         keep_room(path)
     with opened(path, "r+") as file:
@@ -230,7 +230,7 @@ class Database:
 
     @property
     def wall(self) -> float | None:
-        """m, y of the vertical wall along x beside the body, or None"""
+        """y of the vertical wall along x beside the body, m, or None"""
         return self._scene.get("wall")
 
     @cached_property

@@ -5,8 +5,8 @@
     outside   Z₀ = cosh kζ / cosh kh,  k tanh kh = K;    Zₙ = cos kₙζ,  kₙ tan kₙh = −K
     beneath   cos l_qζ,  l_q = qπ/s
 
-At the keel's edge, where the water has an angle of 270°, the horizontal velocity u(ζ) is singular like distance^(−1/3),
-then ^(+1/3), then regular. u(ζ) is expanded in three Gegenbauer families
+At the keel's edge, where the water has an angle of 270°, the horizontal velocity u(ζ) is a sum of terms like
+distance^(−1/3), distance^(+1/3), and regular terms. u(ζ) is expanded in three Gegenbauer families
 
     U = (s² − ζ²)^(ν−½) C₂ₚ^(ν)(ζ/s),   ν = 1/6, 5/6, 1/2,   p = 0 … terms − 1,
 
@@ -195,7 +195,7 @@ def tail_weights(count, power):
     power : f(n) ~ n^(−power) (c₀ + c₁/n + …) plus oscillating terms
 
     A smooth cut-off removes the oscillations faster than any power of the count.  The truncation error of the monotone
-    part is a series of known powers of the cut-off; extrapolation from five cut-offs removes four of them.
+    part is a series of known powers of the cut-off; extrapolation from five cut-offs removes four of these powers.
     """
     orders = power - 1 + np.arange(len(CUTOFFS) - 1)
     conditions = np.vstack([np.ones(len(CUTOFFS)), CUTOFFS[None] ** -orders[:, None]])

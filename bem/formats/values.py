@@ -193,7 +193,7 @@ def _along_scene(values):
 def body_of(place, count, known):
     """Index, from 0, of the body whose number, from 1, is known["body"].  Raises FormatError.
 
-    The coefficients of this body are those of the body moving while the other bodies are fixed.
+    The coefficients of this body are for motions of this body while all other bodies are fixed.
     """
     body = (known or {}).get("body")
     if body is None and count == 1:

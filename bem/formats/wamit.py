@@ -12,8 +12,9 @@ with p = 0 for translations and 1 for rotations, L = ULEN; PER as given by IPERO
 ω = 0 and 0 at ω = ∞. BETA is the heading in degrees that the waves travel to, and phases are in degrees with
 exp(+iωt), so numbers are the conjugates of ours.
 Values that are 0 by symmetry are omitted.  Files are written with L = 1 m.  The .8 file is for the free body if
-motions are stored (then a .4 file lies beside it), and otherwise for the fixed body. It is omitted for several bodies,
-whose modes are numbered 7 to 12 and so on.  These files contain neither depth, density, gravity nor hull. WAMIT's
+motions are stored (then a .4 file lies beside it), and otherwise for the fixed body. For several bodies, whose modes
+are numbered 7 to 12 and so on, there is no .8 file.
+These files contain neither depth, density, gravity nor hull. WAMIT's
 input files beside the results contain ULEN and the reference point of moments (`wamit_inputs`).
 """
 

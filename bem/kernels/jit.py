@@ -126,7 +126,7 @@ class Kernel:
         return self._called or self._made("_called", self._for_kernels)
 
     def compile_for(self, *arguments):
-        """Compile this kernel for arguments of given types without a call, for kernels that call it"""
+        """Compile this kernel for the types of the given arguments, without a call"""
         compile_version = self.called.compile
         from numba import typeof
 

@@ -115,8 +115,8 @@ class PreparedPanelProblem:
 
     @cached_property
     def band_equations(self):
-        """The `bem.panels.band.equations.BandEquations` of the problem's band, beginning with its lower part, without
-        lid"""
+        """The `bem.panels.band.equations.BandEquations` of the problem's band; equations of low frequencies, without
+        lid, come first"""
         from ..checks import sufficient_accuracy
         from ..panels.band.equations import band_equations
 

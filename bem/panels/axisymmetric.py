@@ -1,4 +1,4 @@
-"""Axisymmetric bodies: a rotation by 2π/N about a vertical axis maps the panels of such a body onto each other.
+"""Axisymmetric bodies, whose panels a rotation by 2π/N about a vertical axis maps onto each other.
 
 The influence matrices are block-circulant (Davis, Circulant Matrices, 1979). With i and j among the p nodes of one
 sector and R_k the rotation by α_k = 2πk/N, the blocks a(i, R_k j) determine the matrix.  In the Fourier coefficients

@@ -3,7 +3,7 @@
 The integrals over sides and bottom contain the flow at the edge exactly. The integral of the bound wave is over the
 wall of the plan (`bem.contour.hull`), and the potential on the surface around a cylinder is a sum of Bessel functions
 (`contour_surface`). The contour method gives only means of the flow under a box. A box must therefore be fixed; its
-heave, roll and pitch loads, and the forcing of the surface around it, are not computed.
+heave, roll and pitch loads, and the forcing of the surface around the box, are not computed.
 """
 
 import numpy as np

@@ -40,7 +40,7 @@ class Kind(NamedTuple):
 
     def pairs(self, row, count):
         """Indices of the higher frequency, (q,), and of the lower frequency, (q,), in each pair of a row, for `count`
-            frequencies"""
+        frequencies"""
         if self.sign < 0:
             lower = np.arange(count - row)
             return lower + row, lower

@@ -10,8 +10,8 @@ bound wave : force of the second-order incident wave and its diffraction (`bound
 body : force of the potential that the hull, moving in the first-order flow, makes (`body_forces`); zero for a fixed
     body
 surface : force of the potential that products of first-order waves make on the surface around the body
-    (`surface_forces`). It takes most of the time and is computed only on request; on a cylinder on the bed it is 0.4
-    to 6 % of the force (`tests/bench/bound_waves.py`)
+    (`surface_forces`). The surface part takes most of the time and is computed only on request; on a cylinder on the
+    bed it is 0.4 to 6 % of the force (`tests/bench/bound_waves.py`)
 
 Frequencies are evenly spaced, so that differences and sums have only a few values.
 """
@@ -88,7 +88,7 @@ def quadratic_forces(
     omega : evenly spaced frequencies, rad/s, (n,); headings : rad, (m,); highest : largest frequency of the force,
         rad/s
     moving : False for a fixed body, True for a free body, or stiffness of lines in addition to hydrostatics, (6, 6)
-    report : function called with "frequencies", then with "pairs", the number of them that are solved, and the total
+    report : function called as report("frequencies", solved, total) for the first-order solutions, then with "pairs"
     surface : whether the forcing of the surface is computed; kind : `kinds.DIFFERENCE` or `SUM`
     raises : ValueError for uneven frequencies, constant panels, zero draft, and a moving body without inertia; with
         `surface` also for a waterline that is not one curve around the body

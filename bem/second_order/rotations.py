@@ -4,7 +4,7 @@
 
 F and M are the first-order load of water and weight about the rotation centre, X_c is the displacement of the
 rotation centre, and α are the rotations.  A finite rotation of vector α is I + [α] + H, H = ½(αα' − α²I).  In still
-water this rotation causes the additional loads
+water a finite rotation causes the additional loads
 
     heave −ρg ∬ (Hx)_z dA,    roll, pitch −ρg ∬ (Hx)_z (y, −x) dA − ½ w α_z (α_y, −α_x),
 

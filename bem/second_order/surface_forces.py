@@ -13,8 +13,8 @@ minus the integral for the incident waves alone, whose forcing the bound wave sa
 
 ∇ is along the surface, and n points out of the body; `kinds` gives the formulas for sum frequencies.  Inside a circle
 about the body the waves are computed from the panels (`surface_near`).
-Outside the circle they are sums of Hankel functions: first with a local part on rings (`surface_far`), then without
-it (`surface_tail`).
+Outside the circle the waves are sums of Hankel functions: first with a local part on rings (`surface_far`), then
+without it (`surface_tail`).
 """
 
 from dataclasses import dataclass

@@ -76,8 +76,8 @@ class Strips:
         return bool(np.all(area > LEAST**2)) and bool(np.all(self.weights > 0))
 
     def values(self, on_line, beside):
-        """Values on these strips, shape (…, s, a, b), from values along the waterline (…, l) and beside it (…, s a (b −
-        1))"""
+        """Values on these strips, shape (…, s, a, b), from values along the waterline, (…, l), and off the waterline,
+        (…, s a (b − 1))"""
         s, a, b = self.weights.shape
         hull = np.einsum("sak,...sk->...sa", self.from_known, on_line[..., self.known])
         return np.concatenate([hull[..., None], beside.reshape(*beside.shape[:-1], s, a, b - 1)], axis=-1)

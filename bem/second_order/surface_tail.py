@@ -38,7 +38,8 @@ NEGLIGIBLE = 1e-11  # size relative to the largest order at the start of a path,
 
 @dataclass(frozen=True, eq=False)
 class Path:
-    """Radii in columns: along r − ix, the first radius three times, real radii, along r + ix.
+    """Radii in columns: first the radii along r − ix, then the first radius three times, real radii, and radii along
+    r + ix.
 
     edges : ends of the real intervals, m, (w,); highest : a third of the wavenumber of the fastest product, rad/m
     least_down : smallest rate with which products decay along r − ix, rad/m; infinite if no product does
@@ -61,8 +62,8 @@ class Path:
 
     @cached_property
     def down(self):
-        """Places x and weights, m, for products that decay as exp(−(k + q − κ)x), with a rate of 2q or more; shape (2,
-        c); none at sums"""
+        """Places x and weights, m, for products that decay as exp(−(k + q − κ)x), with a rate of 2q or more; shape
+        (2, c); empty at sum frequencies"""
         return self._away(self.least_down)
 
     @cached_property
@@ -92,7 +93,7 @@ class Path:
 
     def hankel(self, kind, k, most, place):
         """Hankel functions H_m(kr) of a kind and their derivatives on one of the three paths `place`; shape
-            (most + 1, c); along r ± ix without the factor e^{±ikr}"""
+        (most + 1, c); along r ± ix without the factor e^{±ikr}"""
         z = self._radii(k)
         values = hankel_orders(kind, most, z)
         real = slice(self.first, self.first + 1 + self.real.shape[1])

@@ -24,8 +24,9 @@ with l₀ = κ, and ψ of heave is cosh κζ / κ sinh κs. In roll λₘ = √(
 
 Galerkin's method makes the two potentials equal at the gap when tested with every function of `bem.depth_modes.gap`.
 These functions are nearly dependent, so their orthonormal combinations in `gap_profiles` are used. Energy is then
-conserved to 1e-12 in the highest gaps. With the functions themselves it is conserved to 4e-10, which changes with the
-number of threads.  Motions have unit velocity; y is to port, z up, roll from y to z about the origin; the time factor
+conserved to 1e-12 in the highest gaps. With the functions themselves energy is conserved to 4e-10, a number that
+changes with the number of threads.
+Motions have unit velocity; y is to port, z up, roll from y to z about the origin; the time factor
 is exp(−iωt). SR179 report (1982), section 2.1.3;
 Garrett, Journal of Fluid Mechanics 46 (1971) for the method; Porter and Evans, in the same journal, 294 (1995), for the
 functions of the gap.

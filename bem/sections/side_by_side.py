@@ -1,8 +1,9 @@
 """Fixed sections side by side in beam waves, and the water in their gaps, with or without damping.
 
 Between long bodies the water oscillates vertically as one mass, most strongly in waves of its natural period.  In
-potential flow only radiated waves damp it, and the computed rise is several times too high. A damping ε of the gap's
-water replaces the effect of eddies; tests with sharp bilges give 0.02 to 0.07 (`bem.panels.damping_lid`).
+potential flow only radiated waves damp this motion, and the computed rise is several times too high.
+A damping ε of the gap's water replaces the effect of eddies; tests with sharp bilges give 0.02 to 0.07
+(`bem.panels.damping_lid`).
 """
 
 from itertools import pairwise

@@ -8,15 +8,15 @@ impedances of the row are
     sway, roll, their coupling   2a Z₂₂, 2a Z₄₄, 2a Z₂₄        heave  2a Z₃₃
     pitch  ∫x′² Z₃₃ dx′ = ⅔a³ Z₃₃                              yaw    ∫x′² Z₂₂ dx′ = ⅔a³ Z₂₂
 
-Froude–Krylov forces are exact, for the whole box.  The diffraction force follows Salvesen, Tuck and Faltinsen,
+Froude–Krylov forces are the exact forces on the whole box.  The diffraction force follows Salvesen, Tuck and Faltinsen,
 Transactions of SNAME 78 (1970), at zero speed. Haskind's relation combines the radiated flow of the section with the
 oblique wave,
 
     fⱼ = iρω ∮ φⱼ ∂φ_I/∂n dl,  φ_I = −(ig/ω) Z₀ exp(iky′ sinβ′),    Fⱼ = ∫ fⱼ exp(ikx′ cosβ′) dx′
 
 for sway, heave, roll; the pitch moment follows from heave, −∫x′f₃, and the yaw moment from sway, ∫x′f₂.  Surge along
-the row is no sectional motion. It is computed as the sway of a row in the other direction, whose sides are the ends
-of the body. This surge is not coupled to pitch, because pitch is computed from other sections: with a coupling the
+the row is no sectional motion. Surge is computed as the sway of a row in the other direction, whose sides are the
+ends of the body. This surge is not coupled to pitch, because pitch is computed from other sections: with a coupling the
 damping matrix might not remain positive.
 Waves around the ends are neglected, and therefore also drift and the far field.
 

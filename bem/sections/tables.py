@@ -1,7 +1,7 @@
 """Tables of sectional coefficients over B/d, H/d and ξ_B.
 
 The SR179 report (1982) gives twenty tables, 2.1.3.1-20: one for each pair of H/d (outer order) and B/d (inner order),
-with ten values of ξ_B in each table. Its design guideline interpolates them in B/d and H/d.
+with ten values of ξ_B in each table. The design guideline of the report interpolates the tables in B/d and H/d.
 Here any shape is solved in milliseconds, without interpolation.
 """
 

@@ -10,8 +10,7 @@ from ..kernels.jit import kernel
 
 @in_memory
 class MemoryArrays(NamedTuple):
-    """Contiguous arrays for the kernels: decay, 1/s, (n,), turn, rad/s, (p,), input and output, (6N, n), of `memory`
-    """
+    """Contiguous arrays for the kernels: decay, 1/s, (n,), turn, rad/s, (p,), input and output, (6N, n), of `memory`"""
 
     decay: np.ndarray
     turn: np.ndarray

@@ -8,7 +8,7 @@ is passive for all λ, B and L with Re λ < 0.  The sum of the p-th powers of th
 method without the second derivatives of H (Levenberg's and Marquardt's damping). With p = 4 and 8 the sum
 approximates the largest error.  The unknown for a decay is its logarithm, so that it remains positive. b_k changes
 only in directions normal to b_k, because l_k contains its size.
-With fixed poles, boxes and a buoy need 3 to 25 % more states for the same largest error.
+With fixed poles, boxes and a buoy need 3 to 25 % more states for an equal largest error.
 """
 
 from typing import NamedTuple
@@ -40,7 +40,7 @@ def real_basis(alone, pairs):
 
 
 def moved(system, s, wanted, weight):
-    """`Moving` closer to H (q, m, m) at s (q,), wherever weight (q, m, m) times its error is above 1"""
+    """`Moving` whose errors from H (q, m, m) at s (q,), times weight (q, m, m), are reduced where they exceed 1"""
     system, slowest = _steady(system), np.abs(s[s != 0]).min()  # slower ones would act for hours
     off = (transfer(system, s) - wanted) * weight
     damping = 1e-2

@@ -2,8 +2,8 @@
 
     A(ω) = A(∞) + (2/π) ⨍₀^∞ B(x) / (x² − ω²) dx        (Kramers and Kronig)
 
-Between the frequencies of the band damping is linear in frequency.  Outside the ends ω₁ and Ω of the band it follows
-powers,
+Between the frequencies of the band damping is linear in frequency.  Outside the ends ω₁ and Ω of the band damping
+follows powers,
 
     Bᵢⱼ = Mᵢⱼ(ω) + [Bᵢⱼ(ω₁) − Mᵢⱼ(ω₁)] (ω/ω₁)^{(pᵢ + pⱼ)/2} below,    Bᵢⱼ = Bᵢⱼ(Ω) (Ω/ω)^{(rᵢ + rⱼ)/2} above,
 
@@ -16,8 +16,8 @@ source; Newman, Marine Hydrodynamics, 1977, section 6.18, and the limit of shall
 
     M = ρ ω q qᵀ / 4h  in water of depth h,    M = ρ ω³ q qᵀ / 2g  in deep water.
 
-Motions without change of volume are dipoles, whose B falls like ω³ or faster as ω → 0.  In short waves the damping by
-a vertical side falls like ω⁻³, and that by a horizontal side faster than any power.
+Motions without change of volume are dipoles, whose damping falls like ω³ or faster as ω → 0.  In short waves the
+damping by a vertical side falls like ω⁻³, and that by a horizontal side faster than any power.
 """
 
 from dataclasses import dataclass

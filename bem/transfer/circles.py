@@ -2,8 +2,8 @@
 
 An example are two squares of 20 m with 5 m draft in 20 m of water, in one wave. If the squares are 10 m apart, the
 circles are 1.7 m apart, and the errors are 3e-4. If the squares are 6 m apart, the circles overlap by 2.3 m, and the
-error remains above 3e-3 for any number of orders; with 4 m it remains above 3e-2.  Across a narrower gap more of the
-evanescent modes reach the other body.
+error remains above 3e-3 for any number of orders; if they are 4 m apart, the error remains above 3e-2.  Across a
+narrower gap more of the evanescent modes reach the other body.
 """
 
 import numpy as np

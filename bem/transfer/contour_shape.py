@@ -2,8 +2,7 @@
 
 In front of a rigid wall down to the bed, the wave f of one depth mode n becomes f − N(kₙ) ∂f/∂n on the plan contour.
 The flow under the keel is solved as for plane waves (`bem.contour.matching`).
-By Green's theorem a flow that leaves the contour
-with the velocity w in mode n sends
+By Green's theorem a flow with the outward velocity w at the contour in mode n sends the waves
 
     b = −∮ w (f − N ∂f/∂n) ds / {π (1 + δₘ₀) W},    W the Wronskian of `partial_waves`
 """

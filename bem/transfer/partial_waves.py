@@ -39,7 +39,7 @@ class PartialWaves(NamedTuple):
         return np.arange(-self.last, self.last + 1)
 
     def size(self, a):
-        """Size |Hₘ(ka)| of radiating waves, 1 of other partial waves; shape (last + 1,)"""
+        """Size of partial waves: |Hₘ(ka)| for radiating waves, 1 for other kinds; shape (last + 1,)"""
         m = np.arange(self.last + 1)
         return np.abs(hankel1(m, self.k * a)) if self.kind == "radiating" else np.ones(len(m))
 

@@ -38,7 +38,7 @@ class WavesAround(NamedTuple):
 
     def elevation(self, places):
         """Complex elevation per metre of amplitude at places (p, 2), m; shape (p,). The surface is Re η exp(−iωt).
-        It is nan in the plan of the body, or, for several bodies, in the outline around all bodies"""
+        The elevation is nan in the plan of the body, or, for several bodies, in the outline around all bodies"""
         places = np.atleast_2d(np.asarray(places, float))
         total = np.full(len(places), np.nan, complex)
         outside = ~self.sources.covers(places - self.middle) if self.pierces else np.ones(len(places), bool)

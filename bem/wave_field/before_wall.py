@@ -19,8 +19,8 @@ wave that passes under the body and returns, and multiplies motions by a factor 
 includes the ends of the body, every reflection, added mass, damping and drift.
 Local waves between hull and image are `neglected`.  For a box of 200 × 50 × 10 m in waves of 0.15 to 0.95 rad/s and
 20 m of water, forces differ from those of the panel method with the wall by 0.4 % of the largest force if the hull is
-25 m from the wall, by 2.3 % at 10 m, and by 60 % at 3 m. In 100 m of water they differ by 4 % at 25 m and by 33 % at
-10 m.
+25 m from the wall, by 2.3 % at 10 m, and by 60 % at 3 m. In 100 m of water forces differ by 4 % at 25 m and by 33 %
+at 10 m.
 """
 
 from dataclasses import replace
@@ -50,9 +50,9 @@ def neglected(body, wall):
     """Height of a local wave that has travelled from the hull to the image and back, as a share of its initial height
 
     The share is exp(−2πg/b), with g the gap from hull to wall, and b the depth or, in deeper water, the breadth of the
-    hull. For the box of the module at 25 and 10 m in 100 m of water it is 0.04 and 0.28, and the relative errors of
-    sway are 0.04 and 0.30. At 25, 10 and 3 m in 20 m of water it is 0.0004, 0.04 and 0.39, and those of forces are
-    0.004, 0.02 and 0.6.
+    hull. For the box of the module at 25 and 10 m in 100 m of water the share is 0.04 and 0.28, and the relative
+    errors of sway are 0.04 and 0.30. At 25, 10 and 3 m in 20 m of water the share is 0.0004, 0.04 and 0.39, and the
+    relative errors of forces are 0.004, 0.02 and 0.6.
     """
     low, high = _breadth(body)
     return float(np.exp(-max(wall - high, low - wall) / _decay(body.depth, high - low)))
@@ -98,9 +98,9 @@ def given_back(body):
     """Size of negative radiated energy, 0 or more: minus the lowest eigenvalue of damping, scaled by the largest
     damping of each motion
 
-    Negative energy is an error of the result. For the box of the module with headings stored every 15° it is 1e-4 at 25
-    m and 0.02 at 50 m; with headings every 30° it is 0.12. Sharp resonances between hull and wall are sensitive to
-    errors.
+    Negative energy is an error of the result. For the box of the module with headings stored every 15° its size is
+    1e-4 at 25 m and 0.02 at 50 m from the wall; with headings every 30° it is 0.12.
+    Sharp resonances between hull and wall are sensitive to errors.
     """
     B = body.between.quantities["radiation_damping"]
     size = np.sqrt(np.einsum("nii->ni", B).max(axis=0))

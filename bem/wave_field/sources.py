@@ -3,8 +3,9 @@
     η(p) = Σ_j s_j H₀(k|p − p_j|),      H(θ) = Σ_j s_j exp(−ik(x_j cosθ + y_j sinθ))
 
 with H₀ Hankel's function of the first kind, and sources on two convex curves inside the plan of the body.  The far
-field determines the propagating wave everywhere outside. The sources are fitted to it by least squares after
-Tikhonov: combinations of sources that radiate less than `SMALLEST`, which would magnify errors of H, are attenuated.
+field determines the propagating wave everywhere outside. The sources are fitted to the far field by least squares
+after Tikhonov:
+combinations of sources that radiate less than `SMALLEST`, which would magnify errors of H, are attenuated.
 Around a reflecting circle, with an error of a thousandth in H and k times radius up to 6.5, the elevation at the hull
 is wrong by at most 0.009 m/m, and changes by steps of 0.001 from one frequency to the next. A sharp cut-off of these
 combinations would give 0.015 m/m, with steps of 0.014.  Near a resonance inside one curve, standing waves within the

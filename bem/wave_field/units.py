@@ -4,7 +4,7 @@
 
 s_u are the strengths of the `Sources` of unit u, F fits strengths to a far field, and e_u is the incident wave at the
 middle of unit u. W_uv gives the waves of the sources of unit v on the contour of unit u, and G fits plane waves to
-them by least squares. H(β, θ) are the Kochin functions of one unit, moving on its lines, in these plane waves.
+these waves by least squares. H(β, θ) are the Kochin functions of one unit, moving on its lines, in these plane waves.
 Evanescent waves from unit to unit are neglected.
 """
 

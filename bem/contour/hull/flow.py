@@ -69,7 +69,7 @@ class HullPoints:
         return self.under is not None
 
     def surfaces(self, freq):
-        """`HullSurfaces` of a `SharedFrequency`; they are equal for all frequencies"""
+        """`HullSurfaces` of a `SharedFrequency`, which are equal at all frequencies"""
         c, draft = self.contour, self.body.draft
         depth = depth_flow(freq, 1 / self.k)
         flat = np.stack([c.x, c.y, 0 * c.x], axis=1)

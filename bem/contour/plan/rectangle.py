@@ -2,8 +2,8 @@
 
 Velocity is expanded in Legendre polynomials over each side, P_m(2y/B) on the ends and P_m(2x/L) on the sides. In the
 gap under the keel the velocity is smooth along a side up to the corner of the box.
-The resulting potentials are not smooth
-(r^(2/3) at the corner). They are found at the nodes of `panels` by integral equations of the direct kind,
+The resulting potentials are not smooth (r^(2/3) at the corner). The potentials are found at the nodes of `panels` by
+integral equations of the direct kind,
 
     outside  (½ − D) φ = −S ∂φ/∂n        inside  (½ + D) φ = S ∂φ/∂n        wall  (½ − D) φ = exp(ik·x)
 

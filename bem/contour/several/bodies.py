@@ -63,7 +63,7 @@ def beside(body, gap):
 
 
 def coupling(body):
-    """The body with functions under its keel for `COUPLED` digits more"""
+    """The body with functions under the keel for `COUPLED` additional digits"""
     height, fine = body.depth - body.draft, body.accuracy
     if height > 0:
         more = accuracy(fine.digits + COUPLED, body.draft, height, body.plan.scale)
@@ -74,8 +74,8 @@ def coupling(body):
 def near(body, gap):
     """The plan of a body with functions for flows whose length is the gap, m, to the next body
 
-    On a circle the orders of flows at that distance decay like those of the circle's image. A side of a rectangle
-    needs more polynomials, in proportion to the width of the plan over the gap, to resolve its ends.
+    On a circle the orders of flows from a distance of the gap decay like the orders of the circle's image. A side of
+    a rectangle needs more polynomials, in proportion to the width of the plan over the gap, to resolve its ends.
     """
     plan, digits = body.plan, body.accuracy.digits
     if isinstance(plan, Circle):

@@ -91,7 +91,7 @@ class OnRectangle:
 
 
 class OnCircle:
-    """A `Circle` with as many nodes on its quarter as there are orders in a symmetry class"""
+    """A `Circle` whose quarter has as many nodes as a symmetry class has orders"""
 
     def __init__(self, plan, degree, k, orders, tolerance):
         self.plan = plan

@@ -67,8 +67,8 @@ def _finite(values):
 
 
 def size_of(values):
-    """Length of the body, m: the length of the waterplane or, if larger, twice the arm of added mass in yaw. If both
-    are unknown, the length follows from A₃₃"""
+    """Length of the body, m: the length of the waterplane or, if larger, twice the arm of added mass in yaw. If
+    waterplane and arm are unknown, the length follows from A₃₃"""
     C, A = values.get("hydrostatic_stiffness"), values.get("added_mass")
     plane = 0.0
     if C is not None and C[2, 2] > 0:

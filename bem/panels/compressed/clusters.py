@@ -18,8 +18,8 @@ class Clusters:
 
     Of the c clusters, parents come before their children.  The lid has its own root, and so have the hull panels that
     face each of ±x, ±y, ±z: parts of a cluster that extends around an edge see each other edge-on, which cross
-    approximation does not detect.  Each body has its own roots for this reason too: with one root for all bodies, two
-    boxes of 1 000 panels had errors of 1 %.
+    approximation does not detect.  Each body has separate roots too, because bodies also see each other edge-on:
+    with one root for all bodies, two boxes of 1 000 panels had errors of 1 %.
     """
 
     order: np.ndarray  # (panels,) number in the mesh, by place in the tree
