@@ -32,7 +32,8 @@ def sufficient_accuracy(panels):
     """Relative accuracy that suffices for approximate equations: a twentieth of the discretisation error of `panels`
     panels
 
-    The discretisation error falls with `ERROR_ORDER` from one per cent at 250 panels.
+    The discretisation error is one per cent at 250 panels and falls with the power `ERROR_ORDER` of the number of
+    panels.
     """
     return float(np.clip(0.05 * 0.01 * (250 / panels) ** ERROR_ORDER, 2e-5, 1e-4))
 

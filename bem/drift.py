@@ -71,7 +71,8 @@ def _of_momentum(scattered, forward, forward_slope, beta, k, n, weight):
 def harmonics(H, theta):
     """Orders (t,), rising, and coefficients (…, t) of the Fourier series of H (…, t), equally spaced theta (t,) rad.
 
-    A Kochin function has few harmonics beyond kR: the series equals the function, and its derivative is exact.
+    A Kochin function has few harmonics beyond kR: the series equals the function, and the derivative of the series is
+    exact.
     """
     t = len(theta)
     order, below = np.arange(t) - t // 2, t // 2

@@ -235,8 +235,8 @@ class FrequencyRun:
     def estimated_errors(self):
         """{name: absolute errors} of the wanted `schema.ESTIMATES`, about the rotation centre.
 
-        Errors of motions and drift are their changes when coefficients, forces and Kochin functions change by their
-        errors. In long waves these changes nearly cancel, and at resonance the dependence is not linear.
+        The error of motions and drift is the change caused by a change of coefficients, forces and Kochin functions
+        by their errors. In long waves these changes nearly cancel, and at resonance the dependence is not linear.
         All errors are therefore differences between two resolutions: errors raised by `haskind` would destroy the
         cancellation.
         """

@@ -37,7 +37,8 @@ class Folded(NamedTuple):
 
         signs : sign of the class in each image, ±1, (i,)
 
-        An image has the sign of its class. Its derivative also has the sign of the change of angle.
+        The value of H in an image has the sign of the class in this image. The derivative of an image also has the
+        sign of the change of angle.
         """
         turned = signs * self.images.prod(axis=1)
         return value[..., self.place] * signs[self.image], slope[..., self.place] * turned[self.image]

@@ -111,8 +111,8 @@ def linearised_response(omega, added_mass, damping, excitation, inertia, stiffne
     """Motion amplitudes (headings, n) per unit wave amplitude in waves of `viscous.wave_amplitude`, and B' (m, n, n).
 
     The assumed amplitude and the resulting amplitude change in opposite directions. If damping alone limits the
-    motion, the solution is the geometric mean of the two amplitudes; otherwise an iteration converges. raises :
-    FloatingPointError if the iteration does not converge
+    motion, the solution is the geometric mean of the two amplitudes; otherwise an iteration converges.
+    raises : FloatingPointError if the iteration does not converge
     """
     motions, equivalent = [], []
     size = np.diag(stiffness) + omega**2 * np.diag(inertia + added_mass)

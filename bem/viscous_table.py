@@ -105,7 +105,7 @@ def viscous_of_table(table, box, density, gravity):
 def laws_of(where, table, box, density, gravity):
     """{degree of freedom: law} of a table of `Laws`.
 
-    where : name of the table, for messages; box : {"length", "beam", "draft"} m; empty for a body that is no box
+    where : name of the table, for messages; box : {"length", "beam", "draft"} m; empty for a body that is no box.
     Raises ValueError, with a message of one line.
     """
     given = {mode: getattr(table, mode) for mode in MODES if getattr(table, mode) is not None}

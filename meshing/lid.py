@@ -1,8 +1,8 @@
 """Panels on the water surface inside a floating body (a lid), which remove irregular frequencies.
 
 The boundary integral equation of the outer flow has irregular frequencies, the eigenfrequencies of sloshing inside the
-hull.  Additional unknowns on the inner free surface remove these frequencies. Their exact density is zero, so the lid
-may be coarse and need not share points with the hull.
+hull.  Additional unknowns on the inner free surface remove these frequencies. The exact density on the lid is zero,
+so that the lid may be coarse and need not share points with the hull.
 """
 
 import math
@@ -89,8 +89,9 @@ def panelled(ring, size, symmetry):
 def waterline(mesh):
     """Intersection of the hull with the water surface: a list of polylines, m, (k, 3), with the body on the left.
 
-    Closed polylines end with their first point, open ones on mirror planes; only the meshed part of the hull is
-    covered.  Waterlines that touch in a point remain separate, each with the body on its left.  Raises ValueError
+    A closed polyline ends with its first point, and an open polyline begins and ends on mirror planes. The polylines
+    cover only the meshed part of the hull.
+    Waterlines that touch in a point remain separate, each with the body on its left.  Raises ValueError
     where several edges meet at a point and the numbers of arriving and leaving edges differ.
     """
     welded = mesh.merged()

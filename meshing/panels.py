@@ -133,7 +133,7 @@ class PanelMesh:
     @cached_property
     def is_round(self):
         """Whether a rotation by 1/12 of a circle or less about the vertical axis through the origin maps the hull to
-        itself, within the decimals of its file"""
+        itself within the accuracy of the numbers in its file"""
         points = self.whole().points if self.symmetry else self.points
         reach = np.hypot(*points[:, :2].T).max(initial=0.0)
         if not reach > 0:

@@ -88,7 +88,7 @@ def kind_filled_in(path):
 
 
 def damage(path):
-    """Damage of a sealed HDF5 file, in words; "" for an intact file or one without a seal.  Raises OSError."""
+    """Damage of a sealed HDF5 file, in words; "" for an intact file or a file without a seal.  Raises OSError."""
     if not _sealed_hdf5(path):
         return ""
     with Path(path).open("rb") as file:

@@ -1,4 +1,4 @@
-"""Poles of functions known at few places, by rational functions through some of their values.
+"""Poles of functions that are known at few places, from rational functions through some of the values.
 
     f(x) ≈ Σⱼ wⱼ fⱼ / (x − xⱼ)  /  Σⱼ wⱼ / (x − xⱼ)
 

@@ -39,7 +39,7 @@ class Accuracy(NamedTuple):
     `Profiles.smallest`
     modes : evanescent modes per smallest length; kappa : digits of the table in κ
     plan : digits of the plan's panels; extra : polynomials per side and class beyond those that waves need
-    further : further polynomials, added on the shorter side after rounding
+    further : number of polynomials that are added on the shorter side after rounding
     """
 
     digits: float

@@ -10,7 +10,7 @@ Mech. 46 (1971).  Conventions as in `bem`.
 Two parts do not depend on frequency: the maps under the body, and a table in κ of the maps outside, from which
 evanescent modes are summed (`modal_sums`).
 The functions of the plan are hierarchical in their degree, so that one table of a degree serves every frequency that
-needs this degree or a lower one.  A frequency solves one plane Helmholtz problem around the plan.
+needs this degree or a lower one.  For each frequency one plane Helmholtz problem around the plan is solved.
 """
 
 from dataclasses import dataclass, field
@@ -119,7 +119,7 @@ class ContourBody:
 
     @property
     def tolerance(self):
-        """Relative error for which the parts are made"""
+        """Relative error for which all parts of the method are resolved"""
         return 10**-self.accuracy.digits
 
     @cached_property

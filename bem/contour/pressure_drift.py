@@ -94,7 +94,7 @@ class _Sides:
         self.values = plan_values(freq)
 
     def load(self, heading, motion):
-        """Mean surge, sway and yaw per amplitude squared, motion (6,) about the origin; shape (3,)"""
+        """Mean load in surge, sway and yaw per squared amplitude; shape (3,); motion : motion about the origin, (6,)"""
         c = self.freq.contour
         flows = {cls: self.flow(cls, heading, motion) for cls in CLASSES}
         total = np.zeros(3)
@@ -112,7 +112,8 @@ class _Sides:
         return total
 
     def flow(self, cls, heading, motion):
-        """Amplitudes of `DepthSums`, except the two of the edge, at the nodes, and their slopes: two (a − 2, m)"""
+        """Amplitudes of `DepthSums` at the nodes, without the two amplitudes of the edge, and slopes: two arrays (a −
+        2, m)"""
         freq, (maps, slope) = self.freq, self.values[cls]
         dofs, wave, sides, flow = freq.flows[cls]
         speed = -1j * freq.omega * motion[dofs]

@@ -1,4 +1,4 @@
-"""Quantities of a database at its headings and at frequencies between the stored ones, with estimated errors.
+"""Quantities of a database at stored headings and at any frequency between stored frequencies, with estimated errors.
 
 Added mass and damping are fitted as one function, the impedance B − iω [A − A(ω_max)], which is one-sided in time
 because echoes arrive after the motion.
@@ -44,7 +44,7 @@ class Between:
     headings : stored headings, rad, (m,); theta : angles of the Kochin functions, rad, (t,)
     outline : points of the hull in plan, m, (p, 2)
     outlines : points of each of several moving bodies in plan, m; empty for one body
-    shapes : for each motion beyond the rigid ones, the number of its body among the moving bodies
+    shapes : index, among the moving bodies, of the body of each motion that is not rigid
     limits : stored limits of added mass, {"added_mass_zero", "added_mass_infinity": (6, 6)}
     wall : y of a wall along x, m, or None without a wall. Beside a wall, waves also meet the image of the hull in the
         wall
@@ -100,7 +100,7 @@ class Between:
         its kind;
         shape (q,)
 
-        Each diagonal coefficient is one kind; a force over all headings is one kind. The error of a coupling ij is
+        A diagonal coefficient is a kind, and a force over all headings is a kind. The error of a coupling ij is
         relative to √(ii · jj).
         """
         return np.max([self._relative(self.error(omega, name), name) for name in names], axis=0)
@@ -168,7 +168,7 @@ class Between:
         return out
 
     def has_limit(self, limit):
-        """Whether the limit of added mass is stored, and finite for at least one motion"""
+        """Whether the added mass at the limit is stored and is finite for at least one motion"""
         return limit in self.limits and bool(np.any(np.isfinite(np.diag(self.limits[limit]))))
 
     def _check(self, name):

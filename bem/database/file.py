@@ -76,7 +76,7 @@ class Header:
 
 
 def check_place(path):
-    """Raise DatabaseError if no file can be made at `path`; called before the computation."""
+    """Raise DatabaseError if no file can be made at `path`; this is called before the computation."""
     path = Path(path)
     if path.is_dir():
         raise DatabaseError(f"{path} is a folder")

@@ -2,8 +2,8 @@
 
 The mark of a stored cell is the CRC-32 of its bytes, 0 where nothing is stored, so that data and checksum become
 valid in one step (`storing.append`). Checks and wall time of a frequency have one CRC-32 for the row. The seal of the
-file (`results`) covers structure, attributes, coordinates, body and mesh. Files older than checksums have marks of
-one byte and no seal; only their schema is checked.
+file (`results`) covers structure, attributes, coordinates, body and mesh. Files from versions without checksums have
+marks of one byte and no seal; in these files only the schema is checked.
 """
 
 import tomllib

@@ -108,7 +108,8 @@ def abscissa(omega, depth, gravity, length):
 
 
 class Rows(NamedTuple):
-    """Every kernel of the family between nodes x (n,) and places y (q,), whatever is fitted.
+    """Values of every kernel of the family between nodes x (n,) and places y (q,), which do not depend on the fitted
+    functions.
 
     cardinal : value at y of the function that is 1 at one node and 0 at all other nodes, (kernels, q, n)
     left : share of the variance that remains at y, (kernels, q)
@@ -179,8 +180,8 @@ class Interpolant:
     body.
 
     A group has c functions, which share one estimated error and the weights of the members. A Kochin function at all
-    its angles is one group; a coefficient is a group by itself.  Complex functions have echoes with d > 0 only, real
-    functions with both signs of d.
+    angles is one group; a coefficient is one group.  Complex functions have echoes with d > 0 only, real functions
+    with both signs of d.
     """
 
     nodes: Nodes
@@ -293,8 +294,8 @@ def windows(x, real=False, ringing=()):
 class Joined:
     """Functions of nodes x by an `Interpolant` in each of the `windows`, joined from node to node.
 
-    The residual of a fit at its nodes, due to the nugget, is added back linearly. Nodes then return their values, and
-    the function is continuous from window to window.
+    The residual of a fit at its nodes, due to the nugget, is added back linearly. The function then has the known
+    values at the nodes and is continuous from window to window.
     The deviation at the nodes is subtracted linearly too, so that it is zero at the nodes. A damping that is a
     thousandth of the largest value can govern a resonance; this correction makes such a damping as accurate beside a
     node as at the node. Groups that are zero at every node, such as most couplings of a symmetric body, are zero
@@ -444,8 +445,8 @@ def unknown(x, y):
 def chosen(x, y, count):
     """Indices of the `count` points of y (m,) to be computed next, in order, when the points x are known.
 
-    The next point is the one of largest `unknown`, or, where all are below the nugget, the point farthest from known
-    points.
+    The next point is the point of largest `unknown`, or, if all values are below the nugget, the point farthest from
+    known points.
     """
     new = []
     for _ in range(count):

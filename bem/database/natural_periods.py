@@ -17,8 +17,8 @@ GIVE_GYRATION = "give --gyration kxx,kyy,kzz and solve again; if its files were 
 
 @dataclass(frozen=True)
 class NaturalPeriods:
-    """Modes in the order Surge … Yaw, for several bodies one body after another. Each mode is named after the motion
-    with most of its kinetic energy.
+    """Modes in the order Surge … Yaw, for several bodies one body after another. A mode is named after the motion
+    that contains most of the kinetic energy of the mode.
 
     names : (n,); period : (n,) s, inf without restoring, nan where the body is unstable
     shapes : mode shapes in rows, (n, n), with largest component 1 after rotations are multiplied by `scale` m

@@ -8,9 +8,9 @@ functions of the radiation are stored, forces over the headings follow from Hask
 
     F_j(β) = −4i ρg n/k² H_j(β + π),    n = C_g/C,
 
-corrected by its interpolated error at the stored headings.  Drift is of second order and needs more frequencies than
-forces, as its error shows.  In a stored wave the result is the stored number.  Without Kochin functions the drift
-itself is interpolated, with an error that includes the step to the next stored frequency.
+corrected by the interpolated error of this relation at the stored headings.  Drift is of second order and needs more
+frequencies than forces, as its error shows. In a stored wave the result is the stored number. Without Kochin
+functions the drift itself is interpolated, with an error that includes the step to the next stored frequency.
 
 With several bodies the motions are n = 6 for each moving body, one body after another, then the shapes of flexible
 bodies, all coupled; drift is that of the whole about the origin, and drift of each body (`drift_of_each`) is the
@@ -47,7 +47,7 @@ class Reader:
 
     between : stored quantities over frequency; inertia, stiffness : (n, n) or None; damping : (n, n) without radiation
     rotation_center : m; symmetry : planes of hull and water, "", "x", "y" or "xy"
-    is_round : whether the hull is one of revolution about the vertical through the origin
+    is_round : whether the hull is a body of revolution about the vertical through the origin
     own : whether the stored motions and drift are those of this body; False once a restraint is added
     viscous : damping in addition to radiation, `bem.viscous.Viscous`, valid at its wave amplitude; or None
     mesh : PanelMesh of the hull, or None; bodies : `bem.modes.Body` of each of several bodies, empty for one body
@@ -206,8 +206,8 @@ class Reader:
         return replace(self, between=replace(self.between, quantities=kept))
 
     def critical_damping(self, mode):
-        """Critical damping 2√(C (M + A)) of one uncoupled mode, with A at the natural frequency of the mode or, if
-        that is not stored, at the nearest stored frequency.
+        """Critical damping 2√(C (M + A)) of one uncoupled mode, with A at the natural frequency of the mode or at the
+        nearest stored frequency.
 
         Raises ValueError for a mode without restoring.
         """
@@ -283,8 +283,8 @@ class Reader:
     def motions(self, omega, headings=None):
         """Motions about rotation_center per unit wave amplitude, m/m and rad/m; shape (q, p, n), complex.
 
-        omega : frequencies, rad/s, (q,); headings : directions that waves travel to, rad, (p,), or None for the stored
-            ones
+        omega : frequencies, rad/s, (q,); headings : directions that waves travel to, rad, (p,), or None for the
+            stored headings
         raises : BetweenError outside the stored frequencies and headings, and for a body without inertia
         """
         omega = self.inside(omega)
@@ -324,7 +324,7 @@ class Reader:
         return motions[..., self.columns_of(body)]
 
     def columns_of(self, body):
-        """Slice of the motions of one of several bodies among all, or None for a fixed body"""
+        """Slice, among all motions, of the motions of one of several bodies, or None for a fixed body"""
         if body.fixed:
             return None
         first = 6 * [one.name for one in self.bodies if not one.fixed].index(body.name)

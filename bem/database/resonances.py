@@ -32,7 +32,8 @@ QUIET = 1e-3  # smallest peak reported, relative to the largest motion of its ki
 class Resonance:
     """A peak of the motion with index `mode` and name `name`, at omega rad/s in waves towards `heading` rad.
 
-    peak : m/m or rad/m; error : its estimated error between stored frequencies; damping : ratio ζ
+    peak : height of the peak, m/m or rad/m; error : estimated error of the peak between stored frequencies; damping :
+        ratio ζ
     viscous : whether this motion has damping in addition to wave radiation
     """
 

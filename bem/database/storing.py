@@ -172,8 +172,8 @@ def append_limit(file, name, value):
 
 
 def checked(name, value, shape, where, infinite=False):
-    """A value as an array of its quantity's type.  Raises DatabaseError if the value has another shape or is not
-    finite."""
+    """A value as an array whose type is that of the quantity.  Raises DatabaseError if the value has another shape or
+    is not finite."""
     kind = QUANTITIES[name][2]
     if kind is float and np.iscomplexobj(value):
         raise DatabaseError(f"{name} at {where} is complex, its type is real")

@@ -5,8 +5,8 @@ DiffractionForce.tec and FKForce.tec one for each heading: ω, then amplitude an
 gives frequencies and headings by first, last and count; frequencies or headings that are not evenly spaced are
 refused.  Zones are counted, not named: Nemoh 2 calls the zones of the excitation "Diffraction force" too.
 A set of N bodies has a zone for each motion of each body, 6N columns, and files Hydrostatics_0.dat, KH_0.dat and so
-on; a fixed body has no motions. File names are accepted in any case, as Nemoh 3 writes results/. Source: Nemoh v3
-manual, LHEEA, École centrale de Nantes.
+on; a fixed body has no motions. File names are accepted in any case of letters, because Nemoh 3 writes a folder
+results/. Source: Nemoh v3 manual, LHEEA, École centrale de Nantes.
 """
 
 import re

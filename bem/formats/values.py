@@ -208,8 +208,8 @@ def body_of(place, count, known):
 
 
 def evenly(what, numbers, unit, way_out):
-    """Return (first, last, count) of equally spaced numbers.  Raises FormatError for unequal spacing, which some
-    files do not support."""
+    """Return (first, last, count) of equally spaced numbers.  Raises FormatError for unequal spacing, because some
+    file formats need equal spacing."""
     steps = np.diff(numbers)
     if len(steps) and not np.all(np.abs(steps - steps.mean()) <= EVEN * steps.mean()):
         raise FormatError(
@@ -253,7 +253,8 @@ def table_of(path, columns):
 
 
 def gridded(path, coordinates, values, modes=()):
-    """Rising coordinates and values on their grid.  Raises FormatError for a grid point with no value or two.
+    """Rising coordinates, and values on the grid of these coordinates.  Raises FormatError for a grid point with no
+    value or two.
 
     coordinates : list of (k,); values : (k, …); returns : list of (n_i,), array (n_0, n_1, …, …)
     modes : all possible numbers of each of the last coordinates; a value missing from the table is 0, because

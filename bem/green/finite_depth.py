@@ -8,8 +8,8 @@ Z(z) = cosh k(z+h)/cosh kh and C = 2πk²/((k²−K²)h + K).  With (SR179 repor
     f(R, V) = PV∫ (μ+K) e^(−μh) cosh μV / (μ sinh μh − K cosh μh) J₀(μR) dμ
     g₁(R, Y) = f(R, 2h−Y) − 1/√(R²+Y²),    g₂(R, V) = f(R, V)
 
-Where R < h/2, 2K F(KR, KY) of `bem.green.deep_water` is subtracted from g₁. Beyond, the wave −C Z(z) Z(ζ) Y₀(kR) is
-subtracted from g₁ + g₂.  The remainder is smooth and interpolated in the tables of `bem.green.tables`.
+Where R < h/2, 2K F(KR, KY) of `bem.green.deep_water` is subtracted from g₁. Where R > h/2, the wave −C Z(z) Z(ζ)
+Y₀(kR) is subtracted from g₁ + g₂.  The remainder is smooth and interpolated in the tables of `bem.green.tables`.
 """
 
 import math
@@ -32,7 +32,7 @@ INTEGER = 1.5 * 2.0**52
 
 
 class TableView(NamedTuple):
-    """A `Table` with addresses in place of its arrays, which must exist as long as the view is used."""
+    """A `Table` with addresses in place of arrays; the arrays must exist as long as the view is used."""
 
     K: float
     k: float

@@ -2,9 +2,9 @@
 
 Comments, docstrings and line breaks are not part of the digest: after a change of comments, docstrings or line breaks
 no kernel is compiled again. The imports and the digest of each file are kept beside the compiled kernels, under the
-file's time of change and size. Reading all sources at every start took a third of the time of the smallest command. A
-file that was read within `TICK` of its change is read again the next time. A second change within one tick of the
-file system's clock would have an equal time.
+file's time of change and size. Reading all sources at every start took a third of the time of the smallest command.
+If a file was changed less than `TICK` before it was read, it is read again the next time.
+A second change within one tick of the file system's clock would have an equal time.
 """
 
 import ast

@@ -6,7 +6,7 @@ a few milliseconds lose time too. The threads of BLAS keep their cores busy for 
 of 2 ms took 30 ms in a pool of threads.
 
 A kernel computes a range of rows and releases the interpreter lock; Python threads call it.  Loops that numba
-distributes itself (`prange`) run as fast and take two to three times as long to compile.
+distributes over threads (`prange`) run equally fast, but take two to three times as long to compile.
 """
 
 from contextlib import nullcontext

@@ -7,8 +7,8 @@ of a hull point, X_c the displacement of the rotation centre, α the rotations;
 F₁ and M₁ the first-order load of water and weight
 about the rotation centre, equal to inertia times acceleration for a body without other restraint.
 
-The relative error of the pressures, times ρgζ² times the breadth, is the error of the drift, however small the drift
-is. In long waves this error exceeds the drift.
+The error of the drift is the relative error of the pressures times ρgζ² times the breadth, even if the drift is
+small. In long waves this error exceeds the drift.
 
 The momentum flux through a surface in the water around the hull would be no check: for every flow by Green's theorem
 or by eigenfunctions, right or wrong, this flux equals the flux far away.

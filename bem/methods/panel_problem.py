@@ -96,7 +96,7 @@ class PreparedPanelProblem:
     def axisymmetric_geometry(self):
         """Geometry of an axisymmetric body with an axisymmetric lid, which replaces the lid of the problem.
 
-        φ' vanishes on the lid, so that any lid is valid.
+        The density φ' is zero on every lid, so that any lid is valid.
         """
         g, problem = self.geometry, self.problem
         if problem.lid is None or g.sectors or not g.without_lid.sectors:

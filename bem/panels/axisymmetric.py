@@ -5,8 +5,8 @@ sector and R_k the rotation by α_k = 2πk/N, the blocks a(i, R_k j) determine t
 
     φ(R_k j) = Σ_m φ̂_m(j) exp(imα_k)        Â_m(i, j) = Σ_k a(i, R_k j) exp(imα_k)
 
-each harmonic m has separate equations, p × p. Only harmonics in a right-hand side are solved: one for heave, one for
-surge and pitch, and about kR + 10 for incident waves.
+each harmonic m has separate equations, p × p. Only harmonics that occur in a right-hand side are solved: one for
+heave, one for surge and pitch, and about kR + 10 for incident waves.
 
 With a mirror plane M, which maps m to −m, half the harmonics and half the rows of a sector are enough: M i = R_s(i) i*
 implies

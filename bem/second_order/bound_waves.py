@@ -1,4 +1,4 @@
-"""The wave bound to a pair of waves, at the difference of their frequencies or at their sum.
+"""The wave bound to a pair of waves, at the difference or the sum of the two frequencies.
 
 At second order a sea Re Σ aᵢ exp{i(kᵢ·x − ωᵢt)} carries the bound waves Re Σᵢ Σⱼ aᵢ āⱼ s_ij exp{i(κ·x − Ωt)}, with Ω
 = ωᵢ − ωⱼ and κ = kᵢ − kⱼ. No free wave has this frequency and this wavenumber. The potential of a bound wave of

@@ -1,9 +1,9 @@
 """First-order waves of a box or vertical cylinder by the contour method, for forces of pairs.
 
-The integrals over sides and bottom contain the flow at the edge exactly. The integral of the bound wave is over the
-wall of the plan (`bem.contour.hull`), and the potential on the surface around a cylinder is a sum of Bessel functions
-(`contour_surface`). The contour method gives only means of the flow under a box. A box must therefore be fixed; its
-heave, roll and pitch loads, and the forcing of the surface around the box, are not computed.
+The integrals over sides and bottom include the exact singular flow at the edge. The integral of the bound wave is
+over the wall of the plan (`bem.contour.hull`), and the potential on the surface around a cylinder is a sum of Bessel
+functions (`contour_surface`). The contour method gives only means of the flow under a box. A box must therefore be
+fixed; its heave, roll and pitch loads, and the forcing of the surface around the box, are not computed.
 """
 
 import numpy as np

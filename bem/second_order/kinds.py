@@ -3,7 +3,7 @@
     F(t) = Re Σᵢ Σⱼ aᵢ āⱼ T_ij exp{−i(ωᵢ − ωⱼ)t},        F(t) = Re Σᵢ Σⱼ aᵢ aⱼ T⁺_ij exp{−i(ωᵢ + ωⱼ)t}
 
 A real wave Re φ exp(−iωt) is also Re φ̄ exp(−i(−ω)t). The effect of two waves at the sum of their frequencies is
-therefore the effect, at the difference, of the first wave and of the second wave written in this form.
+therefore their effect at the difference, if the second wave is written in this form.
 A formula for differences becomes a formula for sums if −ωⱼ replaces ωⱼ and the conjugates of the second wave are
 omitted; T⁺_ij = T⁺_ji.
 """

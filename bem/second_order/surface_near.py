@@ -3,8 +3,8 @@
 Each panel side on the waterline begins a strip that ends on the circle.  A strip has Radau points from waterline to
 circle, the first of which is on the hull, and Gauss points along the side. Derivatives are those of the polynomials
 through these points.
-Potentials at points on the hull are interpolated (`hull_interpolation`). Potentials off the hull follow from the solved
-φ and its normal derivative V on the panels,
+Potentials at points on the hull are interpolated (`hull_interpolation`). Potentials at points off the hull follow
+from φ and the normal derivative V on the panels,
 
     4πφ = ∬ (φ ∂G/∂n − V G) dS.
 """

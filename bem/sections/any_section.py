@@ -12,7 +12,7 @@ Green's identity is applied to the water, not to the inside of the body, so ther
 An edge at z = 0 between other edges is the water of a gap between two sections, with ∂φ/∂n = K(1 + iε)φ for the
 total φ and the damping ε of this water (`bem.panels.damping_lid`).
 
-Towards a corner each panel is four times smaller than the one before. At the corner φ is like distance^(π/β), with β
+Towards a corner each panel is four times smaller than the panel before. At the corner φ is like distance^(π/β), with β
 the angle of the water. Panels have Gauss points (`product_integration`).
 Conventions and `Section` are those of `coefficients`.
 """

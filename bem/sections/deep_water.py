@@ -5,7 +5,7 @@
 
 Y = |y − η|, Z = z + ζ, r′ from the image above the surface, K = ω²/g; C′ = C − 1/x.  Wehausen and Laitone (1960),
 eq. 13.31, with exp(−iωt).  The half contour y > 0 has Gauss points on panels. Towards the edge, where φ is like
-distance^(2/3), and towards the waterline each panel is four times smaller than the one before.
+distance^(2/3), and towards the waterline each panel is four times smaller than the panel before.
 Even and odd flows are solved separately.
 
 - The logarithms of ∮ G ∂φ/∂n are integrated in closed form.  In ∮ φ ∂G/∂n the sum of every row is corrected to the

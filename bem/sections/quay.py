@@ -9,8 +9,9 @@ A floating section also radiates waves. With motions X per unit amplitude
 
     T = T₀ + Σ Xⱼ ηⱼ,    R = R₀ + Σ Xⱼ η′ⱼ;    without other losses  |T| = |sin(ε_z − ε_y)|,  |R| = |cos(ε_z − ε_y)|
 
-ε_z and ε_y are the phases of heave and of the motions across (SR179 report (1982), eq. 3.7.3.8, with cos(ε_z − ε_H) for
-its ε_z + ε_H).  The report, section 3.7.3, uses only c = T e^{2ikP}, and multiplies the motions by |1 + c| (π of eq.
+ε_z and ε_y are the phases of heave and of the motions across (SR179 report (1982), eq. 3.7.3.8, in which ε_z + ε_H is
+replaced by cos(ε_z − ε_H)).
+The report, section 3.7.3, uses only c = T e^{2ikP}, and multiplies the motions by |1 + c| (π of eq.
 3.7.3.14, in which χ = δ_T − 2kP has δ_T = −arg T).  The equations here and in the report need a gap to the wall of
 more than a water depth or a beam, so that only propagating waves cross the gap.
 The panel method with a wall (`bem.methods.panel_problem.PanelProblem`) has no such

@@ -1,4 +1,4 @@
-"""Compiled rate and force of `memory`: 0.1 µs each for 60 states, whatever the motions."""
+"""Compiled rate and force of `memory`: each takes 0.1 µs for 60 states, for any number of motions."""
 
 from typing import NamedTuple
 

@@ -128,7 +128,7 @@ class _Problem:
         return (self.modes.input.conj().T @ P @ self.response).reshape(m, -1, m).swapaxes(0, 1)
 
     def misses(self, Z):
-        """Real differences from the wanted values, in one row"""
+        """Real and imaginary parts of the differences from the wanted values, in one row"""
         off = ((self.transfer(Z) - self.wanted) * self.weights).ravel()
         return np.concatenate([off.real, off.imag])
 
@@ -137,7 +137,7 @@ class _Problem:
         return np.hypot(*np.split(self.misses(Z), 2)).max()
 
     def slopes(self, Z):
-        """Derivatives of the differences with respect to the unknowns; shape (unknowns, misses)"""
+        """Derivatives of the differences with respect to the unknowns; shape (unknowns, differences)"""
         a, m = Z.shape
         loss, B = self.columns @ Z, self.modes.input.conj()
         out = []

@@ -1,4 +1,4 @@
-"""Sensitivity of a moored body to an error of its memory, which is larger for lightly damped motions.
+"""Sensitivity of a moored body to an error of its memory; lightly damped motions have a larger sensitivity.
 
 An error E (6, 6) of the impedance changes a free decay by up to E / (e B) of its initial amplitude, with B the whole
 damping at the natural frequency. The effect is proportional to the admittance Y of the body on its springs. With the
@@ -7,8 +7,8 @@ restoring forces C of the water, and the small damping that every moored body ha
     Y = [H − iω (M + A∞) + iC/ω + 2ζω (M + A)]⁻¹,        its diagonal times the diagonal of the largest H.
 
 Springs of moorings are unknown here.  Moorings restrain surge, sway and yaw more softly than hydrostatics restrains
-heave. Below the natural frequency of heave, surge, sway and yaw are therefore taken as resonant at every frequency,
-if this gives a larger sensitivity.
+heave. Surge, sway and yaw are therefore taken as resonant at every frequency below the natural frequency of heave, if
+this gives a larger sensitivity.
 """
 
 import numpy as np

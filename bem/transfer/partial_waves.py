@@ -109,7 +109,8 @@ def highest_order(kind, k, a, apart, gap, tolerance, most):
     """Highest order of partial waves that is needed between bodies in circles of radius a, m
 
     Order m of the waves that a box sends decreases like (a / apart)ᵐ on the way to the next axis. Waves that pass a
-    body have no more orders than plane waves have on its circle.  Decaying waves matter only if they cross the gap
+    body have no more orders than plane waves on the circle of the body.
+    Decaying waves matter only if they cross the gap
     and return.
     apart : distance from axis to axis, m; gap : distance from hull to hull, m
     """

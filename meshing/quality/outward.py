@@ -1,4 +1,4 @@
-"""Normals of a drawing, which may point to either side, turned to the side of the water."""
+"""The normals of a drawing, which may point to either side, are turned to the water."""
 
 from dataclasses import replace
 

@@ -1,6 +1,6 @@
 """Seams: places where panels lie side by side without common corners. Water cannot pass, although every edge is free.
 
-Free edges, directed as in their panels, form rings.  Each ring encloses an open area,
+Free edges, each in the direction in which it borders its panel, form rings.  Each ring encloses an open area,
 
     a = ½ Σ x × Δx        with a straight line that closes a ring which ends at the surface
 

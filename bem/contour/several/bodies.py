@@ -150,12 +150,12 @@ class SeveralBodies:
 
     @property
     def tolerance(self):
-        """Relative error for which the parts are made"""
+        """Relative error for which all parts of the method are resolved"""
         return max(body.tolerance for body in self.bodies)
 
     @property
     def digits(self):
-        """Number of digits for which the parts are made"""
+        """Number of digits for which all parts of the method are resolved"""
         return max(body.accuracy.digits for body in self.bodies)
 
     def first_order(self, omega, headings=(), theta=(), dofs=None, density=1025.0, gravity=9.80665):

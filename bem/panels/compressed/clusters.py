@@ -56,7 +56,7 @@ class Clusters:
 
     @property
     def leaves(self):
-        """Indices of the clusters without children, in the order of their panels"""
+        """Indices of the clusters without children, ordered as the panels"""
         found = np.flatnonzero(self.children[:, 0] < 0)
         return found[np.argsort(self.first[found])]
 
