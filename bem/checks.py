@@ -8,7 +8,7 @@ Damping governs the motion at resonance. Its error is therefore also measured re
 about the rotation centre, with
 
     b = max(B, ωA / πN)       the damping itself, or the damping with which oscillations exp(−Bt / 2(M + A)) of
-               any mass M take N periods and more to die out
+                              any mass M take N periods and more to die out
 
 This scale is valid for any inertia and restoring forces, which moorings change.  A resonance with so little damping
 does not develop fully within N periods; its height depends on the duration of the waves. N = 1000 is three hours of

@@ -1,6 +1,7 @@
 """The table [viscous] of a scene: damping of heave, roll and pitch that depends on the amplitude of the motion.
 
-    [viscous] wave_height = 2.0 # height of the waves in which damping is linearised, m
+    [viscous]
+    wave_height = 2.0                                        # height of the waves in which damping is linearised, m
     roll = "Yamashita"                                       # boxes in deep water, B/d from 5 to 10
     heave = { amplitudes = [0.5, 1.0], b = [0.02, 0.05] }    # b_H of SR179 report (1982), eq. 2.1.4.6
     pitch = { drag = 1.0e9 }                                 # moment over the square of the angular velocity, N m s²

@@ -5,8 +5,9 @@ Every term is a product of a function of R and a function of a depth, so a table
 The classes for positive, zero and infinite frequency have these members:
 
     near(R, Y, V)   g₁ − 2KF at (R, Y) and g₂ at (R, V), which are smooth up to the next images in surface and bed
-    modes           wavenumbers km, and factors in E(R, V) = Σ factor K₀(km R) cos(km V), with f = E + the propagating
-    wave net factor of ln(2h/R) in E mirror sign of 1/r₁ in G
+    modes           wavenumbers km, and factors in E(R, V) = Σ factor K₀(km R) cos(km V), f = E + the propagating wave
+    net             factor of ln(2h/R) in E
+    mirror          sign of 1/r₁ in G
 """
 
 import math

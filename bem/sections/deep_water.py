@@ -9,7 +9,7 @@ distance^(2/3), and towards the waterline each panel is four times smaller than 
 Even and odd flows are solved separately.
 
 - The logarithms of ∮ G ∂φ/∂n are integrated in closed form.  In ∮ φ ∂G/∂n the sum of every row is corrected to the
-angle that the contour subtends. On the unresolved last panels at the edge φ is then constant instead of zero.
+  angle that the contour subtends. On the unresolved last panels at the edge φ is then constant instead of zero.
 - Errors are relative to |A + iB/ω|: smaller damping than the tolerance times this coefficient is not resolved.
 - Points inside, on the waterline, remove the irregular frequencies (Schenck, Journal of the Acoustical Society of
 America 44, 1968).

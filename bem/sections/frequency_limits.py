@@ -1,7 +1,7 @@
 """Added mass of a rectangle at ω → 0 and ω → ∞ in finite depth: the flows of `finite_depth` without a wave.
 
     ω → 0   ∂φ/∂z = 0 on z = 0: kₙ = nπ/h.  Sway and roll have no net flow, and φ tends to a constant far away.
-           Heave has the net flow that it displaces, φ ~ |y| − b far away, and B/ω grows like 1/k
+            Heave has the net flow that it displaces, φ ~ |y| − b far away, and B/ω grows like 1/k
     ω → ∞   φ = 0 on z = 0:     kₙ = (n − ½)π/h
 
 The results are the limits of `coefficients.section`. At ω → 0 the part 1/ik of the potential, due to the wave, is
