@@ -101,7 +101,8 @@ def yamashita_roll(length, beam, draft, density):
 
 
 def report_scale(dof, length, beam, draft, density, gravity):
-    """`Tabulated.scale` of the report's b for "Heave" or "Roll"; pitch like roll, with length and beam exchanged"""
+    """`Tabulated.scale` for the coefficient b of the report for "Heave" or "Roll". For pitch it is that of roll, with
+    length and beam exchanged"""
     if dof == "Pitch":
         length, beam = beam, length
     return density * length * beam * draft * np.sqrt(beam / (2 * gravity)) * (1 if dof == "Heave" else (beam / 2) ** 2)

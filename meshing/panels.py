@@ -2,7 +2,7 @@
 
 A panel is a flat quadrilateral given by four point numbers, counter-clockwise seen from the water, so that the normal ½
 (p₂−p₀)×(p₃−p₁) points out of the body.  A triangle repeats its last corner.  A quadrilateral that is not flat is
-represented by its mean plane. This preserves the vector area, and therefore the sums over a closed surface.
+represented by its mean plane. The mean plane preserves the vector area, and therefore sums over a closed surface.
 """
 
 from dataclasses import dataclass, replace

@@ -39,7 +39,7 @@ class BetweenError(ValueError):
 
 @dataclass(frozen=True, eq=False)
 class Between:
-    """Quantities {name: (n, …)} at omega (n,) rad/s rising, axes as in `schema.QUANTITIES`.
+    """Quantities {name: (n, …)} at rising omega (n,) rad/s, with the axes of `schema.QUANTITIES`.
 
     headings : stored headings, rad, (m,); theta : angles of the Kochin functions, rad, (t,)
     outline : points of the hull in plan, m, (p, 2)

@@ -1,4 +1,4 @@
-"""The netCDF file of Capytaine (documentation, "Outputs"): in SI, exp(−iωt) and headings as here.
+"""The netCDF file of Capytaine (documentation, "Outputs"): units, time factor and headings are those of this package.
 
 Complex numbers have a last axis `complex` of re, im, as in files of `capytaine.export_dataset`. Datasets have the
 names that Capytaine uses. Modes are labelled, so their order does not matter.  Mean drift is

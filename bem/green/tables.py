@@ -1,7 +1,7 @@
 """Tables of the wave part of the Green function at one frequency (equations in `bem.green.finite_depth`).
 
-The singular and oscillating parts are subtracted: the deep-water function for R < h/2, and the wave for larger R. These
-parts are known for every frequency (`bem.green.deep_water`).  The remainder varies over the larger of h/2 and R at
+The singular and oscillating parts are subtracted: the deep-water function for R < h/2, and the wave for larger R.
+`bem.green.deep_water` gives these functions at every frequency.  The remainder varies over the larger of h/2 and R at
 every frequency, so few piecewise polynomials of degree 7 represent it. Pieces in R grow with R until the remainder is
 negligible; pieces in the two depth variables have equal size.
 """

@@ -43,7 +43,7 @@ def _module(folder, name):
 
 
 def parsed(text):
-    """The syntax tree of a source, as text, without its docstrings, and its import statements"""
+    """The syntax tree of a source text without docstrings, and the import statements of the source"""
     tree, imports = ast.parse(text), []
     waiting = [tree]
     while waiting:

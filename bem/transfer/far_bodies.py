@@ -105,7 +105,7 @@ class FarBodies(SeveralBodies):
         return tuple(dict.fromkeys(self.bodies))
 
     def resolution(self, omega, gravity=9.80665):
-        """Resolution of the equations at a frequency, as of `body.ContourBody`"""
+        """Resolution of the equations at a frequency; errors are smooth over frequencies of equal resolution"""
         return tuple(body.resolution(omega, gravity) for body in self.alone)
 
     @cached_property

@@ -274,7 +274,7 @@ class SeveralBodies:
         return [body.profiles.gap.outer_modes(omega, count, gravity) for body in self._first_of_kinds]
 
     def resolution(self, omega, gravity=9.80665):
-        """Resolution of the equations at a frequency, as of `body.ContourBody`"""
+        """Resolution of the equations at a frequency; errors are smooth over frequencies of equal resolution"""
         k = float(wavenumber(omega, self.depth, gravity))
         return (*self.degrees(k), self.exterior(k, self.degrees(k)[0]).size)
 

@@ -1,9 +1,9 @@
 """The equations of `bem.panels.influence` at one frequency, as an operator on the nodes, for all symmetry classes.
 
 Blocks are real, because the imaginary part is a sum over few standing waves (`bem.panels.standing_waves`). Real
-blocks need half the operations and memory of complex blocks.  Each block belongs to a mirror image of the sources,
-not to a class: images lie farther from the targets than the panels themselves. All classes use the same blocks, with
-columns multiplied by the signs of the class.
+blocks need half the operations and memory of complex blocks.  Each block belongs to one mirror image of the sources,
+not to a class, because images are farther from the targets than the panels themselves.
+All classes use the same blocks, with columns multiplied by the signs of the class.
 """
 
 from functools import cached_property
