@@ -8,13 +8,13 @@ Damping governs the motion at resonance. Its error is therefore also measured re
 about the rotation centre, with
 
     b = max(B, ωA / πN)       the damping itself, or the damping with which oscillations exp(−Bt / 2(M + A)) of
-               any mass M take N periods and more to die out
+                              any mass M take N periods and more to die out
 
-for any inertia and restoring forces, which moorings change.  A resonance with so little damping does not develop fully
-within N periods; its height depends on the duration of the waves.  N = 1000 is three hours of waves of 11 s.  In
-waves that start from rest and last N periods, the mean variance of the resonant motion is proportional to (1 − (1 −
-e⁻ˣ)/x)/x, with x = 2B/b₀ ≤ 2 for B ≤ b₀ = ωA / πN. An error b₀ε of B then changes the standard deviation by ε/3 at
-most (tests/bench/damping_floor.py).
+This scale is valid for any inertia and restoring forces, which moorings change.  A resonance with so little damping
+does not develop fully within N periods; its height depends on the duration of the waves. N = 1000 is three hours of
+waves of 11 s. In waves that start from rest and last N periods, the mean variance of the resonant motion is
+proportional to (1 − (1 − e⁻ˣ)/x)/x, with x = 2B/b₀ ≤ 2 for B ≤ b₀ = ωA / πN. An error b₀ε of B then changes the
+standard deviation by ε/3 at most (tests/bench/damping_floor.py).
 """
 
 import numpy as np
@@ -32,7 +32,8 @@ def sufficient_accuracy(panels):
     """Relative accuracy that suffices for approximate equations: a twentieth of the discretisation error of `panels`
     panels
 
-    The discretisation error falls with `ERROR_ORDER` from one per cent at 250 panels.
+    The discretisation error is one per cent at 250 panels and falls with the power `ERROR_ORDER` of the number of
+    panels.
     """
     return float(np.clip(0.05 * 0.01 * (250 / panels) ** ERROR_ORDER, 2e-5, 1e-4))
 
@@ -90,8 +91,8 @@ def estimate(run, rough, refinement):
 
 
 def share_left(refinement):
-    """Error of the results of a mesh over their difference from those of a coarser mesh; refinement : as in
-    `estimate`"""
+    """Ratio of the error of a mesh to the difference between its results and those of a coarser mesh; refinement : as
+    in `estimate`"""
     return 1 / (refinement**ERROR_ORDER - 1)
 
 

@@ -17,7 +17,7 @@ OF_EACH = {"body_drift_force_fixed": False, "body_drift_force": True}  # names f
 def mean_drift(H, slope, forward, forward_slope, theta, beta, k, n, density, gravity):
     """Mean surge and sway force (N/m²) and yaw moment (N m/m²) about the origin; shape (headings, 3)
 
-    k, n : numbers, or arrays that broadcast over the headings; other arguments may then have more leading axes
+    k, n : numbers, or arrays that broadcast over the headings; with arrays, other arguments may have more leading axes
     H, slope : total Kochin function and its derivative at equally spaced `theta`, (headings, t)
     forward, forward_slope : total Kochin function and its derivative at θ = β, (headings,); beta : rad, (headings,)
     """
@@ -32,9 +32,9 @@ def drift_of_two(H, slope, ahead, ahead_slope, theta, beta, k, n, density, gravi
 
     In waves of amplitudes a_i the mean drift is Re Σ Σ a_i conj(a_j) D_ij.
 
-    ahead, ahead_slope : H and H′ of each wave in the direction of every wave, (headings, headings)
+    ahead, ahead_slope : H and H′ of each wave in the direction of every wave, (headings, headings).
     The other arguments are those of `mean_drift`, which gives D_ii.  The far field of a pair contains the
-    interference of each incident wave with the scattered wave of the other:
+    interference of each incident wave with the wave that the body scatters from the other incident wave:
 
         −2π cosβ Re H(β) becomes −π {cosβⱼ Hᵢ(βⱼ) + cosβᵢ H̄ⱼ(βᵢ)},    Im H′(β) in the same way,    |H|² becomes Hᵢ H̄ⱼ
     """
@@ -71,7 +71,8 @@ def _of_momentum(scattered, forward, forward_slope, beta, k, n, weight):
 def harmonics(H, theta):
     """Orders (t,), rising, and coefficients (…, t) of the Fourier series of H (…, t), equally spaced theta (t,) rad.
 
-    A Kochin function has few harmonics beyond kR: the series equals the function, and its derivative is exact.
+    A Kochin function has few harmonics beyond kR: the series equals the function, and the derivative of the series is
+    exact.
     """
     t = len(theta)
     order, below = np.arange(t) - t // 2, t // 2

@@ -25,7 +25,7 @@ def needed(want):
 def motions(problem, omega, added_mass, damping, excitation):
     """Motions X (m, 6), m/m and rad/m, of a `bem.problem.Problem`, about its rotation centre like all arguments.
 
-    added_mass, damping : (6, 6); excitation : (m, 6)
+    added_mass, damping : (6, 6); excitation : (m, 6).
     For N bodies the shapes are (6N, moving), (m, 6N), and (m, moving) for X.
     """
     if problem.structural_damping is not None:

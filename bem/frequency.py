@@ -32,7 +32,7 @@ def solve_frequency(prepared, omega, headings, want, theta=None, dofs=None):
 
     prepared : prepared problem from `bem.methods.panel_problem.prepare`
     omega : frequency, rad/s; headings : directions that the waves travel to, rad, (m,); want : names of datasets
-    theta : equally spaced angles of the Kochin functions, rad, (t,); dofs : names of the needed motions; None: all
+    theta : equally spaced angles of the Kochin functions, rad, (t,); dofs : names of the needed motions; if None, all
     returns : arrays over the forces and motions of the problem (NaN where not in `dofs`), "checks", "wall_time" (s)
         and, if the method estimates errors, "estimated_error" of names in `schema.ESTIMATES`
     """
@@ -54,8 +54,8 @@ class FrequencyRun:
 
     A method provides `radiation`, `froude_krylov`, `diffraction`, `haskind`, `kochin` and `residual` as in
     `bem.first_order.FirstOrder`; `kochin` is at `theta` and at the headings, and `haskind` is None where it is
-    unknown. It also provides `solves`, and `differences`: signed errors of `radiation` (6, 6) and `excitation` (m, 6)
-    from two resolutions, or None; `kochin_errors` are the signed errors of `kochin`.
+    unknown. A method also provides `solves`, and `differences`: signed errors of `radiation` (6, 6) and `excitation`
+    (m, 6) from two resolutions, or None; `kochin_errors` are the signed errors of `kochin`.
     """
 
     most_sharper = 0  # largest number of sharper runs, one after another
@@ -101,7 +101,7 @@ class FrequencyRun:
 
     @property
     def radiated(self):
-        """B/ω from the far field, with B = 2ρgC_g/(πkω²) ∫ Hᵢ H̄ⱼ dθ; shape (6, 6); None if it is not computed"""
+        """B/ω from the far field, with B = 2ρgC_g/(πkω²) ∫ Hᵢ H̄ⱼ dθ; shape (6, 6), or None if it is not computed"""
         if not self.far_field:
             return None
         H = self.kochin[0][0][:, : len(self.theta)]
@@ -235,10 +235,10 @@ class FrequencyRun:
     def estimated_errors(self):
         """{name: absolute errors} of the wanted `schema.ESTIMATES`, about the rotation centre.
 
-        Errors of motions and drift are their changes when coefficients, forces and Kochin functions change by their
-        errors. In long waves these changes nearly cancel, and at resonance the dependence is not linear.
-        For this purpose all errors are differences between two resolutions: errors raised by `haskind` would destroy
-        the cancellation.
+        The error of motions and drift is the change caused by a change of coefficients, forces and Kochin functions
+        by their errors. In long waves these changes nearly cancel, and at resonance the dependence is not linear.
+        All errors are therefore differences between two resolutions: errors raised by `haskind` would destroy the
+        cancellation.
         """
         if self.errors is None:
             return {}

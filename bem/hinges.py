@@ -6,7 +6,7 @@ A row of G requires that the point of the link moves equally on both bodies alon
 both bodies rotate equally about such an axis. μ is the force and moment that the first body exerts on the second.
 A spring and a damper act along a slider or about a hinge (a power take-off). The travel s is the displacement of the
 second body from the first along or about the axis, and the force is k (s − rest) + c ṡ. One of the two bodies may be
-SPACE, which means the scene at rest; a single body is called ALONE.
+SPACE, which means the fixed scene. A single body is called ALONE.
 """
 
 from functools import partial
@@ -30,7 +30,8 @@ class Link(NamedTuple):
 
     kind : "hinge" turns about the axis, "ball" about every axis, "rigid" about no axis; "slider" slides along the axis
         without turning
-    stiffness, damping : of a slider along its axis, N/m and N s/m; of a hinge about its axis, N m and N m s
+    stiffness, damping : spring and damper along the axis of a slider, N/m and N s/m, or about the axis of a hinge, N
+        m and N m s
     rest : travel at which the spring exerts no force, m or rad
     """
 
@@ -160,7 +161,7 @@ def of_shapes(reader, body, point):
 
 
 def free_of(rows):
-    """Z (n, m), orthonormal columns: the motions that the constraints G (r, n) leave free.  Raises ValueError for
+    """Z (n, m), orthonormal columns: the motions that satisfy the constraints G (r, n).  Raises ValueError for
     redundant rows."""
     _, size, vectors = np.linalg.svd(rows)
     if len(size) < len(rows) or size[-1] <= SAME * size[0]:

@@ -4,8 +4,8 @@
     H(θ) = −(k²/4nω) ∬ (φ ∂ψ/∂n − ψ ∂φ/∂n) dS,    ψ = Z(z) exp(−ik(x cosθ + y sinθ))
 
 with n = C_g/C and Z(z) = cosh k(z+h)/cosh kh.  In diffraction H is per unit wave amplitude, in radiation per unit
-amplitude of the motion, m or rad.  The function of the SR179 report (1982), eq. 2.1.5.15, is −2g/ω times this one, per
-unit velocity. That equation uses source strengths where a direct solution uses φ and ∂φ/∂n.
+amplitude of the motion, m or rad.  The function of the SR179 report (1982), eq. 2.1.5.15, is −2g/ω times H, per unit
+velocity. That equation uses source strengths where a direct solution uses φ and ∂φ/∂n.
 """
 
 import math
@@ -37,7 +37,8 @@ class Folded(NamedTuple):
 
         signs : sign of the class in each image, ±1, (i,)
 
-        An image has the sign of its class. Its derivative also has the sign of the change of angle.
+        The value of H in an image has the sign of the class in this image. The derivative of an image also has the
+        sign of the change of angle.
         """
         turned = signs * self.images.prod(axis=1)
         return value[..., self.place] * signs[self.image], slope[..., self.place] * turned[self.image]
@@ -47,7 +48,7 @@ def folded(theta, images):
     """`Folded` of directions theta (t,) rad for the mirror images (i, 2) of a body; for four images `angles` is a
     quarter of the circle
 
-    The result is kept, since every symmetry class at every frequency needs it.
+    The result is kept, because every symmetry class at every frequency needs these directions.
     """
     return _folded(tuple(np.asarray(theta, float).tolist()), tuple(map(tuple, np.asarray(images).tolist())))
 

@@ -127,7 +127,7 @@ def turning(bodies, modes=()):
 
 def transform_of(bodies, rotation_center, modes=()):
     """Matrix from generalized normals about the origin to generalized normals about `rotation_center`; shape (n, n).
-    For several bodies it is about the rotation centre of each body"""
+    With several bodies the new normals are about the rotation centre of each body"""
     rigid = axes_of(bodies) if bodies else reference_change(rotation_center)
     out = np.eye(len(rigid) + len(modes))
     out[: len(rigid), : len(rigid)] = rigid
@@ -174,7 +174,8 @@ def displacing(mesh, modes=()):
 
     Yaw of a round buoy moves no water, apart from the corners of its polygon, nor does heave of a pile on the bed.
     Relative errors of such modes have no meaning.
-    A rotation counts if the mean square of its normal velocity is at least two per cent of the mean square of its arms.
+    A rotation displaces water if the mean square of the normal velocity is at least two per cent of the mean square
+    of the arms.
     Velocity and arms are about the vertical axis through the middle of the hull's surface, so the place of the mesh
     does not matter.
     The result for N bodies has shape (6N,), followed by True for each of `modes`.

@@ -14,11 +14,11 @@ class Problem:
     """A floating body, or several, in water; subclasses add the shape and the method's parameters.
 
     depth : m, may be inf; density : kg/m³; gravity : m/s²; rotation_center : m
-    bodies : `bem.modes.Body` of each of several bodies; the motions of each are about its rotation centre. Empty for
-        one body
+    bodies : `bem.modes.Body` of each of several bodies; the motions of a body are about the rotation centre of this
+        body. Empty for one body
     modes : `bem.modes.Mode` of each shape beyond the rigid motions
     inertia_matrix, hydrostatic_stiffness : matrices about `rotation_center`, (6, 6), for several bodies or with
-        shapes (n, moving); None if motions are not computed. The stiffness includes that of the structure
+        shapes (n, moving), or None if motions are not computed. The stiffness includes that of the structure
     structural_damping : (n, moving), or None
     viscous : `bem.viscous.Viscous` or None
     tolerance : requested relative error

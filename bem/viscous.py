@@ -1,7 +1,7 @@
 """Viscous damping of heave, roll and pitch that depends on the amplitude of the motion.
 
-A law is replaced by the linear damping N that dissipates the same energy per cycle. For a drag N₂ |v| v this is, in
-regular motion of amplitude a at frequency ω, and in irregular motion with standard deviation σ,
+A law is replaced by the linear damping N that dissipates the same energy per cycle. For a drag N₂ |v| v this linear
+damping is, in regular motion of amplitude a at frequency ω, and in irregular motion with standard deviation σ,
 
     N = (8/3π) ω a N₂,      N = √(8/π) σ_v N₂       (equal for a = EQUIVALENT_AMPLITUDE · σ)
 
@@ -11,8 +11,8 @@ The SR179 report (1982), section 2.1.4, adds to the wave damping, in heave and i
 
 with b(a) from forced oscillation.  The normalisation of b_R is illegible in print; the normalisation of the roll
 coefficients (section 2.1.3) is used.
-With Yamashita's b_R the model M3B then has 2.6 % of critical damping at 2°; its roll in
-irregular waves (appendix 1) needs 2 %. With B² in place of (B/2)², as in Himeno (1981), it would have 10 %.
+With Yamashita's b_R the model M3B then has 2.6 % of critical damping at 2°; its roll in irregular waves (appendix 1)
+needs 2 %. With B² in place of (B/2)², as in Himeno (1981), the model would have 10 % of critical damping.
 """
 
 from dataclasses import dataclass
@@ -103,7 +103,8 @@ def yamashita_roll(length, beam, draft, density):
 
 
 def report_scale(dof, length, beam, draft, density, gravity):
-    """`Tabulated.scale` of the report's b for "Heave" or "Roll"; pitch like roll, with length and beam exchanged"""
+    """`Tabulated.scale` for the coefficient b of the report for "Heave" or "Roll". For pitch it is that of roll, with
+    length and beam exchanged"""
     if dof == "Pitch":
         length, beam = beam, length
     return density * length * beam * draft * np.sqrt(beam / (2 * gravity)) * (1 if dof == "Heave" else (beam / 2) ** 2)
@@ -112,9 +113,9 @@ def report_scale(dof, length, beam, draft, density, gravity):
 def linearised_response(omega, added_mass, damping, excitation, inertia, stiffness, viscous, most=200):
     """Motion amplitudes (headings, n) per unit wave amplitude in waves of `viscous.wave_amplitude`, and B' (m, n, n).
 
-    The assumed amplitude and the resulting amplitude change in opposite directions. Their geometric mean is the
-    solution where damping alone limits the motion, and the iteration converges elsewhere. raises :
-    FloatingPointError if the iteration does not converge
+    The assumed amplitude and the resulting amplitude change in opposite directions. If damping alone limits the
+    motion, the solution is the geometric mean of the two amplitudes; otherwise an iteration converges.
+    raises : FloatingPointError if the iteration does not converge
     """
     motions, equivalent = [], []
     size = np.diag(stiffness) + omega**2 * np.diag(inertia + added_mass)

@@ -1,6 +1,7 @@
 """The table [viscous] of a scene: damping of heave, roll and pitch that depends on the amplitude of the motion.
 
-    [viscous] wave_height = 2.0 # height of the waves in which damping is linearised, m
+    [viscous]
+    wave_height = 2.0                                        # height of the waves in which damping is linearised, m
     roll = "Yamashita"                                       # boxes in deep water, B/d from 5 to 10
     heave = { amplitudes = [0.5, 1.0], b = [0.02, 0.05] }    # b_H of SR179 report (1982), eq. 2.1.4.6
     pitch = { drag = 1.0e9 }                                 # moment over the square of the angular velocity, N m s²
@@ -105,7 +106,7 @@ def viscous_of_table(table, box, density, gravity):
 def laws_of(where, table, box, density, gravity):
     """{degree of freedom: law} of a table of `Laws`.
 
-    where : name of the table, for messages; box : {"length", "beam", "draft"} m; empty for a body that is no box
+    where : name of the table, for messages; box : {"length", "beam", "draft"} m; empty for a body that is no box.
     Raises ValueError, with a message of one line.
     """
     given = {mode: getattr(table, mode) for mode in MODES if getattr(table, mode) is not None}

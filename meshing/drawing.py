@@ -3,7 +3,8 @@
     size = 2.0                      # m, edges of panels
     symmetry = "xy"                 # mirror planes, "x", "y" or "xy"; omit the key for a body without mirror planes
     around = 24                     # smallest number of panels on a circle
-    [[parts]] shape = "cylinder" # from, to : ends of the axis, m; radius : m; end_radius : m, for a cone
+    [[parts]]
+    shape = "cylinder"              # from, to : ends of the axis, m; radius : m; end_radius : m, for a cone
     from = [0, 0, -120]
     to = [0, 0, 10]
     radius = 4.7
@@ -140,7 +141,8 @@ def _number(table, key, where):
 
 
 def meshed(drawing, name=""):
-    """PanelMesh of a `Drawing`: the first of several meshes (`TRIES`) whose volume, waterplane and centre agree with it
+    """PanelMesh of a `Drawing`: the first of several meshes (`TRIES`) whose volume, waterplane and centre agree with
+    those of the drawing
 
     If no mesh agrees within the limits, the nearest mesh is returned with a warning.
     Raises ValueError where nothing lies below the surface, or where the panels fail a check.

@@ -96,7 +96,7 @@ def write_mesh(mesh, path, lid=None, fields=None):
     mesh, lid : PanelMesh with the same mirror planes
     path : .gdf, .pnl store the mirror planes; .nemoh, .dat store y = 0; .msh, .vtu store the whole hull
     fields : one real value for each panel, {name: (n,)}, for .vtu
-    Raises ValueError for a suffix without a writer, or for fields of the wrong shape.
+    raises : ValueError for a suffix without a writer, or for fields of the wrong shape
     """
     path, fields = Path(path), fields or {}
     suffix = path.suffix.lower()

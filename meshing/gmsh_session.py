@@ -120,7 +120,7 @@ def filled(outer, holes=(), size=1.0, symmetry="", name=""):
 def panels_of(gmsh, surfaces=None, symmetry="", name=""):
     """PanelMesh of the triangles and quadrilaterals of the current model.
 
-    surfaces : {surface tag: vector (3,) to the side of the normals, or None to keep the normals}; None: all surfaces
+    surfaces : {surface tag: vector (3,) to the side of the normals, or None to keep the normals}; if None, all surfaces
         of the model
     """
     if surfaces is None:

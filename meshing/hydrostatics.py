@@ -62,7 +62,8 @@ def stands(mesh, depth):
 
 
 def waterplane_area(mesh):
-    """Waterplane area of the whole hull or hulls, m²; 0 or less if the hull is submerged or its normals point inward"""
+    """Waterplane area of the whole hull or hulls, m²; not positive if the hull is submerged or the normals point
+    inward"""
     area = -mesh.copies * mesh.area_vectors[:, 2].sum()
     return area if mesh.foot is None else area - mesh.copies * mesh.foot.area_vectors[:, 2].sum()
 
@@ -80,10 +81,10 @@ def hydrostatics(
 
     mesh : PanelMesh, up to z = 0
     center_of_mass, rotation_center : (3,) m
-    density : kg/m³; gravity : m/s²; mass : kg; None: the displaced mass
+    density : kg/m³; gravity : m/s²; mass : kg; if None, the displaced mass
     depth : depth of water, m; the bed closes a hull whose walls end on it, as if the hull floated there
     returns : Hydrostatics
-    Raises ValueError for a hull with inward normals or a hole, which has no volume.
+    raises : ValueError for a hull with inward normals or a hole, which has no volume
     """
     density, gravity = _positive("density", density), _positive("gravity", gravity)
     com, origin = _vector("center_of_mass", center_of_mass), _vector("rotation_center", rotation_center)

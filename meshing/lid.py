@@ -1,8 +1,8 @@
 """Panels on the water surface inside a floating body (a lid), which remove irregular frequencies.
 
 The boundary integral equation of the outer flow has irregular frequencies, the eigenfrequencies of sloshing inside the
-hull.  Additional unknowns on the inner free surface remove these frequencies. Their exact density is zero, so the lid
-may be coarse and need not share points with the hull.
+hull.  Additional unknowns on the inner free surface remove these frequencies. The exact density on the lid is zero,
+so that the lid may be coarse and need not share points with the hull.
 """
 
 import math
@@ -25,7 +25,7 @@ def lid(mesh, size=None):
     """Panels of the inner free surface of a hull, normals up, with the mirror planes of the hull.
 
     mesh : PanelMesh
-    size : wanted edge length of panels, m; None: a third as many panels as the hull has
+    size : wanted edge length of panels, m; if None, a third as many panels as the hull has
     returns : PanelMesh in z = 0, or None if nothing of the hull reaches the water surface
 
     Every closed waterline that runs counter-clockwise receives a lid. A clockwise waterline bounds a moonpool, whose
@@ -59,8 +59,8 @@ def polar_lid(mesh, size):
     raises : ValueError as `lid`
 
     The edges along the rim determine the accuracy.  For a cylinder with 0.2 m of water under the keel, in waves three
-    panel sizes long, the error of the excitation is 0.4 %. A lid that is not axisymmetric gives the same error; half
-    the edges along the rim and twice as many across give 0.6 %.
+    panel sizes long, the error of the excitation is 0.4 %. A lid that is not axisymmetric gives the same error; with
+    half the edges along the rim and twice as many across, the error is 0.6 %.
     """
     rings = _closed(waterline(mesh), mesh)
     rim, pole = _regular(rings[0]) if len(rings) == 1 else (None, None)
@@ -87,10 +87,11 @@ def panelled(ring, size, symmetry):
 
 
 def waterline(mesh):
-    """Intersection of the hull with the water surface: a list of (k, 3) m polylines with the body on their left.
+    """Intersection of the hull with the water surface: a list of polylines, m, (k, 3), with the body on the left.
 
-    Closed polylines end with their first point, open ones on mirror planes; only the meshed part of the hull is
-    covered.  Waterlines that touch in a point remain separate, each with the body on its left.  Raises ValueError
+    A closed polyline ends with its first point, and an open polyline begins and ends on mirror planes. The polylines
+    cover only the meshed part of the hull.
+    Waterlines that touch in a point remain separate, each with the body on its left.  Raises ValueError
     where several edges meet at a point and the numbers of arriving and leaving edges differ.
     """
     welded = mesh.merged()

@@ -1,6 +1,7 @@
 """Mirror planes found in the mesh of a whole hull, which is then reduced to half or a quarter of its panels.
 
-Two planes split a problem into four problems of a quarter the size. Dense systems then take a sixteenth of the work.
+Two planes split a problem into four problems of a quarter the size. Dense systems of the four problems take a
+sixteenth of the work.
 """
 
 from dataclasses import replace

@@ -2,7 +2,7 @@
 
 A panel is a flat quadrilateral given by four point numbers, counter-clockwise seen from the water, so that the normal ½
 (p₂−p₀)×(p₃−p₁) points out of the body.  A triangle repeats its last corner.  A quadrilateral that is not flat is
-represented by its mean plane. This preserves the vector area, and therefore the sums over a closed surface.
+represented by its mean plane. The mean plane preserves the vector area, and therefore sums over a closed surface.
 """
 
 from dataclasses import dataclass, replace
@@ -133,7 +133,7 @@ class PanelMesh:
     @cached_property
     def is_round(self):
         """Whether a rotation by 1/12 of a circle or less about the vertical axis through the origin maps the hull to
-        itself, within the decimals of its file"""
+        itself within the accuracy of the numbers in its file"""
         points = self.whole().points if self.symmetry else self.points
         reach = np.hypot(*points[:, :2].T).max(initial=0.0)
         if not reach > 0:
@@ -151,7 +151,7 @@ class PanelMesh:
 
     @cached_property
     def foot(self):
-        """PanelMesh that closes walls without a bottom at their foot, normals down; None for a hull with a bottom
+        """PanelMesh that closes walls without a bottom at their foot, normals down, or None for a hull with a bottom
 
         The foot consists of the edges that belong to one panel at the lowest level of the mesh.  The triangles
         between each edge and one common point have the same sum of signed areas as the true bottom, but may overlap:

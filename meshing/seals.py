@@ -1,8 +1,8 @@
 """Seals of result files: a CRC-32 of the contents, which shows later changes of the file.
 
 HDF5   The seal is a block before the file, which HDF5 reserves for users: a line with the CRC-32 of every byte after
-      it, then a line for each dataset, which locates damage.  Numbers that are filled in later are listed by place
-      and excluded, because they have their own checksums. The structures that HDF5 reads are included.
+       it, then a line for each dataset, which locates damage.  Numbers that are filled in later are listed by place
+       and excluded, because they have their own checksums. The CRC-32 also covers the structures that HDF5 reads.
 text   The seal is the last of the # lines of the header, with the CRC-32 of all other lines.
 """
 
@@ -88,7 +88,7 @@ def kind_filled_in(path):
 
 
 def damage(path):
-    """Damage of a sealed HDF5 file, in words; "" for an intact file or one without a seal.  Raises OSError."""
+    """Damage of a sealed HDF5 file, in words; "" for an intact file or a file without a seal.  Raises OSError."""
     if not _sealed_hdf5(path):
         return ""
     with Path(path).open("rb") as file:

@@ -30,9 +30,9 @@ def box(length, beam, draft, *, panels=500, symmetry="xy", counts=None, grading=
     counts : numbers of panels (n_length, n_beam, n_draft) over half the length, half the beam and the draft, instead
         of `panels`; the whole hull then has 4 (n_length n_beam + (n_length + n_beam) n_draft) panels
     grading : False for equal panels; longest : greatest length of an edge, m; to keep it, `panels` may be exceeded
-    bottom : whether the box has a bottom; False for a caisson that stands on the sea bed
+    bottom : whether the box has a bottom; it is False for a caisson that stands on the sea bed
     returns : PanelMesh; volume and areas are exact
-    Raises ValueError for dimensions that are not positive and for too few panels.
+    raises : ValueError for dimensions that are not positive and for too few panels
     """
     _check_dimensions(length=length, beam=beam, draft=draft)
     n_length, n_beam, n_draft = _counts(counts) if counts else box_counts(length, beam, draft, panels, bottom, longest)
@@ -54,7 +54,7 @@ def buoy(radius, draft, *, panels=500, symmetry="xy", counts=None, grading=True,
     radius, draft : m
     counts : numbers of panels (n_quarter, n_radius, n_draft) over a quarter of the circumference, the radius and the
         draft, instead of `panels`; the whole hull then has 4 n_quarter (n_radius + n_draft) panels
-    bottom : whether the cylinder has a bottom; False for a cylinder that stands on the sea bed
+    bottom : whether the cylinder has a bottom; it is False for a cylinder that stands on the sea bed
     panels, symmetry, grading : as for `box`
 
     A polygon with N = 4 n_quarter sides, corners at the radius R √((2π/N) / sin(2π/N)) and the area of the circle

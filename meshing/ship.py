@@ -1,11 +1,12 @@
 """Hull of a ship from a few numbers: flat bottom, bilge, upright stem and stern, parallel middle body.
 
-    y(x, s) = f(x) Y(s),  z = Z(s):    a rectangle B/2 × d with its corner rounded by r₀, made narrower towards the
-    ends by f = 1 − tᵖ, t the share of entrance or run from its inner to its outer end, p = φ/(1 − φ)
+    y(x, s) = f(x) Y(s),  z = Z(s),    f = 1 − tᵖ,    p = φ/(1 − φ)
 
-φ is the fullness of the waterplane at the bow or the stern.  With the coefficient of the middle section C_M = 1 − (1 −
-π/4)
-2r₀²/(B d) the block coefficient is
+where (Y, Z) is a rectangle B/2 × d whose corner is rounded by r₀, the factor f makes the ends narrower, and t is the
+share of entrance or run from the inner to the outer end.
+
+φ is the fullness of the waterplane at the bow or the stern.  With the coefficient of the middle section C_M =
+1 − (1 − π/4) 2r₀²/(B d) the block coefficient is
 
     C_B = C_M {1 − l [(1 − φ_b) + (1 − φ_s)]},
 
@@ -14,8 +15,8 @@ from them; otherwise l is LONG, and φ = φ_b = φ_s follows from l.
 If the waterplane coefficient C_WP = 1 − 2l (1 − φ) is given, the fullness φ changes linearly from the keel to the
 waterline, so that the volume is C_B L B d: the ends are V-shaped where C_WP is above C_B/C_M. In this case l is 0.4, or
 0.5 where 0.4 is not enough.  Panels are graded towards both ends, the bilge and the waterline. A factor on the
-half-breadths makes the volume of the panels L B d C_B; it differs from 1 by the square of the panel size.
-x points to the bow.
+half-breadths makes the volume of the panels L B d C_B; the factor differs from 1 in proportion to the square of the
+panel size.  x points to the bow.
 """
 
 import math

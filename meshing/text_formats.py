@@ -2,7 +2,7 @@
 
 WAMIT, Nemoh and HAMS number the corners of a panel counter-clockwise seen from the water (WAMIT user manual, section
 6.1), like PanelMesh. Normals keep the direction of the file, into the water.  Readers change no orientation;
-`meshing.quality.findings` reports wrong ones.
+`meshing.quality.findings` reports wrong orientations.
 """
 
 import math
@@ -60,7 +60,7 @@ def _of_patches(path, lines, patches, kind, unit, symmetry):
 
 
 def write_gdf(mesh, path):
-    """Write a PanelMesh as low-order WAMIT geometry in metres, its mirror planes as ISX and ISY."""
+    """Write a PanelMesh as low-order WAMIT geometry in metres, with mirror planes as ISX and ISY."""
     head = [
         mesh.name or "panel mesh",
         "1.0 9.80665 ULEN GRAV",
@@ -183,8 +183,8 @@ def _panel(path, k, row, numbers):
 
 
 def length_unit(path, gravity):
-    """Unit of length of a GDF file, m, from its acceleration of gravity.  Raises ValueError if it is neither m nor
-    ft."""
+    """Unit of length of a GDF file, m, from its acceleration of gravity.  Raises ValueError if the unit is neither m
+    nor ft."""
     if 9.7 < gravity < 9.9:
         return 1.0
     if 31.8 < gravity < 32.5:

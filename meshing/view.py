@@ -20,7 +20,7 @@ def scene(mesh, lid=None, field=None, field_name="", normals=True, depth=math.in
         `field_name`
     normals : whether arrows point out of the hull, on a part of the panels if there are many panels
     depth : depth of the sea bed, which is drawn if finite, m; font : font file with the letters of the name, or None
-    Raises ValueError for a field without one value per panel.
+    raises : ValueError for a field without one value per panel
     """
     import pyvista as pv
 

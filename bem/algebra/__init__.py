@@ -1,1 +1,1 @@
-"""Dense algebra that several methods share: interpolation by rows, poles, systems of symmetry classes, convex hulls."""
+"""Dense algebra for several methods: interpolation by rows, poles, linear systems of symmetry classes, convex hulls."""

@@ -1,6 +1,6 @@
 """The convex hull of points in the plane.
 
-scipy.spatial has one as well, but its import takes 0.09 s of processor time, in every study.
+scipy.spatial has this function too, but in every study its import would take 0.09 s of processor time.
 """
 
 from itertools import groupby
@@ -12,10 +12,10 @@ STRAIGHT = 1e-12  # twice the area of three points, over the size squared, below
 
 
 def convex_hull(points):
-    """Corners, anticlockwise, of the convex hull of points (n, 2); shape (m, 2); none within one of its sides.
+    """Corners, anticlockwise, of the convex hull of points (n, 2); shape (m, 2); points within a side are no corners.
 
     The monotone chain of Andrew (Information Processing Letters 9, 1979), in n log n.
-    raises : ValueError if all lie on one line
+    raises : ValueError if all points lie on one line
     """
     points = np.asarray(points, float)
     least = STRAIGHT * float(np.max(np.ptp(points, axis=0))) ** 2

@@ -1,9 +1,9 @@
-"""Row interpolative decomposition: a matrix from some of its own rows, by randomised pivoted QR.
+"""Row interpolative decomposition: a matrix computed from some of its rows, by randomised pivoted QR.
 
     A ≈ X A[rows],    X[rows] = 1
 
-A (n, m), rows (r,) the selected rows, X (n, r) the interpolation matrix (Cheng, Gimbutas, Martinsson & Rokhlin, SIAM
-J. Sci. Comput. 26, 2005).  A matrix with very many columns is never stored: pivoted QR selects the same rows from
+with A (n, m), the selected rows (r,), and the interpolation matrix X (n, r) (Cheng, Gimbutas, Martinsson & Rokhlin,
+SIAM J. Sci. Comput. 26, 2005). A matrix with very many columns is never stored: pivoted QR selects the same rows from
 A Ω, with Ω (m, width) a sparse random sign matrix, which keeps the norm of every combination of rows up to a factor
 1 + O(width^(−1/2)) (Martinsson & Tropp, Acta Numerica 29, 2020).
 """
@@ -21,7 +21,7 @@ ROUNDING = 1e-12  # rounding of the entries of A Aᵀ or Aᵀ A
 
 
 class Sketch:
-    """R A Ω of a matrix A (n, m) whose columns come block by block, R = diag(row_scale)."""
+    """R A Ω of a matrix A (n, m) whose columns are added block by block, with R = diag(row_scale)."""
 
     def __init__(self, row_scale, width):
         """row_scale : (n,)"""
@@ -36,12 +36,12 @@ class Sketch:
     def add(self, *parts, scale=1.0):
         """Append columns to A: the columns of each of several blocks, times `scale`.
 
-        parts : (…, nᵢ, m) rows of the blocks, on top of each other Σ nᵢ = n; of a complex one real and imaginary part
-            count as a column each; m may be 0
-        scale : (…, m) or what is broadcast to it
+        parts : rows of the blocks, (…, nᵢ, m), on top of each other, Σ nᵢ = n; real and imaginary part of a complex
+            column count as two columns; m may be 0
+        scale : factors that broadcast to (…, m)
 
-        Weights of rows and columns cost nothing here, unlike a product for each block. One call for all blocks of a
-        frequency and their weights takes half the time of a call for each block.
+        Here weights of rows and columns cost no time, whereas a product for each block would.  One call for all
+        blocks of a frequency with their weights takes half the time of a call for each block.
         """
         shape = parts[0].shape[:-2] + parts[0].shape[-1:]
         weights = np.broadcast_to(scale, shape).ravel() / np.sqrt(ENTRIES)
@@ -80,12 +80,13 @@ def _add_columns(columns, places, signs, sums, row):
 
 
 def interpolative_decomposition(matrix, tolerance):
-    """Return (rows, X) with A ≈ X A[rows], the error of a row at most about `tolerance` in the 2-norm.
+    """Return (rows, X) with A ≈ X A[rows]; the error of a row is at most about `tolerance` in the 2-norm.
 
-    matrix : (n, m) A itself or `Sketch.matrix`; rows : (r,) increasing, r ≥ 1; X : (n, r)
+    matrix : A itself, (n, m), or `Sketch.matrix`; rows : increasing indices, (r,), r ≥ 1; X : (n, r)
 
-    R of pivoted QR is the Cholesky factor of A Aᵀ with the same pivots. This factorisation ends at the rank and takes a
-    third of the time or less. If the square of the tolerance is lost in rounding, R is computed by QR.
+    R of pivoted QR is the Cholesky factor of A Aᵀ with the pivots of QR. The Cholesky factorisation ends at the rank
+    and takes at most a third of the time of QR. If the square of the tolerance is lost in rounding, R is computed by
+    QR.
     """
     from scipy.linalg import solve_triangular
 
@@ -116,10 +117,10 @@ def _by_qr(matrix, tolerance):
 
 
 def truncated_least_squares(A, b, cutoff):
-    """x of least norm with A x ≈ b by singular values, without singular values below `cutoff` times the largest
+    """x of least norm with A x ≈ b, from singular values of at least `cutoff` times the largest
 
-    A (n, m), n ≥ m, and b (n, k), real.  The singular values are the roots of the eigenvalues of Aᵀ A, in a fifth of
-    the time for n = 14 m, unless the square of `cutoff` is lost in rounding.
+    A (n, m), n ≥ m, and b (n, k), real.  Unless the square of `cutoff` is lost in rounding, the singular values are
+    computed as roots of the eigenvalues of Aᵀ A, which takes a fifth of the time for n = 14 m.
     """
     if cutoff**2 > ROUNDING:
         eigenvalues, V = np.linalg.eigh(A.T @ A)

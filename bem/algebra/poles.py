@@ -1,11 +1,10 @@
-"""Poles of functions known at few places, by rational functions through some of their values.
+"""Poles of functions that are known at few places, from rational functions through some of the values.
 
     f(x) ≈ Σⱼ wⱼ fⱼ / (x − xⱼ)  /  Σⱼ wⱼ / (x − xⱼ)
 
-at places xⱼ taken one by one, where the last function was worst, with weights w that miss the other values least
-(AAA; Nakatsukasa, Sète and Trefethen, SIAM Journal on Scientific Computing 40, 2018).  Several functions share w and
-the poles, the
-zeros of the denominator.
+Places xⱼ are added one by one, each where the error is largest; the weights w minimise the errors at the other places
+(AAA; Nakatsukasa, Sète and Trefethen, SIAM Journal on Scientific Computing 40, 2018). Several functions share the
+weights w and the poles, which are the zeros of the denominator.
 """
 
 import numpy as np

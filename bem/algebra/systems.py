@@ -1,4 +1,4 @@
-"""Linear systems of several symmetry classes: systems of few unknowns are solved side by side, each on one thread."""
+"""Linear systems of several symmetry classes; small systems are solved in parallel, each on one thread."""
 
 import numpy as np
 
@@ -18,7 +18,7 @@ ENOUGH, STEPS = 1e-12, 4  # residual that ends the refinement, and its most step
 def solved_systems(matrices, sides):
     """Solutions (n, columns) of matrices[i] x = sides[i], a list; NaN where a matrix is singular
 
-    matrices : (c, n, n) real or complex; sides : c of (n, columns)
+    matrices : (c, n, n), real or complex; sides : right-hand sides, c arrays (n, columns)
     """
     solve = _solved if np.iscomplexobj(matrices) else _real
     return _each(lambda i: solve(matrices[i], sides[i]), len(sides), len(sides[0]) if len(sides) else 0)
@@ -27,8 +27,8 @@ def solved_systems(matrices, sides):
 def solved_beside_few(equations, counts):
     """Solutions (n, columns) of (A + i U Vᵀ) x = b, a list, NaN where a matrix is singular, and the largest residual.
 
-    equations : matrices A (c, n, n), U and V (c, n, t), all real, and b (c, n, columns) complex, of few t; counts :
-    columns of each of the c
+    equations : real A (c, n, n), U and V (c, n, t) with few t, and complex b (c, n, columns); counts : number of
+    columns of each of the c systems
 
     A is factored as a real matrix, which takes a quarter of the time, and x follows by the Woodbury identity. If A is
     nearly singular, the complex system is solved.

@@ -1,1 +1,1 @@
-"""Databases of several bodies: access to one of them."""
+"""Databases of several bodies: access to one of the bodies."""

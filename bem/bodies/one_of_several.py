@@ -18,8 +18,8 @@ OWN_DRIFT = {name.removeprefix("body_"): name for name in OF_EACH}  # {name of t
 class OneOfSeveral:
     """Rigid motions and forces of body `number` in a `Database` of several bodies, or of a flexible one.
 
-    Forces, mean drift and added mass are those on this body, motions and radiation its own.  Quantities have the axes
-    of a database of one body; a fixed body has no motions.
+    Forces, mean drift and added mass act on this body; motions and radiation are those of this body. Arrays have the
+    axes of a database of one body; a fixed body has no motions.
     """
 
     database: Database
@@ -55,7 +55,7 @@ class OneOfSeveral:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Quantities of this body alone"""
+        """Names of the quantities that are known for this body alone"""
         axes = {"influenced_dof"} if self.fixed else {"influenced_dof", "radiating_dof"}
         found = (name for name in self.database.names if axes & {*QUANTITIES[name][0]})
         own = [name for name in found if not (self.fixed and "radiating_dof" in QUANTITIES[name][0])]
@@ -85,7 +85,7 @@ class OneOfSeveral:
 
 
 def each_body(database):
-    """`OneOfSeveral` of every body, also of a flexible one; for a database of one rigid body the database itself"""
+    """`OneOfSeveral` of every body, rigid or flexible; for a database of one rigid body the database itself"""
     count = len(database.bodies) or bool(database.modes)
     return [OneOfSeveral(database, i) for i in range(count)] or [database]
 

@@ -1,7 +1,8 @@
 """Resolution of each part of the contour method that gives a relative error of 10^(−digits) in coefficients and forces.
 
-Each part was coarsened alone on 230 random bodies (L/B 1 … 20, B/d 0.2 … 100, H/d 1.02 and up, λ/L 0.2 … 20).  In 95
-% of these bodies the resulting error is less than the following numbers, with r = gap / min(draft, scale), g = gap /
+The resolution of one part at a time was reduced on 230 random bodies (L/B 1 … 20, B/d 0.2 … 100, H/d 1.02 and up, λ/L
+0.2 … 20).  In 95 % of these bodies the resulting error is less than the following numbers, with r = gap / min(draft,
+scale), g = gap /
 scale, the scale of the plan, and `high` = max(g/4, 1):
 
     functions of the gap, T in each family      10^(−8 (1 + r)^(−0.7) − (T − 1)(0.8 + 1.7 / (1 + r/4)))
@@ -12,12 +13,12 @@ scale, the scale of the plan, and `high` = max(g/4, 1):
 
 The median error of each part is thirty times smaller, and the part with the largest error differs from body to body.
 The error is therefore not estimated by these formulas, but from a finer body (`finer`), in which all parts are finer.
-In a narrow gap one more function of the gap reduces its error by up to six digits; the errors of the other parts
-remain.
+In a narrow gap one more function of the gap reduces the error of these functions by up to six digits; the errors of
+other parts of the method remain.
 
-The 230 bodies were a hundred waves long at most, and most of them a few waves long.  With fifty waves or more over a
-low gap, panels of one digit had an error of 10^(−1), and a table of no digits 10^(−2). The least resolutions are
-therefore three digits and one digit, which cost no time.
+The 230 bodies were a hundred waves long at most, and most of them a few waves long.  For bodies fifty waves long or
+longer over a low gap, the error with panels of one digit was 10^(−1), and with a table of no digits 10^(−2).
+The least resolutions are therefore three digits and one digit, which cost no time.
 """
 
 from math import ceil, log10
@@ -38,7 +39,7 @@ class Accuracy(NamedTuple):
     `Profiles.smallest`
     modes : evanescent modes per smallest length; kappa : digits of the table in κ
     plan : digits of the plan's panels; extra : polynomials per side and class beyond those that waves need
-    further : further polynomials, added on the shorter side after rounding
+    further : number of polynomials that are added on the shorter side after rounding
     """
 
     digits: float

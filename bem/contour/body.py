@@ -10,7 +10,7 @@ Mech. 46 (1971).  Conventions as in `bem`.
 Two parts do not depend on frequency: the maps under the body, and a table in κ of the maps outside, from which
 evanescent modes are summed (`modal_sums`).
 The functions of the plan are hierarchical in their degree, so that one table of a degree serves every frequency that
-needs this degree or a lower one.  A frequency solves one plane Helmholtz problem around the plan.
+needs this degree or a lower one.  For each frequency one plane Helmholtz problem around the plan is solved.
 """
 
 from dataclasses import dataclass, field
@@ -68,8 +68,8 @@ class ContourBody:
 
         omega : frequency, rad/s; headings : directions that the waves travel to, rad, (m,); theta : angles of the
             Kochin functions, rad, (t,)
-        dofs : needed degrees of freedom 0 … 5; the others remain zero
-        Raises ValueError for a frequency that is not positive and finite, and for an angle that is not finite.
+        dofs : needed degrees of freedom 0 … 5; results of other degrees of freedom are zero
+        raises : ValueError for a frequency that is not positive and finite, and for an angle that is not finite
         """
         if not 0 < omega < np.inf:
             raise ValueError(
@@ -110,7 +110,7 @@ class ContourBody:
 
     @cached_property
     def sharper(self):
-        """The same body for a tenth of the tolerance; None at the smallest tolerance"""
+        """The same body for a tenth of the tolerance, or None at the smallest tolerance"""
         digits = self.accuracy.digits + DIGIT
         if digits > MARGIN - np.log10(TOLERANCES[0]) + 1e-9:
             return None
@@ -119,7 +119,7 @@ class ContourBody:
 
     @property
     def tolerance(self):
-        """Relative error for which the parts are made"""
+        """Relative error for which all parts of the method are resolved"""
         return 10**-self.accuracy.digits
 
     @cached_property
@@ -211,7 +211,7 @@ class ContourBody:
 
     @memoised
     def unit(self, cls, degree):
-        """Coefficients of the constant function 1; shape (n,); None if the class has no net flux"""
+        """Coefficients of the constant function 1; shape (n,), or None if the class has no net flux"""
         if cls != (1, 1):
             return None
         contour = self.plan.polynomial_contour(degree)

@@ -1,7 +1,7 @@
 """Cost of the contour method: seconds of one thread, and memory.
 
-The formulas are right within a factor of two on 6 boxes (L/B 3 … 10 000, 2 to 100 waves along them). p is the sum of
-the highest degrees on end and side in the table, p' the sum of the highest degrees for the waves, c the number of
+The formulas are right within a factor of two on 6 boxes (L/B 3 … 10 000, 2 to 100 waves along each box). p is the sum
+of the highest degrees on end and side in the table, p' the sum of the highest degrees for the waves, c the number of
 values of κ in the table
 
     table        4e-9 c p³ s,  65 c p² bytes           frequency    2e-8 p'³ s,  1000 p'² bytes

@@ -77,7 +77,7 @@ def fixed_terms(profiles, beneath, unit, motions, bottom):
 
 
 def solved(fixed_terms, outside, incident):
-    """`Flow` for the motions, then for potentials φ₀.
+    """`GapVelocity` with a column for each motion, then one for each potential φ₀.
 
     outside : potentials tested with all functions, (r n, r n), in rows of e profiles, then of 1 and z on the side
     incident : φ₀ tested with all functions, (r n, b)

@@ -40,7 +40,8 @@ class ContourFrequency:
         self.degree, self.top, self.contour = self.resolution()
 
     def resolution(self):
-        """Degrees of the functions on the plan and of the tables, and a `Contour` that resolves them and the waves"""
+        """Degrees of the functions on the plan and of the tables, and a `Contour` that resolves the functions and the
+        waves"""
         degree, top = degrees(self.body, self.k)
         return degree, top, self.body.plan.contour(self.k, degree, self.body.tolerance)
 

@@ -11,7 +11,7 @@ The drift from pressure checks the drift from the far field. An evanescent mode 
 in the gap; these forces cancel, and the far field contains no evanescent mode, if the potentials on both sides of the
 gap are equal. The error of the drift from pressure is of first order in the difference of these potentials, whereas
 the errors of forces and far field are of second order. The flow is therefore solved again with a finer body.
-In resonant roll the drift is the small difference of pressures tens of times as large.
+In resonant roll the drift is a small difference of pressures that are tens of times larger.
 
 For a box in 20 and 100 m of water and a tolerance of 1e-3, drift from near and far field differs by 5e-5 of the
 largest force on the fixed body; without the finer body the difference is 5e-4 to 8e-4. In 2000 m of water the
@@ -94,7 +94,7 @@ class _Sides:
         self.values = plan_values(freq)
 
     def load(self, heading, motion):
-        """Mean surge, sway and yaw per amplitude squared, motion (6,) about the origin; shape (3,)"""
+        """Mean load in surge, sway and yaw per squared amplitude; shape (3,); motion : motion about the origin, (6,)"""
         c = self.freq.contour
         flows = {cls: self.flow(cls, heading, motion) for cls in CLASSES}
         total = np.zeros(3)
@@ -112,7 +112,8 @@ class _Sides:
         return total
 
     def flow(self, cls, heading, motion):
-        """Amplitudes of `DepthSums`, except the two of the edge, at the nodes, and their slopes: two (a − 2, m)"""
+        """Amplitudes of `DepthSums` at the nodes, without the two amplitudes of the edge, and slopes: two arrays (a −
+        2, m)"""
         freq, (maps, slope) = self.freq, self.values[cls]
         dofs, wave, sides, flow = freq.flows[cls]
         speed = -1j * freq.omega * motion[dofs]

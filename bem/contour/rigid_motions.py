@@ -1,4 +1,4 @@
-"""Boundary data of the rigid motions of a vertical-sided body on its plan contour, in the functions of the contour.
+"""Boundary data of the rigid motions of a vertical-sided body, expanded in the functions on the plan contour.
 
 With unit velocity, ζ measured from the bed, s the height of the gap and w the vertical velocity of the bottom,
 

@@ -1,4 +1,4 @@
-"""Number of waves along a body, and its limit for methods without panels."""
+"""Number of waves along a body, and the largest number for methods without panels."""
 
 import numpy as np
 

@@ -17,7 +17,7 @@ def prepare_cylinder(radius, draft, depth, tolerance=1e-3):
     the bed.
 
     tolerance : wanted relative error, 1e-7 … 0.1
-    Raises ValueError for lengths that are not positive and for a bed above the keel or too deep below it.
+    raises : ValueError for lengths that are not positive and for a bed above the keel or too deep below it
     """
     _check(tolerance, radius=radius)
     return _prepared(Circle(float(radius)), draft, depth, tolerance)

@@ -1,7 +1,7 @@
 """A box or vertical cylinder that stands on the bed. There is no water under it, so the solution has only
 eigenfunctions of depth and the plan.
 
-With N the maps of the plan outside, φ = φ₀ + Σ Zₙ N(kₙ) ⟨v, Zₙ⟩ / ⟨Zₙ, Zₙ⟩ for the velocity v of the wall.  For a
+With N the maps outside the plan, φ = φ₀ + Σ Zₙ N(kₙ) ⟨v, Zₙ⟩ / ⟨Zₙ, Zₙ⟩ for the velocity v of the wall.  For a
 cylinder held in a wave this is the solution of R. C. MacCamy and R. A. Fuchs (1954).  In the equations of `matching`
 this body has no velocities in a gap, and its heave makes no waves.
 """

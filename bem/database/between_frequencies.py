@@ -1,4 +1,4 @@
-"""Quantities of a database at its headings and at frequencies between the stored ones, with estimated errors.
+"""Quantities of a database at stored headings and at any frequency between stored frequencies, with estimated errors.
 
 Added mass and damping are fitted as one function, the impedance B − iω [A − A(ω_max)], which is one-sided in time
 because echoes arrive after the motion.
@@ -39,14 +39,15 @@ class BetweenError(ValueError):
 
 @dataclass(frozen=True, eq=False)
 class Between:
-    """Quantities {name: (n, …)} at omega (n,) rad/s rising, axes as in `schema.QUANTITIES`.
+    """Quantities {name: (n, …)} at rising omega (n,) rad/s, with the axes of `schema.QUANTITIES`.
 
     headings : stored headings, rad, (m,); theta : angles of the Kochin functions, rad, (t,)
     outline : points of the hull in plan, m, (p, 2)
     outlines : points of each of several moving bodies in plan, m; empty for one body
-    shapes : for each motion beyond the rigid ones, the number of its body among the moving bodies
+    shapes : index, among the moving bodies, of the body of each motion that is not rigid
     limits : stored limits of added mass, {"added_mass_zero", "added_mass_infinity": (6, 6)}
-    wall : y of a wall along x, m; None without a wall. Beside a wall, waves also meet the image of the hull in the wall
+    wall : y of a wall along x, m, or None without a wall. Beside a wall, waves also meet the image of the hull in the
+        wall
     """
 
     omega: np.ndarray
@@ -85,7 +86,7 @@ class Between:
                 vars(self).pop(name, None)
 
     def error(self, omega, name):
-        """Estimated error of `value`, about one standard deviation; for complex quantities it is that of the modulus;
+        """Estimated error of `value`, about one standard deviation of the value or, if complex, of its modulus;
         shape (q, …).
 
         The error covers interpolation and is zero at stored frequencies; the solver's error is stored beside each
@@ -95,10 +96,11 @@ class Between:
         return self._everywhere(omega, name, self._deviation)
 
     def largest_error(self, omega, names):
-        """Largest estimated error over `names` at omega (q,), relative to the largest stored value of the same kind;
+        """Largest estimated error of the quantities `names` at omega (q,), relative to the largest stored value of
+        its kind;
         shape (q,)
 
-        Each diagonal coefficient is one kind; a force over all headings is one kind. The error of a coupling ij is
+        A diagonal coefficient is a kind, and a force over all headings is a kind. The error of a coupling ij is
         relative to √(ii · jj).
         """
         return np.max([self._relative(self.error(omega, name), name) for name in names], axis=0)
@@ -166,7 +168,7 @@ class Between:
         return out
 
     def has_limit(self, limit):
-        """Whether the limit of added mass is stored, and finite for at least one motion"""
+        """Whether the added mass at the limit is stored and is finite for at least one motion"""
         return limit in self.limits and bool(np.any(np.isfinite(np.diag(self.limits[limit]))))
 
     def _check(self, name):

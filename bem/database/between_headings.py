@@ -1,7 +1,7 @@
 """Values at any heading from values at stored headings: by turning a round body, by mirror images, by plane waves.
 
 A round body sees the same wave from every heading: with R of a turn by α about its axis F(β + α) = R F(β) and H(θ +
-α; β + α) = H(θ; β); drift turns like F.  One stored heading is enough, without interpolation.
+α; β + α) = H(θ; β); drift turns like F.  One stored heading then gives all headings, without interpolation.
 
 On a body with a plane of symmetry the mirror image of a wave exerts the mirror image of the force.  P is the sign of
 each of the six modes in the mirror, −1 for modes that the mirror reverses, and F(β′) = P F(β):
@@ -56,7 +56,8 @@ class Ring:
     force, drift : signs of the modes in the image, (M, 6) and (M, 3)
     theta : indices of the angles at which the stored Kochin function is that of the image, (M, t)
     images : index of the image of each θ, {plane: (t,)}; angles : angles θ of the Kochin functions, rad, (t,)
-    is_round : whether a turn of the body gives all values at any heading; wall : y of the wall, m; None without a wall
+    is_round : whether a turn of the body gives all values at any heading; wall : y of the wall, m, or None without a
+        wall
     from_others : whether values at any heading follow from rings of other quantities; gaps of any width are then
         allowed
     """
@@ -114,8 +115,8 @@ class Ring:
         return (self.stored(wanted) >= 0) | (self.gap(wanted) <= WIDEST_GAP * (1 + SAME))
 
     def turned(self, value, wanted, kind):
-        """Values (q, p, …) of `value`, a function of headings, at `wanted` (p,) rad. Headings that are not `reached`
-        take the nearest stored heading, turned as on a round body; kind : "force" or "drift" """
+        """Values (q, p, …) of `value`, a function of headings, at `wanted` (p,) rad. At headings that are not
+        `reached`, the value at the nearest stored heading is turned as on a round body; kind : "force" or "drift" """
         apart = _wrapped(wanted[:, None] - self.headings)
         turns = apart[np.arange(len(wanted)), np.abs(apart).argmin(axis=1)]
         turns[self.reached(wanted)] = 0.0
@@ -285,7 +286,7 @@ def ring(headings, theta, symmetry, is_round=False, from_others=False, wall=None
     """`Ring` of stored headings (m,) rad and angles theta (t,) of Kochin functions.
 
     symmetry : planes, from `whole_mirrors`; theta : equally spaced from 0, t a multiple of 4 or 0
-    is_round : whether the body is unchanged by a turn about the vertical, so that no mirror planes are needed
+    is_round : whether turns about the vertical leave the body unchanged; mirror planes are then not needed
     from_others, wall : see `Ring`; motions : number of motions; more than six belong to several bodies, without mirrors
     """
     symmetry = "" if is_round else symmetry

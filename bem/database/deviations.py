@@ -1,6 +1,6 @@
 """Estimated errors of a `reader.Reader`: errors of interpolation over frequency and heading, and of derived quantities.
 
-Every deviation is about one standard deviation; for complex quantities it is that of the modulus.
+Every deviation is about one standard deviation, for complex quantities one standard deviation of the modulus.
 """
 
 from functools import cache

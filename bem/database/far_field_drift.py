@@ -9,7 +9,7 @@ moment energy gives no value.  At stored waves the far field of the fixed body d
 discretisation error of the panels. This deviation, interpolated linearly between frequencies, is subtracted. Without
 Kochin functions the drift itself is interpolated.
 
-Every function takes a `reader.Reader`, omega (q,) rad/s, and headings (p,) rad or None for the stored ones.
+Every function takes a `reader.Reader`, omega (q,) rad/s, and headings (p,) rad, or None for the stored headings.
 """
 
 import numpy as np

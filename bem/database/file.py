@@ -76,7 +76,7 @@ class Header:
 
 
 def check_place(path):
-    """Raise DatabaseError if no file can be made at `path`; called before the computation."""
+    """Raise DatabaseError if no file can be made at `path`; this is called before the computation."""
     path = Path(path)
     if path.is_dir():
         raise DatabaseError(f"{path} is a folder")
@@ -108,9 +108,9 @@ def beside(path, later=()):
     """A new file, renamed to `path` when complete and sealed (`results`), and deleted if it is not completed.
 
     later : names of datasets and groups whose numbers are filled in later, which the seal excludes
-    raises : `meshing.whole_files.NotWritten` if it cannot be written to the disk; the old file is then unchanged
+    raises : `meshing.whole_files.NotWritten` if the file cannot be written to the disk; the old file is then unchanged
 
-    HDF5 builds the file in memory, since it crashes with a segmentation fault on a full disk.
+    HDF5 builds the file in memory, because HDF5 crashes with a segmentation fault on a full disk.
     """
     path = Path(path)
     check_place(path)
@@ -131,7 +131,7 @@ def opened(path, mode="r", checked=False) -> Iterator[Any]:  # h5py has no types
 
     checked : whether seal or schema have been checked already
 
-    Raises DatabaseError if it is not a database of this schema version.
+    Raises DatabaseError if the file is not a database of this schema version.
     """
     if isinstance(path, h5py.File):
         yield path
@@ -167,8 +167,8 @@ def opened(path, mode="r", checked=False) -> Iterator[Any]:  # h5py has no types
 
 @contextlib.contextmanager
 def unlocked(path, mode="r"):
-    """The open HDF5 file.  Raises DatabaseError where it cannot be opened, for example while another process writes
-    it."""
+    """The open HDF5 file.  Raises DatabaseError if the file cannot be opened, for example while another process
+    writes it."""
     try:
         file = h5py.File(path, mode)
     except OSError as error:
@@ -301,7 +301,7 @@ def _read_mesh(group):
 
 
 def read_header(file, attributes=None):
-    """The `Header` with which a file was made.  Raises DatabaseError if part of it is missing.
+    """The `Header` with which a file was made.  Raises DatabaseError if part of the header is missing.
 
     attributes : {name: value} of the file, if already read
     """

@@ -2,8 +2,8 @@
 
 The mark of a stored cell is the CRC-32 of its bytes, 0 where nothing is stored, so that data and checksum become
 valid in one step (`storing.append`). Checks and wall time of a frequency have one CRC-32 for the row. The seal of the
-file (`results`) covers the rest: structure, attributes, coordinates, body, mesh. Files older than checksums have
-marks of one byte and no seal; only their schema is checked.
+file (`results`) covers structure, attributes, coordinates, body and mesh. Files from versions without checksums have
+marks of one byte and no seal; in these files only the schema is checked.
 """
 
 import tomllib
@@ -193,7 +193,7 @@ def checks_crc(checks, wall_time):
 def check_cells(file, name, values=None, rows=None):
     """Raise DatabaseError, naming the first frequencies, if stored cells of a quantity are damaged.
 
-    rows : (n,) bool, the frequencies that are checked; None for all
+    rows : (n,) bool, the frequencies that are checked, or None for all
     """
     damaged = damaged_cells(file, name, values)
     if damaged.ndim and rows is not None:

@@ -6,7 +6,7 @@ Kernel interpolation (Gaussian-process regression without noise): with kernel κ
 
 (Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006, eqs 2.25, 2.26).  Hydrodynamic quantities of a
 body of length L are smooth in frequency except for echoes. A wave that returns from a distance d has the phase
-exp(ikd), with d > 0 because it returns later.  So
+exp(ikd), with d > 0 because the wave returns after a delay.  So
 
     κ(x, y) = exp(−(s − t)²/2ℓ²) Σⱼ aⱼ exp(i(k − q) dⱼ),    s = ½ (ω √(L/g) + √(kL)),    Σ aⱼ = 1
 
@@ -14,7 +14,7 @@ where s and k belong to x, and t and q to y.  A resonance of the water in a moon
 quantities of the body share (`bem.algebra.poles`), and adds h_p(s) h_p(t)* to the kernel, h_p = c / (s − s_p). Waves
 that meet the hull at the distance `lead` ahead of the origin have the phase exp(−ik lead), which is removed before
 the fit. No single ℓ and set of echoes fits all quantities. Every kernel of a family is therefore fitted, and weighted
-by the inverse fourth power of its error at nodes left out (Rippa, Advances in Computational Mathematics 11, 1999).
+by the inverse fourth power of its error at omitted nodes (Rippa, Advances in Computational Mathematics 11, 1999).
 """
 
 from dataclasses import dataclass, field
@@ -108,7 +108,8 @@ def abscissa(omega, depth, gravity, length):
 
 
 class Rows(NamedTuple):
-    """Every kernel of the family between nodes x (n,) and places y (q,), whatever is fitted.
+    """Values of every kernel of the family between nodes x (n,) and places y (q,), which do not depend on the fitted
+    functions.
 
     cardinal : value at y of the function that is 1 at one node and 0 at all other nodes, (kernels, q, n)
     left : share of the variance that remains at y, (kernels, q)
@@ -179,8 +180,8 @@ class Interpolant:
     body.
 
     A group has c functions, which share one estimated error and the weights of the members. A Kochin function at all
-    its angles is one group; a coefficient is a group by itself.  Complex functions have echoes with d > 0 only, real
-    functions with both signs of d.
+    angles is one group; a coefficient is one group.  Complex functions have echoes with d > 0 only, real functions
+    with both signs of d.
     """
 
     nodes: Nodes
@@ -293,11 +294,12 @@ def windows(x, real=False, ringing=()):
 class Joined:
     """Functions of nodes x by an `Interpolant` in each of the `windows`, joined from node to node.
 
-    The residual of a fit at its nodes, due to the nugget, is added back linearly. Nodes then return their values, and
-    the function is continuous from window to window.
-    The deviation is corrected in the same way and is zero at the nodes. A damping that is a thousandth of the largest
-    value can govern a resonance; this correction makes it as accurate beside a node as at the node.  Groups that are
-    zero at every node, such as most couplings of a symmetric body, are zero between nodes and are not fitted.
+    The residual of a fit at its nodes, due to the nugget, is added back linearly. The function then has the known
+    values at the nodes and is continuous from window to window.
+    The deviation at the nodes is subtracted linearly too, so that it is zero at the nodes. A damping that is a
+    thousandth of the largest value can govern a resonance; this correction makes such a damping as accurate beside a
+    node as at the node. Groups that are zero at every node, such as most couplings of a symmetric body, are zero
+    between nodes and are not fitted.
     """
 
     x: Abscissa
@@ -399,8 +401,8 @@ def _root(kernel):
 def ringing_of(x, values):
     """Sharp poles, in the variable s of x (n,), of functions (n, m) that resonate between their nodes; shape (p,)
 
-    A pole is accepted if it shows at a node and, unlike poles of noise, predicts nodes that are left out. A pole as
-    broad as SHARP is fitted well without a pole term.
+    A pole is accepted if its effect at a node is significant and if, unlike a pole of noise, it predicts values at
+    omitted nodes. A pole as broad as SHARP is fitted well without a pole term.
     """
     found, residues = poles(x.smooth, values)
     inside = (found.real > x.smooth[0]) & (found.real < x.smooth[-1]) & (np.abs(found.imag) < SHARP)
@@ -443,8 +445,8 @@ def unknown(x, y):
 def chosen(x, y, count):
     """Indices of the `count` points of y (m,) to be computed next, in order, when the points x are known.
 
-    The next point is the one of largest `unknown`, or, where all are below the nugget, the point farthest from known
-    points.
+    The next point is the point of largest `unknown`, or, if all values are below the nugget, the point farthest from
+    known points.
     """
     new = []
     for _ in range(count):

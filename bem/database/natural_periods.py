@@ -17,15 +17,15 @@ GIVE_GYRATION = "give --gyration kxx,kyy,kzz and solve again; if its files were 
 
 @dataclass(frozen=True)
 class NaturalPeriods:
-    """Modes in the order Surge … Yaw, for several bodies one body after another. Each mode is named after the motion
-    with most of its kinetic energy.
+    """Modes in the order Surge … Yaw, for several bodies one body after another. A mode is named after the motion
+    that contains most of the kinetic energy of the mode.
 
     names : (n,); period : (n,) s, inf without restoring, nan where the body is unstable
     shapes : mode shapes in rows, (n, n), with largest component 1 after rotations are multiplied by `scale` m
     inside : False for a mode whose added mass is the value at the end of the stored frequencies, and where the water
         of a gap or a moonpool resonates, (n,)
     water : lowest stored frequency at which water in a gap or a moonpool, above its resonance, makes the inertia of
-        each motion negative, rad/s, (m,); nan if there is none
+        each motion negative, rad/s, (m,); nan if there is no such frequency
     """
 
     names: tuple[str, ...]
@@ -46,7 +46,7 @@ def natural_periods(body, coupled=True) -> NaturalPeriods:
 
     body : `bem.database.reader.Reader`, `restrained` by its mooring. Outside the stored frequencies its added mass
         keeps the value at their end, and `inside` is False
-    coupled : whether the motions are coupled; False: each motion alone
+    coupled : whether the motions are coupled; if False, each motion alone
     raises : ValueError where inertia, stiffness or added mass are not stored
     """
     if body.inertia is None or body.stiffness is None:

@@ -8,9 +8,9 @@ functions of the radiation are stored, forces over the headings follow from Hask
 
     F_j(β) = −4i ρg n/k² H_j(β + π),    n = C_g/C,
 
-corrected by its interpolated error at the stored headings.  Drift is of second order and needs more frequencies than
-forces, as its error shows.  In a stored wave the result is the stored number.  Without Kochin functions the drift
-itself is interpolated, with an error that includes the step to the next stored frequency.
+corrected by the interpolated error of this relation at the stored headings.  Drift is of second order and needs more
+frequencies than forces, as its error shows. In a stored wave the result is the stored number. Without Kochin
+functions the drift itself is interpolated, with an error that includes the step to the next stored frequency.
 
 With several bodies the motions are n = 6 for each moving body, one body after another, then the shapes of flexible
 bodies, all coupled; drift is that of the whole about the origin, and drift of each body (`drift_of_each`) is the
@@ -47,10 +47,10 @@ class Reader:
 
     between : stored quantities over frequency; inertia, stiffness : (n, n) or None; damping : (n, n) without radiation
     rotation_center : m; symmetry : planes of hull and water, "", "x", "y" or "xy"
-    is_round : whether the hull is one of revolution about the vertical through the origin
+    is_round : whether the hull is a body of revolution about the vertical through the origin
     own : whether the stored motions and drift are those of this body; False once a restraint is added
     viscous : damping in addition to radiation, `bem.viscous.Viscous`, valid at its wave amplitude; or None
-    mesh : PanelMesh of the hull, or None; bodies : `bem.modes.Body` of each of several, empty for one
+    mesh : PanelMesh of the hull, or None; bodies : `bem.modes.Body` of each of several bodies, empty for one body
     modes : `bem.modes.Mode` of each shape
     links : `bem.hinges.Link` between the bodies, imposed exactly
     """
@@ -156,7 +156,7 @@ class Reader:
         )
 
     def linked(self, links):
-        """The same bodies with `bem.hinges.Link`s between them.  Raises ValueError for impossible links."""
+        """The same bodies, connected by `bem.hinges.Link`s.  Raises ValueError for impossible links."""
         found = replace(self, links=(*self.links, *links), own=self.own and not links)
         if links:
             free_of(found._held)
@@ -164,7 +164,7 @@ class Reader:
 
     @cached_property
     def free(self):
-        """Motions, in columns, that the links permit; shape (n, m); None without links"""
+        """Motions, in columns, that the links permit; shape (n, m), or None without links"""
         return free_of(self._held) if self.links else None
 
     @cached_property
@@ -176,7 +176,8 @@ class Reader:
         """Force and moment per metre of wave amplitude that the first body of a link exerts on the second, along axes
         of the first; shape (q, p, links, 6)
 
-        motions : (q, p, n) of these bodies in these waves, with the springs and dampers of links (`hinges.driven`)
+        motions : motions of the bodies in these waves with the springs and dampers of links (`hinges.driven`), (q, p,
+            n)
         """
         D = self.dynamic_stiffness(self.inside(omega), *self.coefficients(omega))
         left = motions @ D.swapaxes(1, 2) - self.forces(omega, headings)
@@ -205,8 +206,8 @@ class Reader:
         return replace(self, between=replace(self.between, quantities=kept))
 
     def critical_damping(self, mode):
-        """Critical damping 2√(C (M + A)) of one mode alone, with A at its natural frequency, or at the nearest stored
-        frequency.
+        """Critical damping 2√(C (M + A)) of one uncoupled mode, with A at the natural frequency of the mode or at the
+        nearest stored frequency.
 
         Raises ValueError for a mode without restoring.
         """
@@ -231,12 +232,12 @@ class Reader:
         return 2 * C / omega
 
     def knows_added_mass(self, omega):
-        """Whether added mass is known at omega (q,) rad/s, shape (q,). Inside the stored band it is known; outside it
-        is known if the limit of added mass is stored"""
+        """Whether added mass is known at omega (q,) rad/s, shape (q,). It is known inside the stored band and, if the
+        limit of added mass is stored, outside the band"""
         return np.abs(np.atleast_1d(omega) - self._nearest(omega)) <= 0
 
     def held_added_mass(self, omega):
-        """Added mass at omega (q,) rad/s, which may be 0; shape (q, n, n). Where it is unknown, the value at the
+        """Added mass at omega (q,) rad/s, which may be 0; shape (q, n, n). If it is unknown, this is the value at the
         nearest end of the stored band"""
         return self.between.value(self._nearest(omega), "added_mass")
 
@@ -247,7 +248,8 @@ class Reader:
         return tuple(_known(name, without_rows(self.between.value(omega, name), out)) for name in RADIATION)
 
     def inside(self, omega):
-        """omega (q,) as an array.  Raises BetweenError outside the stored frequencies, and between too few of them."""
+        """omega (q,) as an array.  Raises BetweenError outside the stored frequencies, and if too few frequencies are
+        stored."""
         return self.between.inside(omega)
 
     def forces(self, omega, headings=None, name="excitation_force"):
@@ -281,8 +283,8 @@ class Reader:
     def motions(self, omega, headings=None):
         """Motions about rotation_center per unit wave amplitude, m/m and rad/m; shape (q, p, n), complex.
 
-        omega : frequencies, rad/s, (q,); headings : directions that waves travel to, rad, (p,); None for the stored
-            ones
+        omega : frequencies, rad/s, (q,); headings : directions that waves travel to, rad, (p,), or None for the
+            stored headings
         raises : BetweenError outside the stored frequencies and headings, and for a body without inertia
         """
         omega = self.inside(omega)
@@ -322,7 +324,7 @@ class Reader:
         return motions[..., self.columns_of(body)]
 
     def columns_of(self, body):
-        """Slice of the motions of one of several bodies among all; None for a fixed body"""
+        """Slice, among all motions, of the motions of one of several bodies, or None for a fixed body"""
         if body.fixed:
             return None
         first = 6 * [one.name for one in self.bodies if not one.fixed].index(body.name)
@@ -331,7 +333,7 @@ class Reader:
     def drift_of_each(self, omega, headings=None, fixed=False):
         """Mean drift per squared wave amplitude on each of several bodies, fixed bodies included; shape (q, p, bodies,
         3). The moment is about the reference point of each body; components are along the axes of the body.
-        It is interpolated from the stored drift of fixed bodies or of the stored motions, even if the motions are
+        Drift is interpolated from the stored drift of fixed bodies or of the stored motions, even if the motions are
         restrained here.
 
         Raises BetweenError if the drift of each body is not stored.
@@ -352,7 +354,7 @@ class Reader:
 
         headings : None for the stored headings
         returns : value (q, …) as stored, error (q, …) in its unit; for complex quantities the error of the modulus
-        raises : BetweenError outside the stored range, which it names
+        raises : BetweenError, which names the stored range, outside this range
         """
         omega = np.atleast_1d(np.asarray(omega, float))
         if name in NEEDED and (name != "drift_force_fixed" or self.rebuilds_drift):
@@ -402,7 +404,7 @@ class Reader:
         return -(w**2) * (self.inertia + A) - 1j * w * (B + self.damping) + self.stiffness
 
     def where_stored(self, omega, headings, name):
-        """`Stored` numbers of motions or drift in these waves; None if nothing is stored"""
+        """`Stored` numbers of motions or drift in these waves, or None if nothing is stored"""
         place = self.between.stored(omega)
         if name not in self.between.quantities or not (self.own or name == DRIFT[0]) or not np.any(place >= 0):
             return None

@@ -32,7 +32,8 @@ QUIET = 1e-3  # smallest peak reported, relative to the largest motion of its ki
 class Resonance:
     """A peak of the motion with index `mode` and name `name`, at omega rad/s in waves towards `heading` rad.
 
-    peak : m/m or rad/m; error : its estimated error between stored frequencies; damping : ratio ζ
+    peak : height of the peak, m/m or rad/m; error : estimated error of the peak between stored frequencies; damping :
+        ratio ζ
     viscous : whether this motion has damping in addition to wave radiation
     """
 
@@ -80,9 +81,9 @@ def _resonances(body):
 def about(body, found, beside=()):
     """Frequencies that show the shape of each peak of `found`, within the stored frequencies, rad/s; shape (q,)
 
-    beside : frequencies that are known already, rad/s, (p,)
+    beside : frequencies that are known already, rad/s, (p,).
     Roll and pitch of a round body resonate at one frequency except for rounding. A frequency too near to an earlier
-    one, or to a frequency of `beside`, is left out, so that splines can pass through the remaining frequencies.
+    frequency, or to a frequency of `beside`, is omitted, so that splines can pass through the remaining frequencies.
     """
     low, high = body.between.span
     omega = np.concatenate([[], *(_places(one.omega, one.damping) for one in found)])
@@ -107,7 +108,7 @@ def positive(inertia):
     positive
 
     At resonance of the water in a gap or a moonpool, negative added mass exceeds the mass of the body. λ then grows
-    without limit towards this frequency, and the search continues beyond it.
+    without limit towards the resonance frequency, and the search continues at higher frequencies.
     """
     values = np.linalg.eigvalsh(inertia)
     if np.all(values[..., 0] > 0):
@@ -118,8 +119,8 @@ def positive(inertia):
 
 
 def by_motion(energies):
-    """Index of the mode of each motion, by the assignment with the largest sum of energy shares; shape (n,); −1 for
-    none.
+    """Index of the mode of each motion, by the assignment with the largest sum of energy shares; shape (n,); −1 for a
+    motion without mode.
 
     energies : kinetic energy of each motion in each mode, (m, n); links make m smaller than n
     """
@@ -137,7 +138,7 @@ def by_motion(energies):
 def zeros(functions, low, f, high, g):
     """Zeros ω of m nearly straight functions that have the values f at low (m,) and g at high (m,); shape (m,)
 
-    functions : (m,) → (m,)
+    functions : (m,) → (m,).
     The method is a secant within a bracket: if an end of the bracket stays for a second step, its value is halved
     (Illinois; Dowell and Jarratt, BIT 11, 1971). Three steps square the error.
     """
@@ -183,7 +184,7 @@ def _modes(body, omega):
 
 
 def free_modes(free, inertia, stiffness):
-    """`natural_modes` of the motions permitted by links, columns of `free` (n, m); None for all motions
+    """`natural_modes` of the motions permitted by links, columns of `free` (n, m), or None for all motions
 
     The vectors (…, n, m) contain all motions.
     """

@@ -2,8 +2,8 @@
 
 Every quantity is a full grid over frequencies and headings, allocated and set to NaN when the file is made. An append
 therefore changes numbers in place and never the structure of the file.
-The group /stored has one mark per frequency (and heading). Data are written first, then flushed, then marked. A new
-file is made under another name and renamed when complete;
+For each quantity, the group /stored has one mark for each frequency (and heading). Data are written first, then
+flushed, then marked. A new file is made under another name and renamed when complete;
 `widening` replaces a file by a new file.
 """
 
@@ -57,7 +57,7 @@ def create(path, header, omega, wave_direction, names):
     """Make the file of a scene with every number still NaN; an existing file of that name is replaced.
 
     omega : (n,) rad/s; wave_direction : (m,) rad; names : keys of `schema.QUANTITIES`
-    Raises DatabaseError if the path cannot be written.
+    raises : DatabaseError if the path cannot be written
     """
     omega, wave_direction = np.unique(np.asarray(omega, float)), np.unique(np.asarray(wave_direction, float))
     with beside(path, LATER) as file:
@@ -66,7 +66,7 @@ def create(path, header, omega, wave_direction, names):
 
 @contextlib.contextmanager
 def writing(path):
-    """The open file of a database, for `append`; only one process at a time may open it."""
+    """The open file of a database, for `append`; only one process at a time may open the file."""
     if not isinstance(path, h5py.File):
         keep_room(path)
     with opened(path, "r+") as file:
@@ -83,7 +83,7 @@ def estimate_of(name):
 
 
 def row_values(file, omega, headings, names):
-    """Stored values of one frequency, {name: array in the shape that `append` needs}; None if one of the values is
+    """Stored values of one frequency, {name: array in the shape that `append` needs}, or None if one of the values is
     missing"""
     (i,) = places_on(file, [omega], "omega")
     columns, found = places_on(file, headings, "wave_direction"), {}
@@ -109,7 +109,7 @@ def pending(path):
 
 
 def open_database(path: str | os.PathLike[str] | h5py.File) -> Database:
-    """Read access to a database.  Raises DatabaseError if `path` is not one of this version.
+    """Read access to a database.  Raises DatabaseError if `path` is no database of this version.
 
     path : path of the file, which is opened again for every reading; or the open file from `writing`
     """
@@ -230,7 +230,7 @@ class Database:
 
     @property
     def wall(self) -> float | None:
-        """m, y of the vertical wall along x beside the body, or None"""
+        """y of the vertical wall along x beside the body, m, or None"""
         return self._scene.get("wall")
 
     @cached_property
@@ -260,8 +260,7 @@ class Database:
     def reader(self) -> Reader:
         """`bem.database.reader.Reader`: the bodies in any wave, with estimated errors, from the stored rows
 
-        raises : DatabaseError for a database of several bodies or of a flexible one, which studies of one rigid body
-            do not support
+        raises : DatabaseError for several bodies or a flexible body, which studies of one rigid body do not support
         """
         self.require_one_body()
         return self.bodies_reader
@@ -294,8 +293,7 @@ class Database:
             return {name: file["checks"][name][()][self.rows] for name in CHECKS}
 
     def estimated_errors(self) -> dict[str, np.ndarray]:
-        """{name: (n, …)} of the stored `schema.ESTIMATES`: absolute errors, each in the unit and on the axes of its
-        quantity.
+        """Stored `schema.ESTIMATES`, {name: (n, …)}: absolute errors in the unit and with the axes of the quantity.
 
         NaN where the method gives no estimate, and in files of versions without estimates.
         """

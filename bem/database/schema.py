@@ -1,4 +1,4 @@
-"""The contents of a database: one table of names, axes, units and types, used by writing, reading and plots.
+"""The contents of a database: one table of names, axes, units and types, which writing, reading and plots use.
 
 A quantity that Capytaine also has bears Capytaine's name.  Every dataset has its axes as HDF5 dimension scales.
 """

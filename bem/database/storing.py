@@ -46,7 +46,7 @@ class Storing:
 
         omega : rad/s; headings : (m,) rad, the order of the heading axis in `result`
         result : dictionary from `solve_frequency`: {name: array}, with "checks", "estimated_error" and "wall_time"
-        Raises DatabaseError, and adds nothing, if a value has the wrong shape or is not finite.
+        raises : DatabaseError, and adds nothing, if a value has the wrong shape or is not finite
         """
         (i,) = places_on(self.axes, [omega], "omega")
         key = tuple(headings)
@@ -72,7 +72,8 @@ class Storing:
 
 
 class Opened(dict):
-    """{name: dataset} of a file, each looked up once: h5py takes 0.05 ms to find one, as long as to write to it"""
+    """{name: dataset} of a file, where each dataset is looked up once: h5py takes 0.05 ms to find a dataset, as long
+    as to write to it"""
 
     def __init__(self, file):
         super().__init__()
@@ -162,7 +163,7 @@ def put(dataset, name, rows):
 
 
 def append_limit(file, name, value):
-    """Store an added-mass limit (6, 6); entries may be infinite, none NaN."""
+    """Store an added-mass limit (6, 6), whose entries may be infinite but not NaN."""
     value = checked(name, value, file[name].shape, "the limit", infinite=True)
     file[name][...] = value
     file.flush()
@@ -171,7 +172,8 @@ def append_limit(file, name, value):
 
 
 def checked(name, value, shape, where, infinite=False):
-    """A value as an array of its quantity's type.  Raises DatabaseError unless it has that shape and is finite."""
+    """A value as an array whose type is that of the quantity.  Raises DatabaseError if the value has another shape or
+    is not finite."""
     kind = QUANTITIES[name][2]
     if kind is float and np.iscomplexobj(value):
         raise DatabaseError(f"{name} at {where} is complex, its type is real")

@@ -19,7 +19,7 @@ def extend(path, *, omega=(), wave_direction=(), names=(), header=None, anew=())
     """Widen a file by frequencies, headings and quantities; its contents are kept, and the added numbers are pending.
 
     header : header that replaces the stored one, if something is added or the `scene_hash` of the two differs
-    anew : names of quantities whose stored values are dropped
+    anew : names of quantities whose stored values are dropped.
     Returns whether anything was added. If so, `path` names a new file, and a file that was open remains the old file.
     """
     with writing(path) as old:

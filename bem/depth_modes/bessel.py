@@ -2,9 +2,10 @@
 
     jₚ(x) = 2^ν Γ(1+ν) J_{ν+2p}(x) / x^ν,     p = 0 … P−1,  ν > 0
 
-Below x = 25 + 2P the recurrence runs downward, where it is stable, and Σ cₖ J_{ν+2k} = (x/2)^ν / Γ(1+ν),
-cₖ = (ν+2k) Γ(ν+k) / k! Γ(1+ν), gives the scale (DLMF 10.23.15; Miller's algorithm).  Above, Hankel's expansion
-(DLMF 10.17.3) starts the upward recurrence.  Absolute error below 1e-14 of 1 / x^(ν+½), measured for ν ≤ 1.
+Below x = 25 + 2P the recurrence runs downward, in which direction it is stable, and Σ cₖ J_{ν+2k} = (x/2)^ν / Γ(1+ν),
+cₖ = (ν+2k) Γ(ν+k) / k! Γ(1+ν), gives the scale (DLMF 10.23.15; Miller's algorithm).  Above x = 25 + 2P Hankel's
+expansion (DLMF 10.17.3) starts the upward recurrence.  The absolute error is below 1e-14 / x^(ν+½), measured for ν ≤
+1.
 """
 
 import math
@@ -15,7 +16,7 @@ from ..kernels.jit import kernel
 
 
 def scaled_bessel(orders, x, terms):
-    """jₚ of every order, (orders, terms, x); all x > 0"""
+    """jₚ of every order at x > 0; shape (orders, terms, x)"""
     out = np.empty((len(orders), terms, len(x)))
     _scaled(orders, x, np.empty(terms), out)
     return out

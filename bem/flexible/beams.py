@@ -1,16 +1,16 @@
-"""Free-free shapes of a uniform Euler–Bernoulli beam, and the loads in the beam for a given shape.
+"""Free-free shapes of a uniform Euler–Bernoulli beam, and the loads in the beam due to a shape.
 
     w(s) = ½ {cos μs/cos μ + cosh μs/cosh μ},  tan μ + tanh μ = 0        even about the middle
     w(s) = ½ {sin μs/sin μ + sinh μs/sinh μ},  tan μ − tanh μ = 0        odd
     θ(s) = cos(nπ(1 + s)/2)                                              torsion
 
-s from −1 to 1 over the length L, the forward end moves by 1 m or 1 rad.  With β = 2μ/L
+s runs from −1 to 1 over the length L, and the forward end moves by 1 m or 1 rad.  With β = 2μ/L
 
     ∫ m w² dx = mL/4,  ∫ EI w″² dx = EI β⁴ L/4,      ∫ I θ² dx = IL/2,  ∫ GJ θ′² dx = GJ (nπ/L)² L/2
 
 Sections stay plane and upright to the axis: u = (−(z − z₀) w′, 0, w) in vertical bending, (−y w′, w, 0) in horizontal,
-θ (0, −(z − z₀), y) in torsion: with the turn ω = (θ, −w′, v′) of a section
-u = (0, v, w) + ω × a, a = (0, y, z − z₀).  The axis keeps its length; therefore products of two shapes move points by
+θ (0, −(z − z₀), y) in torsion.  With the rotation ω = (θ, −w′, v′) of a section this is u = (0, v, w) + ω × a, a =
+(0, y, z − z₀).  The axis does not change its length; therefore products of two shapes move points by
 
     u_ij = ½ {ω_i (ω_j·a) + ω_j (ω_i·a)} − (ω_i·ω_j) a − (∫ (w_i′w_j′ + v_i′v_j′) dx, 0, 0)
 """
@@ -27,9 +27,9 @@ KINDS = (*BENDING, "torsion")
 class Beam(NamedTuple):
     """One shape of a beam along x.
 
-    kind : one of KINDS; number : from 1; start, end : m, x of its ends; height : m, z₀ of the neutral axis or shear
-    centre
-    rigidity : EI or GJ, N m²; per_length : kg/m, in torsion kg m
+    kind : one of KINDS; number : number of the shape, from 1; start, end : x of the two ends, m
+    height : z₀ of the neutral axis or shear centre, m
+    rigidity : EI or GJ, N m²; per_length : mass per length, kg/m, or, in torsion, moment of inertia per length, kg m
     """
 
     kind: str
@@ -52,16 +52,16 @@ class Beam(NamedTuple):
 
     @property
     def mass(self):
-        """kg or kg m², of the shape"""
+        """Modal mass of the shape, kg or kg m²"""
         return self.per_length * self.length / (2 if self.turns else 4)
 
     @property
     def stiffness(self):
-        """N/m or N m/rad, of the shape"""
+        """Modal stiffness of the shape, N/m or N m/rad"""
         return self.mass * self.rigidity / self.per_length * self._wavenumber ** (2 if self.turns else 4)
 
     def along(self, x, slope=0):
-        """w or θ, or a derivative of either along x, at x (…,) m; 1/m for each derivative"""
+        """w or θ, or its derivative of order `slope` along x, at x (…,) m; each derivative adds the unit 1/m"""
         s = 2 * (np.asarray(x, float) - self.start) / self.length - 1
         if self.turns:
             turn = 0.5 * np.pi * self.number
@@ -69,7 +69,7 @@ class Beam(NamedTuple):
         return self._wavenumber**slope * bent(self.number, s, slope)
 
     def displacement(self, points):
-        """Displacement per m or rad of each mode at points (…, 3), m; shape (…, 3)"""
+        """Displacement per m or rad of the amplitude at points (…, 3), m; shape (…, 3)"""
         x, y, z = np.moveaxis(np.asarray(points, float), -1, 0)
         w, arm, none = self.along(x), z - self.height, np.zeros_like(x)
         if self.turns:
@@ -81,14 +81,15 @@ class Beam(NamedTuple):
         return np.stack(parts, axis=-1)
 
     def turn(self, x):
-        """Turn Ω of the sections at x (…,), m; shape (…, 3)"""
+        """Rotation ω of the sections at x (…,), m; shape (…, 3)"""
         slope, none = self.along(x, 0 if self.turns else 1), np.zeros_like(x)
         return np.stack({"torsion": (slope, none, none), BENDING[0]: (none, -slope, none)}.get(
             self.kind, (none, none, slope)), axis=-1)  # fmt: skip
 
     def loads(self, x):
-        """Loads per unit of the shape at x (…,) m: bending moment EI w″, N m, and shear force EI w‴, N; in torsion the
-        moment GJ θ′ alone"""
+        """Loads per unit amplitude at x (…,) m: bending moment EI w″, N m, and shear force EI w‴, N, or in torsion
+        only the
+            moment GJ θ′"""
         if self.turns:
             return (self.rigidity * self.along(x, 1),)
         return self.rigidity * self.along(x, 2), self.rigidity * self.along(x, 3)
@@ -99,7 +100,7 @@ class Beam(NamedTuple):
 
 
 def second(beams, points):
-    """Second-order displacements U_ij, m, of beams of one axis at points (q, 3), m; shape (n, n, q, 3)"""
+    """Second-order displacements u_ij, m, of n shapes of a beam at points (q, 3), m; shape (n, n, q, 3)"""
     points = np.asarray(points, float)
     first = beams[0]
     arm = points * [0, 1, 1] - [0, 0, first.height]
@@ -130,7 +131,7 @@ def half_turns(number):
 
 
 def bent(number, s, slope=0):
-    """w, or a derivative of w by μs, at s (…,) from −1 to 1"""
+    """w, or its derivative of order `slope` with respect to μs, at s (…,) from −1 to 1"""
     mu, s = half_turns(number), np.asarray(s, float)
     even, shift = number % 2 == 1, slope * np.pi / 2
     wave = np.cos(mu * s + shift) / np.cos(mu) if even else np.sin(mu * s + shift) / np.sin(mu)

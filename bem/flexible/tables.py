@@ -1,4 +1,4 @@
-"""Interpolation of a shape given at points, for example by a finite-element program, to the whole hull.
+"""Interpolation, to the whole hull, of a shape that is given at points, for example by a finite-element program.
 
     u(x) = Σ c_k |x − x_k|³ + a + Bx        (polyharmonic spline; it reproduces rigid motions to rounding)
 
@@ -18,7 +18,8 @@ FEWEST = 5
 
 @dataclass(frozen=True, eq=False)
 class Table:
-    """points : (n, 3) m, of the body; displacements : (n, 3) m per unit of the shape; masses : (n,) kg, or None"""
+    """points : points of the body, m, (n, 3); displacements : displacements of the points per unit amplitude, m, (n, 3)
+    masses : masses at the points, kg, (n,), or None"""
 
     points: np.ndarray
     displacements: np.ndarray
@@ -34,7 +35,8 @@ class Table:
     def error(self, points):
         """Difference from a spline of |x − x_k| at points (n, 3) m of a hull, as a share of the largest displacement
 
-        Three to ten times the true error for shapes of a beam; the effect of points in one plane is not included.
+        For shapes of a beam this is three to ten times the true error. It does not contain the error that arises if
+        all points lie in one plane.
         """
         rough = _spline(self._own(self.points), self.displacements, "linear")(self._own(points))
         gap = np.linalg.norm(rough - self.displacement(points), axis=1).max()

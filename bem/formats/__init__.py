@@ -2,6 +2,6 @@
 
 The function `write(values, place)` of a module takes `values.Values` and returns the new paths; `read(place, known)`
 returns `values.Values`, whose numbers have this package's conventions: exp(−iωt), headings that the waves travel to,
-SI.  The time factor of WAMIT, HAMS and BEMIO is exp(+iωt): complex numbers are conjugated, amplitudes are unchanged,
-phases change their sign.
+SI.  The time factor of WAMIT, HAMS and BEMIO is exp(+iωt): complex numbers are conjugated, so that amplitudes are
+unchanged and phases change sign.
 """

@@ -26,9 +26,9 @@ NEEDED = ("added_mass", "radiation_damping", "excitation_force")
 
 
 class Weight(NamedTuple):
-    """mass : mass, kg; None: the displaced mass
-    center : centre of mass, m, (3,); None: the centre in the file, or 0 if the file has none
-    gyration : radii of gyration, m, (3,); None if not given
+    """mass : mass, kg; if None, the displaced mass
+    center : centre of mass, m, (3,); if None, the centre in the file, or 0 if the file has none
+    gyration : radii of gyration, m, (3,), or None if not given
     """
 
     mass: float | None = None
@@ -44,7 +44,7 @@ def on_hull(values, mesh, weight=Weight()):  # noqa: B008 - a frozen value
     """Values whose body has the geometry of a hull (PanelMesh in its water), and messages on the changes.
 
     weight : `Weight` that replaces the values of the file
-    Raises FormatError if file and hull contradict each other.
+    raises : FormatError if file and hull contradict each other
     """
     body, remarks = dict(values.body), []
     if weight.center is not None:

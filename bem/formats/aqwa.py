@@ -3,10 +3,10 @@
     .AH1   structures, headings, frequencies; GENERAL depth ρ g; COG, MASS, HYDSTIFFNESS, DISPLACEMENT : of each
            structure; ADDEDMASS, DAMPING : two structures, frequency, A (6, 6);
            FORCERAO  structure, heading, frequency, F, φ
-    .LIS   the same in tables of each structure
+    .LIS   these quantities in tables of each structure
 
-SI units, the time factor exp(−iωt) and headings that waves travel to are the same as here. Forces, motions and phases
-refer to the centre of gravity.
+SI units, the time factor exp(−iωt) and headings that waves travel to are those of this package. Forces, motions and
+phases refer to the centre of gravity.
 """
 
 import re

@@ -1,8 +1,8 @@
-"""The netCDF file of Capytaine (documentation, "Outputs"): in SI, exp(−iωt) and headings as here.
+"""The netCDF file of Capytaine (documentation, "Outputs"): units, time factor and headings are those of this package.
 
 Complex numbers have a last axis `complex` of re, im, as in files of `capytaine.export_dataset`. Datasets have the
 names that Capytaine uses. Modes are labelled, so their order does not matter.  Mean drift is
-`far_field_mean_drift_force`; in files written here, its values for pairs of different headings are NaN. In files of
+`far_field_mean_drift_force`; in files written here, values for pairs of different headings are NaN. In files of
 several bodies the modes are called `barge__Surge`. These modes are along the axes of the scene and about the
 reference point of each body, and quantities of one body have an axis `body`. netCDF 3 files, which Capytaine writes
 without netCDF4, are read too.

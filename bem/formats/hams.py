@@ -137,7 +137,7 @@ def coupled(place, known, count):
 
 
 def hull_of(place, known=None):
-    """The hull in the folder Input; in a project of several bodies the hull of known["body"]"""
+    """The file of the hull in the folder Input; in a project of several bodies the file of body known["body"]"""
     place = Path(place)
     several = place / "Input" / f"HullMesh_{(known or {}).get('body') or 1}.pnl"
     return several if several.is_file() else place / "Input" / "HullMesh.pnl"

@@ -4,9 +4,9 @@
     #RAOTYPE AddedMass | WaveDamping | LOAD, Excitation   #COMPONENT ij, of a force i   #HEADING degrees
     ω rad/s   values for each heading   phases in degrees for each heading
 
-Units are SI. The time factor is exp(+iωt), so numbers are the conjugates of ours; headings are those that waves
-travel to.  Matrices may have only the lower triangle.
-The format was derived from files of HydroStar 8 and of HAMS; WAMIT's files of the same runs have the same numbers.
+Units are SI. The time factor is exp(+iωt), so numbers are the conjugates of those in this package; headings are
+directions that waves travel to.  Matrices may have only the lower triangle.
+The format was derived from files of HydroStar 8 and of HAMS; For comparison there were WAMIT's files of these runs.
 """
 
 import re

@@ -4,9 +4,9 @@ RadiationCoefficients.tec has a zone for each motion j: ω, then A_ij and B_ij o
 DiffractionForce.tec and FKForce.tec one for each heading: ω, then amplitude and phase (rad) of i = 1 … 6. Nemoh.cal
 gives frequencies and headings by first, last and count; frequencies or headings that are not evenly spaced are
 refused.  Zones are counted, not named: Nemoh 2 calls the zones of the excitation "Diffraction force" too.
-With N bodies there are a zone for each motion of each body, 6N columns, and files Hydrostatics_0.dat, KH_0.dat and so
-on; a fixed body has no motions. File names are accepted in any case, as Nemoh 3 writes results/. Source: Nemoh v3
-manual, LHEEA, École centrale de Nantes.
+A set of N bodies has a zone for each motion of each body, 6N columns, and files Hydrostatics_0.dat, KH_0.dat and so
+on; a fixed body has no motions. File names are accepted in any case of letters, because Nemoh 3 writes a folder
+results/. Source: Nemoh v3 manual, LHEEA, École centrale de Nantes.
 """
 
 import re
@@ -197,7 +197,7 @@ def coupled(place, known, count):
 
 
 def hull_of(place, known=None):
-    """The file of the hull named in Nemoh.cal; None if it is missing.  Raises FormatError."""
+    """The file of the hull named in Nemoh.cal, or None if it is missing.  Raises FormatError."""
     place = Path(place)
     cal = _cal_of(_inside(place, "Nemoh.cal"))
     mesh = cal.bodies[body_of(place, len(cal.bodies), known)].mesh

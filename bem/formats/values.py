@@ -48,7 +48,7 @@ class Values:
     left_out: tuple = ()
 
     def get(self, name):
-        """A quantity or a value of the body; None if missing"""
+        """A quantity or a value of the body, or None if missing"""
         return self.quantities.get(name, self.body.get(name))
 
     def need(self, *names):
@@ -146,7 +146,7 @@ def _of_one(values, number):
 def values_of(db, several=False):
     """The Values of an opened database.  Raises DatabaseError if nothing is solved yet.
 
-    several : whether a database of several bodies is allowed; False: DatabaseError
+    several : whether a database of several bodies is allowed; if False, DatabaseError
     """
     db.require_rigid()
     if not several:
@@ -193,7 +193,7 @@ def _along_scene(values):
 def body_of(place, count, known):
     """Index, from 0, of the body whose number, from 1, is known["body"].  Raises FormatError.
 
-    The coefficients of this body are those of the body moving while the other bodies are fixed.
+    The coefficients of this body are for motions of this body while all other bodies are fixed.
     """
     body = (known or {}).get("body")
     if body is None and count == 1:
@@ -208,8 +208,8 @@ def body_of(place, count, known):
 
 
 def evenly(what, numbers, unit, way_out):
-    """Return (first, last, count) of equally spaced numbers.  Raises FormatError for unequal spacing, which some
-    files do not support."""
+    """Return (first, last, count) of equally spaced numbers.  Raises FormatError for unequal spacing, because some
+    file formats need equal spacing."""
     steps = np.diff(numbers)
     if len(steps) and not np.all(np.abs(steps - steps.mean()) <= EVEN * steps.mean()):
         raise FormatError(
@@ -253,7 +253,8 @@ def table_of(path, columns):
 
 
 def gridded(path, coordinates, values, modes=()):
-    """Rising coordinates and values on their grid.  Raises FormatError for a grid point with no value or two.
+    """Rising coordinates, and values on the grid of these coordinates.  Raises FormatError for a grid point with no
+    value or two.
 
     coordinates : list of (k,); values : (k, …); returns : list of (n_i,), array (n_0, n_1, …, …)
     modes : all possible numbers of each of the last coordinates; a value missing from the table is 0, because

@@ -12,8 +12,9 @@ with p = 0 for translations and 1 for rotations, L = ULEN; PER as given by IPERO
 ω = 0 and 0 at ω = ∞. BETA is the heading in degrees that the waves travel to, and phases are in degrees with
 exp(+iωt), so numbers are the conjugates of ours.
 Values that are 0 by symmetry are omitted.  Files are written with L = 1 m.  The .8 file is for the free body if
-motions are stored (then a .4 file lies beside it), and otherwise for the fixed body. It is omitted for several bodies,
-whose modes are numbered 7 to 12 and so on.  These files contain neither depth, density, gravity nor hull. WAMIT's
+motions are stored (then a .4 file lies beside it), and otherwise for the fixed body. For several bodies, whose modes
+are numbered 7 to 12 and so on, there is no .8 file.
+These files contain neither depth, density, gravity nor hull. WAMIT's
 input files beside the results contain ULEN and the reference point of moments (`wamit_inputs`).
 """
 
@@ -52,7 +53,7 @@ def write(values, place, names=None):
 
     place : path NAME, with or without a suffix
 
-    names : {suffix: file name} of the files to write; None: all files, with the name NAME
+    names : {suffix: file name} of the files to write; if None, all files, with the name NAME
     """
     A, B = values.need("added_mass", "radiation_damping")
     place, rho, rho_g = Path(place), values.density, values.density * values.gravity
@@ -121,7 +122,7 @@ def read(place, known):
 
     known : {"density", "gravity"}; optional are "water_depth" m, "length_unit" m, "rotation_center" (3,) m and "body",
         the number of the body from 1
-    Raises FormatError.
+    raises : FormatError
     """
     place = Path(place)
     whole = place.suffix.lower() == ".out"
@@ -185,7 +186,7 @@ def coupled(place, known, count):
 
 
 def hull_of(place, known=None):
-    """The .gdf of a body beside NAME.1 or NAME.out; None if missing"""
+    """The .gdf of a body beside NAME.1 or NAME.out, or None if missing"""
     place = Path(place)
     given = inputs_of(place, {name: known.get(name) for name in ("body",)} if known else {})
     if given.hull:

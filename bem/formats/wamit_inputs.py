@@ -91,7 +91,7 @@ def inputs_of(place, known):
 
     known : {"length_unit": m, "rotation_center": (3,) m, "period_kind", "water_depth": m, "gravity": m/s², "body"},
         with None or no entry for values not given
-    Raises FormatError.
+    raises : FormatError
     """
     place, known = Path(place), {name: value for name, value in known.items() if value is not None}
     pot, cfg = (beside(place, suffix) for suffix in (".pot", ".cfg"))
@@ -218,7 +218,7 @@ def _kind_listed(place, given):
 
 
 def beside(place, suffix):
-    """The file with the name of `place` and another suffix, in any case of letters; None if there is no such file"""
+    """The file with the name of `place` and another suffix, in any case of letters, or None if there is no such file"""
     found = (place.with_suffix(one) for one in (suffix, suffix.upper()))
     return next((path for path in found if path.is_file()), None)
 

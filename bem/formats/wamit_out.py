@@ -10,8 +10,8 @@ centres and mass:
     Normalized mass matrix:           I J M/ρ                IALTFRC = 1
     External force matrices:          I J M D K              IALTFRC = 2 and 3; M in the units of ρ and lengths
 
-Modes beyond the six of a body are ignored, as are damping and stiffness of lines.  A matrix without rotational
-inertia, such as that of a run without motions, gives only the mass.
+Modes beyond the six modes of a body are ignored, and so are damping and stiffness of lines.  A matrix without
+rotational inertia, such as that of a run without motions, gives only the mass.
 User manual, version 7.4, section 4.9 and chapter 5.
 """
 

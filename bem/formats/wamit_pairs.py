@@ -47,7 +47,7 @@ def write_pairs(forces, place, weight, bodies=()):
 
 
 def read_pairs(place, weight, kind=DIFFERENCE, length=1.0):
-    """`QuadraticForces` of NAME.12d or .12s; None if the file does not exist. All forces are stored as squares,
+    """`QuadraticForces` of NAME.12d or .12s, or None if the file does not exist. All forces are stored as squares,
     because the file does not separate the parts
 
     weight : ρg, N/m³; length : m, ULEN

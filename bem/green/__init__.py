@@ -1,1 +1,1 @@
-"""Green functions: a source under a free surface in any depth with its tables, and flat Rankine panels."""
+"""Green functions of a source under a free surface in any depth, their tables, and flat Rankine panels."""

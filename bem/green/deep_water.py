@@ -1,4 +1,4 @@
-"""The Green function of deep water, less its 1/r terms, and Bessel functions, tabulated once for all frequencies.
+"""The Green function of deep water without its 1/r terms, and Bessel functions, tabulated once for all frequencies.
 
     F(X, Y) = PV∫ e^(−μY) J₀(μX)/(μ−1) dμ = −π e^(−Y) Y₀(X) + N(X, Y),   N = −∫₀^∞ e^(−s) (X² + (Y−s)²)^(−½) ds
 
@@ -9,8 +9,8 @@
     X, Y < 32       F is smooth in X and Y
     beyond          N = −Σ n! Pₙ(c)/r^(n+1), smooth in 1/r and c; the caller adds the wave −π e^(−Y) Y₀(X)
 
-each approximated by piecewise polynomials of degree 7 in both variables; error of F below 1e-10 of |F| + 1/r,
-measured in tests/bem/green/test_green.py.
+In each range piecewise polynomials of degree 7 in both variables approximate these functions. The error of F,
+measured in tests/bem/green/test_green.py, is below 1e-10 of |F| + 1/r.
 """
 
 import math
@@ -38,7 +38,7 @@ FIRST_EIGHTH, FRACTION, ONE = 8 * (1023 + FIRST_OCTAVE), (1 << 52) - 1, 1023 << 
 
 
 class UniversalTables(NamedTuple):
-    """Tables valid for every frequency, coefficients of `bem.green.piecewise_polynomials`"""
+    """Tables that are valid at every frequency: coefficients of `bem.green.piecewise_polynomials`"""
 
     deep: np.ndarray  # (pieces, 8, 8): rings, the far range, the square
     bessel: np.ndarray  # (pieces, 4, 8): J₀, Y₀, −J₁, −Y₁
@@ -114,10 +114,10 @@ def _bessel_lines():
 
 @kernel(inline=True)
 def bessel(x, lines):
-    """J₀, Y₀ and their derivatives −J₁, −Y₁ at x ≥ 0; Y₀ and Y₁ from SMALLEST on.
+    """J₀, Y₀ and their derivatives −J₁, −Y₁ at x ≥ 0; Y₀ and Y₁ at x ≥ SMALLEST.
 
     Below x = 2 the pieces are eighths of octaves, so that the polynomials include the logarithm and 1/x of Y₀ and Y₁;
-    their separate computation would cost 8 ns.
+    the separate computation of these terms would cost 8 ns.
     """
     if x < 32.0:
         if x < 2.0:
@@ -156,7 +156,8 @@ def bessel(x, lines):
 
 @kernel()
 def deep_water(X, Y, pieces):
-    """F, ∂F/∂X, F + 1/r and 0; in the far range N, ∂N/∂X, N + 1/r and 1.  pieces : address of `UniversalTables.deep`"""
+    """F, ∂F/∂X, F + 1/r and 0, or in the far range N, ∂N/∂X, N + 1/r and 1; pieces : address of
+    `UniversalTables.deep`"""
     square = X * X + Y * Y
     r = math.sqrt(square)
     if square >= 16.0 and X < 32.0 and Y < 32.0:

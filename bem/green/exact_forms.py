@@ -1,12 +1,11 @@
 """Exact forms of the finite-depth Green function that fill its tables (equations in `bem.green.finite_depth`).
 
-For R < h/2 a quadrature of the integral is used, and beyond it John's (1950) eigenfunction series.
+The forms are a quadrature of the integral for R < h/2, and John's (1950) eigenfunction series for larger R.
 Every term is a product of a function of R and a function of a depth, so a table is a product of two matrices.
-The classes, for positive,
-zero and infinite frequency, have
+The classes for positive, zero and infinite frequency have these members:
 
-    near(R, Y, V)   g₁ − 2KF (R, Y) and g₂ (R, V), smooth as far as the next images in surface and bed
-    modes           km and their factors in E(R, V) = Σ factor K₀(km R) cos(km V),  f = E + the propagating wave
+    near(R, Y, V)   g₁ − 2KF at (R, Y) and g₂ at (R, V), which are smooth up to the next images in surface and bed
+    modes           wavenumbers km, and factors in E(R, V) = Σ factor K₀(km R) cos(km V), f = E + the propagating wave
     net             factor of ln(2h/R) in E
     mirror          sign of 1/r₁ in G
 """
@@ -58,7 +57,7 @@ def _principal_value_nodes(pole, end, widest, digits):
 
 
 class PositiveFrequency:
-    """0 < ω < ∞; K = ω²/g, k wavenumber, 1/m; depth : m; digits : −ln of the truncation error allowed"""
+    """0 < ω < ∞; K = ω²/g, 1/m; k : wavenumber, rad/m; depth : m; digits : −ln of the allowed truncation error"""
 
     net, mirror = 0.0, 1.0
 
@@ -94,7 +93,7 @@ class PositiveFrequency:
         return surface, bed
 
     def modes(self, count):
-        """km tan(km h) = −K"""
+        """Roots km of km tan(km h) = −K, and their factors"""
         K, h = self.K, self.h
         m = np.arange(1, count + 1) * np.pi
         # x tan x = −Kh on ((m−½)π, mπ): with x = mπ − y, (mπ − y) tan y = Kh, y in (0, π/2)
@@ -109,8 +108,8 @@ class PositiveFrequency:
 
 
 class ZeroFrequency:
-    """ω = 0, ∂φ/∂z = 0 on the surface; G is defined up to a constant, which here comes from the regularised
-    integrals."""
+    """ω = 0, ∂φ/∂z = 0 on the surface; G is defined up to a constant, which the regularised integrals determine
+    here."""
 
     mirror = 1.0
 

@@ -1,4 +1,4 @@
-"""Green function of a source under a free surface, any depth, with its gradient.
+"""Green function, with gradient, of a source under a free surface in water of any depth.
 
     G = 1/r + 1/r₂ + 1/r₁ + g₁(R, Y) + g₂(R, V) + i C Z(z) Z(ζ) J₀(kR),    time factor exp(−iωt)
 
@@ -8,8 +8,8 @@ Z(z) = cosh k(z+h)/cosh kh and C = 2πk²/((k²−K²)h + K).  With (SR179 repor
     f(R, V) = PV∫ (μ+K) e^(−μh) cosh μV / (μ sinh μh − K cosh μh) J₀(μR) dμ
     g₁(R, Y) = f(R, 2h−Y) − 1/√(R²+Y²),    g₂(R, V) = f(R, V)
 
-Where R < h/2, 2K F(KR, KY) of `bem.green.deep_water` is subtracted from g₁. Beyond, the wave −C Z(z) Z(ζ) Y₀(kR) is
-subtracted from g₁ + g₂.  The remainder is smooth and interpolated in the tables of `bem.green.tables`.
+Where R < h/2, 2K F(KR, KY) of `bem.green.deep_water` is subtracted from g₁. Where R > h/2, the wave −C Z(z) Z(ζ)
+Y₀(kR) is subtracted from g₁ + g₂.  The remainder is smooth and interpolated in the tables of `bem.green.tables`.
 """
 
 import math
@@ -32,7 +32,7 @@ INTEGER = 1.5 * 2.0**52
 
 
 class TableView(NamedTuple):
-    """A `Table` with addresses in place of its arrays, which must exist as long as the view is used."""
+    """A `Table` with addresses in place of arrays; the arrays must exist as long as the view is used."""
 
     K: float
     k: float
@@ -59,7 +59,8 @@ def table_view(t):
 
 @kernel()
 def depth_variables(z, zeta):
-    """Y = −(z + ζ) and V = |z − ζ| in m, and the sign of ζ − z: at equal depth ∂/∂ζ of g₂ is zero, of a table nearly"""
+    """Y = −(z + ζ) and V = |z − ζ| in m, and the sign of ζ − z: at equal depth ∂/∂ζ of g₂ is zero; from a table it is
+    nearly zero"""
     return -(z + zeta), abs(z - zeta), (1.0 if zeta > z else 0.0) - (1.0 if zeta < z else 0.0)
 
 
@@ -67,7 +68,8 @@ def depth_variables(z, zeta):
 def table_position(R, depths, view):
     """Position of a pair in the tables: zone, pieces of g₁ and of g₂, local variables (−1 to 1) of R, Y and V.
 
-    The positions of many pairs followed by `wave_part_at` of all take a quarter less time than both of each pair.
+    To compute the positions of many pairs, then `wave_part_at` of all pairs, takes a quarter less time than to
+    compute position and `wave_part_at` pair by pair.
     """
     n = int(R * view.per_metre)
     if n >= view.entries:
@@ -84,7 +86,7 @@ def table_position(R, depths, view):
 
 @kernel(inline=True)
 def wave_part_at(position, R, depths, wave, slope, view):
-    """g₁ + g₂ and its ∂/∂R and ∂/∂ζ, with J₀(kR) and its ∂/∂R; all real.
+    """Real g₁ + g₂ and its ∂/∂R and ∂/∂ζ, and J₀(kR) and its ∂/∂R.
 
     position : from `table_position`; R : m; depths : from `depth_variables`
     wave, slope : C Z(z) Z(ζ) and its ∂/∂ζ; view : `TableView`
@@ -118,9 +120,9 @@ def wave_part_at(position, R, depths, wave, slope, view):
 
 @kernel(inline=True)
 def standing_part_at(position, R, depths, wave, slope, slope_back, view):
-    """g₁ + g₂, the real part of G without images, and its ∂/∂R, ∂/∂ζ and ∂/∂z, at a `table_position`.
+    """g₁ + g₂, which is the real part of G without the terms 1/r, and its ∂/∂R, ∂/∂ζ and ∂/∂z, at a `table_position`.
 
-    slope_back : ∂/∂z of C Z(z) Z(ζ), the derivative at the other point; the other arguments as in `wave_part_at`
+    slope_back : ∂/∂z of C Z(z) Z(ζ), the derivative at the first point; other arguments as in `wave_part_at`
     """
     Y, V, upwards = depths
     g, gr, by_zeta, by_z = 0.0, 0.0, 0.0, 0.0
@@ -194,7 +196,7 @@ def _beyond(R, Y, V, upwards, view):
 
 @kernel(inline=True)
 def wave_factors(Y, V, upwards, C, k, q):
-    """C Z(z) Z(ζ) and its ∂/∂ζ from the sum and difference of the depths; q = e^(−2kh)."""
+    """C Z(z) Z(ζ) and its ∂/∂ζ, from sum and difference of the depths; q = e^(−2kh)."""
     a, b = max(decay(k * Y), 1e-300), max(decay(k * V), 1e-300)
     share = C / ((1 + q) * (1 + q))
     down, up = q * q / a, q / b
@@ -203,10 +205,10 @@ def wave_factors(Y, V, upwards, C, k, q):
 
 @kernel(inline=True)
 def decay(x):
-    """e^(−x) for x ≥ 0, at least e^(−700); the compiler vectorises a loop over this function, but not over the exp of
-    the library.
+    """e^(−x) for x ≥ 0, at least e^(−700); the compiler vectorises a loop over this function, but not a loop over the
+    library's exp.
 
-    e^(−x) = 2ⁿ eʳ with |r| ≤ ½ ln 2, eʳ by its series
+    The function computes e^(−x) = 2ⁿ eʳ with |r| ≤ ½ ln 2, and eʳ by its series.
     """
     n = np.floor(0.5 - min(x, 700.0) * (1 / math.log(2)))
     r = -min(x, 700.0) - n * LN2_HIGH - n * LN2_LOW
@@ -281,10 +283,11 @@ def green(R, z, zeta, omega, depth, gravity=9.80665):
 
     R, z, zeta : m, arrays of one shape or numbers; R ≥ 0, −depth ≤ z, zeta ≤ 0; omega : rad/s; depth : m, may be inf
     returns : G in 1/m, ∂G/∂R and ∂G/∂z in 1/m²; complex, of the shape of the arguments
-    raises : ValueError for points outside the water or on each other
+    raises : ValueError for points outside the water, and for two points at one place
 
-    Error below 1e-8 of |G| and of |∇G| for 1e-4 ≤ kh ≤ 200 and 1e-3 ≤ R/h ≤ 1e3, as long as they are not less than
-    1e-6 of 1/r and its gradient.  The first call of a frequency takes some milliseconds, then a pair 35 to 55 ns.
+    The error is below 1e-8 of |G| and of |∇G| for 1e-4 ≤ kh ≤ 200 and 1e-3 ≤ R/h ≤ 1e3, if |G| and |∇G| are not less
+    than 1e-6 of 1/r and its gradient.  The first call at a frequency takes some milliseconds, and then a pair takes
+    35 to 55 ns.
     """
     R, z, zeta = np.broadcast_arrays(*(np.asarray(a, float) for a in (R, z, zeta)))
     _check(R, z, zeta, omega, depth, gravity)
@@ -295,8 +298,8 @@ def green(R, z, zeta, omega, depth, gravity=9.80665):
 def table_pairs(table, R, z, zeta, whole=False):
     """G of unit sources 1/r at depths `zeta` through a table, with its gradient.
 
-    table : `bem.green.tables.Table`; R, z, zeta : (n,) m, not checked; whole : the table is one of `whole_table`
-    returns : (3, n) complex: G in 1/m, ∂G/∂R and ∂G/∂z in 1/m²; NaN beyond the reach of the table
+    table : `bem.green.tables.Table`; R, z, zeta : m, (n,), not checked; whole : whether the table is from `whole_table`
+    returns : G, 1/m, ∂G/∂R and ∂G/∂z, 1/m², complex, (3, n); NaN beyond the reach of the table
     """
     G, workspace = np.empty((3, len(R)), complex), np.empty((11, BLOCK))
     _pairs(R, z, zeta, table, whole, workspace, G)

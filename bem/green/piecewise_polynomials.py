@@ -1,10 +1,11 @@
-"""Functions of two variables as polynomials of degree 7 in each, piece by piece on a rectangular grid.
+"""Functions of two variables as polynomials of degree 7 in each variable, piece by piece on a rectangular grid.
 
-In each piece both variables run from −1 to 1; f = Σ c[b, a] xᵃ yᵇ through 8 × 8 Chebyshev nodes, whose error for a
-function with its nearest singularity at a distance d from the middle of a piece of half-width a is of order (2d/a)⁻⁸,
-and that of its gradient 64 times as much per half-width.  The 64 coefficients of a piece are adjacent in memory.
+In a piece each variable runs from −1 to 1, and f = Σ c[b, a] xᵃ yᵇ passes through 8 × 8 Chebyshev nodes. If the nearest
+singularity of the function is at a distance d from the middle of a piece of half-width a, the error is of order
+(2d/a)⁻⁸, and the error of the gradient is 64 times as much per half-width.  The 64 coefficients of a piece are
+adjacent in memory.
 Horner's rule in y runs on SIMD vectors of the eight coefficients of a power of y; then the eight sums are summed in x.
-Two functions of the same x are added between the two sums.  7 ns with the gradient.
+Two functions of one x are added between the two sums.  An evaluation with the gradient takes 7 ns.
 """
 
 from functools import cache
@@ -18,7 +19,7 @@ ORDER = 8
 
 
 def aligned(array):
-    """A copy that starts on a cache line (64 bytes), so that every row of eight doubles lies in one."""
+    """A copy that starts on a cache line (64 bytes), so that every row of eight doubles lies in one cache line."""
     memory = np.empty(array.size + 8)
     start = -memory.ctypes.data % 64 // 8
     copy = memory[start : start + array.size].reshape(array.shape)
@@ -45,7 +46,8 @@ def sample_points(edges):
 
 
 def fit_pieces(values):
-    """Coefficients (m n, 8, 8) of m × n pieces from values (8 n, 8 m) at `sample_points` of x and y, y outermost"""
+    """Coefficients (m n, 8, 8) of m × n pieces from values (8 n, 8 m) at `sample_points` of x and y; pieces are
+    ordered by y, then by x"""
     n, m = values.shape[0] // ORDER, values.shape[1] // ORDER
     T = _to_powers()
     rows = (T @ values.reshape(n, ORDER, -1)).reshape(n, ORDER, m, ORDER) @ T.T
@@ -53,21 +55,22 @@ def fit_pieces(values):
 
 
 def fit_line(values):
-    """Coefficients (n, 4, 8) of four functions of one variable from values (8 n, 4): in each row two powers of each."""
+    """Coefficients (n, 4, 8) of four functions of one variable from values (8 n, 4); a row has two powers of each
+    function."""
     return np.einsum("ab,nbf->naf", _to_powers(), values.reshape(-1, ORDER, 4)).reshape(-1, 4, 8)
 
 
 def pieces_per_distance(accuracy):
-    """Distance d to the nearest singularity, in half-widths a of a piece, for a relative `accuracy` of ∇(1/r).
+    """Distance d to the nearest singularity, in half-widths a of a piece, at which ∇(1/r) has the relative `accuracy`.
 
-    The error of the gradient of 1/r on a piece is ½ (a/d)⁷ of its size.
+    The error of the gradient of 1/r on a piece is ½ (a/d)⁷ times the gradient.
     """
     return (0.5 / accuracy) ** (1 / 7)
 
 
 @kernel(inline=True)
 def sum_over_y(pieces, n, y):
-    """Piece n at y: Σ_b c[b, a] yᵇ as a SIMD vector over a = 0 … 7, and its ∂/∂y"""
+    """Sum Σ_b c[b, a] yᵇ of piece n as a SIMD vector over a = 0 … 7, and its ∂/∂y"""
     s = t = load_vector(pieces, 64 * n + 56)
     for b in range(6, 0, -1):
         s = s * y + load_vector(pieces, 64 * n + 8 * b)
@@ -77,7 +80,8 @@ def sum_over_y(pieces, n, y):
 
 @kernel(inline=True)
 def sum_over_x(c, x):
-    """Σ_a c[a] xᵃ of a SIMD vector c, and its ∂/∂x, by halves: upper times x⁴ (then x², x) plus lower"""
+    """Σ_a c[a] xᵃ of a SIMD vector c, and its ∂/∂x, by halves: the upper half times x⁴ (then x², x) plus the lower
+    half"""
     square = x * x
     low, high = split_halves(c)
     s, t = high * (square * square) + low, high * (4 * x * square)

@@ -1,13 +1,15 @@
-"""Potential and flux of a flat quadrilateral covered with a bilinear density, exactly.
+"""Exact potential and flux of a flat quadrilateral with a bilinear density.
 
-In the panel's own axes x, y (origin at its centroid) and for m = 1, x, y, xy
+In the axes x, y of the panel (origin at the centroid), for m = 1, x, y, xy, these are
 
     S_m = ∬ m / r dS,    D_m = ∬ m ∂(1/r)/∂n dS = ∬ m (P − Q)·n / r³ dS
 
-S₁ from the edges (Hess & Smith 1967, Newman 1986), D₁ as the solid angle of two triangles (van Oosterom & Strackee
-1983).  The higher moments follow from Gauss' theorem in the plane: with u, v measured from the foot of P, u/r = ∂r/∂u
-and u/r³ = −∂(1/r)/∂u, so that only ∫ r dl, ∫ dl/r, ∫ l r dl and ∫ l dl/r along the edges remain. D is zero (principal
-value) where P lies in the panel's own plane.
+S₁ is computed from the edges (Hess & Smith 1967, Newman 1986), and D₁ as the solid angle of two triangles (van
+Oosterom & Strackee 1983).
+The higher moments follow from Gauss' theorem in the plane: with u, v measured from the projection of P on the plane,
+u/r = ∂r/∂u
+and u/r³ = −∂(1/r)/∂u, so that only ∫ r dl, ∫ dl/r, ∫ l r dl and ∫ l dl/r along the edges remain. D is zero
+(principal value) if P lies in the plane of the panel.
 """
 
 import math
@@ -17,9 +19,10 @@ from ..kernels.jit import kernel
 
 @kernel()
 def panel_moments(x, y, z, corners, S, D):
-    """S_m and D_m of one panel at the point (x, y, z), all in the panel's own axes (z along its normal).
+    """S_m and D_m of one panel at the point (x, y, z), in the axes of the panel, with z along the normal.
 
-    corners : (4, 2) m, counter-clockwise; S, D : (4,) or (1,), filled with the moments 1, x, y, xy or 1 only
+    corners : corners, counter-clockwise, m, (4, 2)
+    S, D : arrays to be filled with the moments for 1, x, y, xy, (4,), or for 1 only, (1,)
     """
     flat = abs(z) < 1e-10 * (
         abs(corners[0, 0] - x) + abs(corners[0, 1] - y) + abs(corners[2, 0] - x) + abs(corners[2, 1] - y)

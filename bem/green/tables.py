@@ -1,9 +1,8 @@
-"""Tables of the Green function's wave part for one frequency, of the accuracy asked for (equations in
-`bem.green.finite_depth`).
+"""Tables of the wave part of the Green function at one frequency (equations in `bem.green.finite_depth`).
 
-The singular and oscillating parts are subtracted: the deep-water function for R < h/2, and the wave beyond. Both are
-known for every frequency (`bem.green.deep_water`).  The remainder varies over the larger of h/2 and R at every
-frequency, so few piecewise polynomials of degree 7 represent it. Pieces in R grow with R until the remainder is
+The singular and oscillating parts are subtracted: the deep-water function for R < h/2, and the wave for larger R.
+`bem.green.deep_water` gives these functions at every frequency.  The remainder varies over the larger of h/2 and R at
+every frequency, so few piecewise polynomials of degree 7 represent it. Pieces in R grow with R until the remainder is
 negligible; pieces in the two depth variables have equal size.
 """
 
@@ -27,7 +26,7 @@ TABLE_ONLY, WITH_IMAGES, NOTHING = 0, 1, 2
 
 
 class Table(NamedTuple):
-    """Data from which kernels compute G of one frequency, with coefficients of `bem.green.piecewise_polynomials`"""
+    """Data from which kernels compute G at one frequency, with coefficients of `bem.green.piecewise_polynomials`"""
 
     K: float  # 1/m, ω²/g, the factor of the logarithm; zero for the limits, which have none
     k: float  # 1/m
@@ -48,9 +47,10 @@ class Table(NamedTuple):
 def wave_table(omega, depth, gravity, reach, draft, accuracy=1e-5):
     """Table of frequency `omega` rad/s for horizontal distances up to `reach` and points down to `draft` (m).
 
-    accuracy : 1e-8 … 1e-3, largest error of G relative to |G| or 1/r and of ∇G relative to |∇G| or 1/r², whichever
-    is larger; 1/r and its images belong to G.  Beyond a reach of less than about ten depths G becomes NaN.
-    raises : ValueError for another accuracy
+    accuracy : largest error, 1e-8 … 1e-3, of G relative to the larger of |G| and 1/r, and of ∇G relative to the
+        larger of |∇G| and 1/r²; G includes 1/r and the images.
+    Beyond `reach`, G is NaN if `reach` is less than about ten depths.
+    raises : ValueError for an accuracy outside this range
     """
     if not FINEST <= accuracy <= COARSEST:
         raise ValueError(f"accuracy is {accuracy:g}; allowed: {FINEST:g} to {COARSEST:g}")
@@ -61,7 +61,8 @@ def wave_table(omega, depth, gravity, reach, draft, accuracy=1e-5):
 
 @lru_cache(maxsize=16)
 def whole_table(omega, depth, gravity):
-    """`Table` for points at any depth and distance, to `WHOLE`; where R > h/2 it holds all of G except the wave."""
+    """`Table` with the accuracy `WHOLE`, for points at any depth and distance. For R > h/2 the table contains G
+    without the wave."""
     K, k, C = _wave_numbers(omega, depth, gravity)
     form = None if np.isinf(depth) else PositiveFrequency(K, k, depth, _digits(1e-4 * WHOLE))
     return _table(form, K, k, C, depth, np.inf, depth, WHOLE, whole=True)
@@ -71,7 +72,7 @@ def limit_table(which, depth, reach, draft, accuracy=1e-5):
     """Table of the limit "zero" (rigid lid) or "infinity" (φ = 0 on the surface) of the frequency.
 
     At zero frequency in finite depth G contains −(2/h) ln R and is determined only up to a constant. The constant has
-    no effect on modes without net flux.  At infinite frequency 1/r₁ is negative, and g₁ is the rest of G without it.
+    no effect on modes without net flux. At infinite frequency G contains −1/r₁, which is not part of g₁.
     """
     form = (
         None if np.isinf(depth) else (ZeroFrequency if which == "zero" else InfiniteFrequency)(depth, _digits(accuracy))
@@ -131,7 +132,7 @@ def _wave_piece(k, depth, draft, accuracy):
 def _zone(start, end, half, draft, values):
     """Row of `Table.zones` and pieces of g₁ and g₂ for start < R < end, of half-width at most `half` m.
 
-    values : function (R, Y, V) → g₁ (R, Y), g₂ (R, V)
+    values : function (R, Y, V) → g₁ (R, Y), g₂ (R, V).
     The row holds start, columns per metre, rows of g₁ and of g₂ per metre, number of the first piece of each (filled
     in by `_table`), number of the last column, of the last rows of g₁ and of g₂.
     """

@@ -1,1 +1,1 @@
-"""Infrastructure of the methods: compiled kernels, threads, SIMD vectors, progress."""
+"""Infrastructure of the methods: compiled kernels, threads, SIMD vectors, and reports of progress."""

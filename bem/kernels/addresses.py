@@ -1,7 +1,7 @@
-"""Numba's part of `in_memory`: the type of an address, how its fields are read, and what Python hands over.
+"""The part of `in_memory` inside numba: the type of an address, the reading of fields, and the conversion from Python.
 
-A field is read word by word and marked as never changing (`invariant.load`): what a loop reads is loaded before the
-loop.
+Fields are read word by word and marked as never changing (`invariant.load`), so that fields which a loop reads are
+loaded before the loop.
 """
 
 import hashlib
@@ -21,7 +21,8 @@ WORDS = types.Array(types.int64, 1, "C")
 
 
 def laid_out(value):
-    """Words of a marked tuple as int64, valid as long as the returned array and the tuple exist; shape (n,)"""
+    """Words of a tuple of a marked class as int64, valid as long as the returned array and the tuple exist; shape
+    (n,)"""
     words, inner = [], [value]  # of each of `inner`, one after the other
     begins, places = {}, {}
     for number, one in enumerate(inner):  # grows
@@ -58,7 +59,7 @@ def _put(part, words, inner, places):
 
 
 class Address(types.Type):
-    """Numba type of a tuple in memory: its class, and the types of its fields"""
+    """Numba type of a tuple in memory, with the class of the tuple and the types of the fields"""
 
     def __init__(self, made, kinds):
         self.fields, self.kinds = made._fields, kinds
@@ -67,7 +68,7 @@ class Address(types.Type):
 
 
 class Row(types.Type):
-    """Numba type of a list of tuples in memory, with their addresses side by side"""
+    """Numba type of a list of tuples in memory: the addresses of the tuples in one array"""
 
     def __init__(self, kind):
         self.kind = kind

@@ -1,10 +1,10 @@
-"""The single way to compile a kernel: numba, each kernel once, with a cache that detects changes of its sources.
+"""Compilation of kernels by numba, each kernel once, with a cache that detects changes of the sources of a kernel.
 
-numba stamps a cached function with its own file only. A callee edited in another file would continue to return its old
-values, and so would an imported constant, which is frozen into the machine code.  The folder of a kernel
-therefore has a digest of the sources of its module and of all modules of this repository that it imports directly or
-through others (`sources`).  `kept` describes how kernels are stored and called by others.  Without write access kernels
-are compiled for the process alone, which a message reports.
+numba checks only the file of a cached function for changes. After an edit of another file, the old code of a callee, or
+the old value of an imported constant, would remain in the machine code.  The folder name of a kernel therefore contains
+a digest of the sources of its module and of all modules of this repository that this module imports directly or through
+other modules (`sources`).  `kept` describes how kernels are stored and called by other kernels.  Without write access
+kernels are compiled for one process only, and a message reports this.
 """
 
 import gc
@@ -51,12 +51,13 @@ _before_first = [_collect_nothing_meanwhile]
 
 
 def before_first_kernel(call):
-    """Have a function called once numba is loaded, before numba compiles or loads the first kernel of this process"""
+    """Register a function to be called after numba is loaded, before numba compiles or loads the first kernel of this
+    process"""
     _before_first.append(call)
 
 
 def cache_folder(file, root):
-    """Folder of the compiled kernels of a source file; HAKOBUNE_CACHE or XDG_CACHE_HOME move it."""
+    """Folder of the compiled kernels of a source file; HAKOBUNE_CACHE or XDG_CACHE_HOME change its place."""
     return _base() / _sources(str(root), _base()).digest(file)
 
 
@@ -74,9 +75,9 @@ def _base():
 
 @contextmanager
 def as_python():
-    """Within this, kernels that Python calls run as Python: for a line or two that is quicker than numba's import
+    """Context in which kernels called from Python run as Python: a few calls are then quicker than the import of numba
 
-    Where Python refuses numbers, as a division by zero, the compiled kernel is called.
+    If Python raises an error of arithmetic, such as a division by zero, the compiled kernel is called.
     """
     import numpy as np
 
@@ -91,11 +92,11 @@ def as_python():
 def kernel(inline=False, counted=True):
     """Decorator: compile to machine code on the first call and keep the result on disk.
 
-    Kernels of `bem` write to given arrays: an allocation, or a direct array assignment, takes a second to compile, for
-    its error message.  Kernels start no threads themselves (`bem.kernels.threads.parallel_rows` does).
-    inline : always inlined into the kernels that call it; by default as the compiler decides
-    counted : whether it counts who refers to arrays, as it must where it makes or returns one.  Where arrays are cut in
-    loops, counting took two thirds of the time of two bodies moored to each other
+    Kernels of `bem` write to given arrays, because an allocation or a direct array assignment takes a second to
+    compile, due to its error message.  Kernels start no threads; `bem.kernels.threads.parallel_rows` starts them.
+    inline : whether the kernel is always inlined into its callers; if False, the compiler decides
+    counted : whether references to arrays are counted, which is necessary if the kernel makes or returns an array.
+        For two bodies moored to each other, counting took two thirds of the time where loops make slices of arrays
     """
 
     def decorator(function):
@@ -121,11 +122,11 @@ class Kernel:
 
     @property
     def called(self):
-        """Numba's dispatcher of this kernel, for other kernels that call it"""
+        """The numba dispatcher of this kernel, for other kernels that call this kernel"""
         return self._called or self._made("_called", self._for_kernels)
 
     def compile_for(self, *arguments):
-        """Compile, for kernels that call this one with such arguments, without a call"""
+        """Compile this kernel for the types of the given arguments, without a call"""
         compile_version = self.called.compile
         from numba import typeof
 

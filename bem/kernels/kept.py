@@ -1,13 +1,12 @@
-"""Storage of compiled kernels on disk by numba, and calls between kernels.
+"""Storage of kernels that numba has compiled on disk, and calls between kernels.
 
-Numba links the code of a kernel into all its callers, and optimises and assembles it there again. A kernel six calls
-deep is compiled six times.  Here a kernel of more than a few instructions is compiled once.  Its callers use its symbol
-alone, and their files list the kernels to be loaded before them.  Processes share the work: a process waits for a
-kernel that another process is compiling (`claimed`).
-None waits in a circle, since kernels wait for their callees alone.
-
-Private parts of numba, all used only here. `CompileResult._reduce` and `_rebuild` make the pickled form of a kernel;
-callers link `CodeLibrary._shared_module`; `_reload_init` is called before a kernel is loaded.
+Numba links the code of a kernel into all callers, where the code is optimised and assembled again. A kernel six calls
+deep is thus compiled six times.  Here a kernel of more than a few instructions is compiled once.  Callers use only the
+symbol of the kernel, and the file of a caller lists the kernels that must be loaded first.  Processes share the work:
+a process waits for a kernel that another process is compiling (`claimed`).
+Processes do not wait for each other in a circle, because kernels wait only for their callees.
+Only this module uses private parts of numba. `CompileResult._reduce` and `_rebuild` make the pickled form of a kernel;
+callers link `CodeLibrary._shared_module`; numba calls `_reload_init` before it loads a kernel.
 """
 
 import hashlib
@@ -36,7 +35,7 @@ class _StaleError(Exception):
 
 
 class Callee:
-    """Loads a kernel before another kernel whose file lists it as a callee"""
+    """Load a kernel before another kernel, whose file lists it as a callee"""
 
     def __init__(self, function, signature, symbol):
         self.module, self.name = function.__module__, function.__qualname__
@@ -50,10 +49,10 @@ class Callee:
 
 
 class Kept:
-    """Replacement of numba's cache in its dispatcher: a file for each signature of a kernel.
+    """Replacement of the cache in numba's dispatcher, with a file for each signature of a kernel.
 
-    folder : Path; failed : called with an OSError if it is not writable
-    linked : whether the kernel is linked into others at any length, or called by none
+    folder : Path; failed : function called with an OSError if the folder is not writable
+    linked : whether the kernel is linked into its callers, however long it is, or has no callers
     """
 
     def __init__(self, function, folder, linked, failed):
@@ -93,8 +92,8 @@ class Kept:
         return result
 
     def save_overload(self, signature, result):
-        """Let other kernels call a newly compiled kernel by its symbol, and store it unless another process has stored
-        it"""
+        """Let other kernels call a newly compiled kernel by its symbol, and store the kernel unless another process has
+        stored it"""
         file = self._file(signature, result.target_context)
         try:
             self._save(file, signature, result)
@@ -132,10 +131,10 @@ class Kept:
 
 
 def claimed(file):
-    """The open lock of a kernel that this process is to compile, after the process that compiles it now, if any
+    """The open lock of a kernel that this process is to compile; a process that compiles the kernel now is waited for
 
-    None where files cannot be locked, or where another process takes longer than PATIENCE; then both processes compile
-    the kernel.  The lock of a process that ends, by whatever cause, is free.
+    None if files cannot be locked, or if another process takes longer than PATIENCE; then both processes compile the
+    kernel.  When a process ends, for any reason, its lock becomes free.
     """
     try:
         from fcntl import LOCK_EX, LOCK_NB, flock

@@ -17,7 +17,8 @@ _callback = ContextVar("progress callback", default=None)
 
 @contextmanager
 def progress_callback(callback):
-    """Context in which callback(stage, count) is called when `count` more of a stage are done; None for no callback"""
+    """Context in which callback(stage, count) is called when `count` more items of a stage are done; if None, no
+    callback"""
     token = _callback.set(callback)
     try:
         yield
@@ -26,7 +27,7 @@ def progress_callback(callback):
 
 
 def report_progress(stage, count):
-    """Call the callback of the context, if any: `count` more of `stage` are done"""
+    """Call the callback of the context, if there is one: `count` more items of `stage` are done"""
     callback = _callback.get()
     if callback:
         callback(stage, count)

@@ -1,11 +1,11 @@
 """SIMD vectors of 2, 4 or 8 doubles inside a kernel, for numbers that are adjacent in memory.
 
-The compiler may or may not vectorise a loop over eight numbers. These operations are always vector instructions, split
-into the width that the processor has, and add in a fixed order.  Numba intrinsics, by LLVM vector types.
-A polynomial of 8 × 8 coefficients with its gradient takes 7.3 ns, by plain loops on numbers
-18.6 (`python tests/bench/simd.py`).  Vectors and numbers are added, subtracted, multiplied and divided with + − * /.
+The compiler may or may not vectorise a loop over eight numbers. The operations of this module are always vector
+instructions of the processor's width, and add in a fixed order.  They are numba intrinsics on LLVM vector types.  A
+polynomial of 8 × 8 coefficients with its gradient takes 7.3 ns; with plain loops over numbers it takes 18.6 ns
+(`python tests/bench/simd.py`).  Vectors and numbers are added, subtracted, multiplied and divided with + − * /.
 
-With the compiler off (NUMBA_DISABLE_JIT=1) the same names are the functions of `simd_plain`.
+With the compiler off (NUMBA_DISABLE_JIT=1) these names are the functions of `simd_plain`.
 """
 
 import operator
@@ -48,9 +48,10 @@ def _shuffled(builder, vector, indices):
 
 @intrinsic
 def address(typing, array):
-    """Pointer to the first element of a contiguous array, which the caller has to keep alive.
+    """Pointer to the first element of a contiguous array, which the caller must keep alive.
 
-    Arrays as arguments of a kernel that is not inlined are reference-counted: 500 ns a pair of points instead of 50.
+    Arrays that are arguments of a kernel which is not inlined are reference-counted: a pair of points then takes 500 ns
+    instead of 50.
     """
 
     def build(context, builder, signature, arguments):
@@ -61,7 +62,7 @@ def address(typing, array):
 
 @intrinsic
 def load_vector(typing, pointer, n):
-    """Elements n … n + 7 of the array that `pointer` (of `address`) points to."""
+    """Elements n … n + 7 of the array to which `pointer`, from `address`, points."""
 
     def build(context, builder, signature, arguments):
         start = builder.gep(arguments[0], [arguments[1]])
@@ -73,7 +74,7 @@ def load_vector(typing, pointer, n):
 
 @intrinsic
 def repeated(typing, number):
-    """The vector of eight times a number"""
+    """A vector of eight elements that are all equal to a number"""
 
     def build(context, builder, signature, arguments):
         return _broadcast(builder, signature.return_type, arguments[0])
@@ -106,7 +107,7 @@ def to_scalars(typing, a):
 
 @intrinsic
 def store_vector(typing, pointer, n, a):
-    """Put a vector of eight into the elements n … n + 7 of the array that `pointer` points to."""
+    """Write a vector of eight to the elements n … n + 7 of the array to which `pointer` points."""
 
     def build(context, builder, signature, arguments):
         start = builder.gep(arguments[0], [arguments[1]])
@@ -118,7 +119,7 @@ def store_vector(typing, pointer, n, a):
 
 @intrinsic
 def choose_less(typing, a, b, x, y):
-    """x where a < b, y elsewhere; numbers stand for vectors of themselves"""
+    """x where a < b, y elsewhere; a number is taken as a vector of equal elements"""
     kind = next(one for one in (a, b, x, y) if isinstance(one, SimdVector))
     taken = [one if isinstance(one, SimdVector) else types.float64 for one in (a, b, x, y)]
 
@@ -144,7 +145,7 @@ def root(typing, a):
 
 @intrinsic
 def exponents_and_fractions(typing, a):
-    """k and m of a = m 2ᵏ with 1 ≤ m < 2, of a vector of numbers above 2⁻¹⁰²², as two vectors"""
+    """Two vectors k and m with a = m 2ᵏ, 1 ≤ m < 2, for a vector a of numbers above 2⁻¹⁰²²"""
 
     def build(context, builder, signature, arguments):
         whole = ir.VectorType(ir.IntType(64), a.width)

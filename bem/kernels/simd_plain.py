@@ -12,12 +12,12 @@ def address(array):
 
 
 def load_vector(pointer, n):
-    """Elements n … n + 7"""
+    """Elements n … n + 7 of the array that is `pointer`"""
     return pointer[n : n + 8].copy()
 
 
 def repeated(number):
-    """The vector of eight times a number"""
+    """A vector of eight elements that are all equal to a number"""
     return np.full(8, number)
 
 
@@ -33,7 +33,7 @@ def to_scalars(a):
 
 
 def store_vector(pointer, n, a):
-    """Put a vector of eight into the elements n … n + 7."""
+    """Write a vector of eight to the elements n … n + 7 of the array that is `pointer`."""
     pointer[n : n + 8] = a
 
 

@@ -1,10 +1,10 @@
-"""The sources that a source imports, directly or through other sources, and a digest of all of these.
+"""The source files that a source file imports, directly or through other files, and a digest of all these files.
 
-Comments, docstrings and line breaks are not part of the digest: a change of these does not compile a kernel again.
-The imports of a file and its own digest are kept beside the compiled kernels, by its time of change and size. Reading
-all sources at every start took a third of the time of the smallest command.  A file that was read within `TICK` of its
-change is read again the next time. A second change in the same tick of the file system's clock would have the same
-time.
+Comments, docstrings and line breaks are not part of the digest: after a change of comments, docstrings or line breaks
+no kernel is compiled again. The imports and the digest of each file are kept beside the compiled kernels, under the
+file's time of change and size. Reading all sources at every start took a third of the time of the smallest command.
+If a file was changed less than `TICK` before it was read, it is read again the next time.
+A second change within one tick of the file system's clock would have an equal time.
 """
 
 import ast
@@ -20,8 +20,8 @@ PACKAGE = "hakobune."  # package prefix of the folders at the root
 
 
 def imported(file, root, imports=None):
-    """Source files below `root` imported directly by a source file, a set of Paths; imports : from `parsed`, if
-    known"""
+    """Source files below `root` that a source file imports directly, a set of Paths; imports : import statements from
+    `parsed`, or None"""
     found = []
     for one in parsed(file.read_bytes())[1] if imports is None else imports:
         if isinstance(one, ast.Import):
@@ -43,7 +43,7 @@ def _module(folder, name):
 
 
 def parsed(text):
-    """The syntax tree of a source, as text, without its docstrings, and its import statements"""
+    """The syntax tree of a source text without docstrings, and the import statements of the source"""
     tree, imports = ast.parse(text), []
     waiting = [tree]
     while waiting:
@@ -58,7 +58,7 @@ def parsed(text):
 
 
 class Sources:
-    """Sources below a root; `kept` : file with their imports and digests, which later processes read, or None"""
+    """Source files below a root; kept : file with their imports and digests, which later processes read, or None"""
 
     def __init__(self, root, kept=None):
         self.root, self.kept = Path(root), kept
@@ -85,7 +85,7 @@ class Sources:
         return self._of[source]
 
     def digest(self, file):
-        """A digest of 16 characters of a source and of all sources that it imports"""
+        """Digest, 16 characters, of a source file and of all source files that it imports"""
         if str(file) in self._digests:
             return self._digests[str(file)]
         known, below = len(self._now), len(str(self.root))
@@ -121,8 +121,8 @@ class Sources:
 
 
 def put_file(file, data):
-    """Write bytes to a file in one operation, safe against other processes that write or read it.  Raises OSError, and
-    leaves nothing then."""
+    """Write bytes to a file in one operation, safe against other processes that write or read it.  If this raises
+    OSError, no file is left."""
     file.parent.mkdir(parents=True, exist_ok=True)
     beside = file.with_suffix(f".{os.getpid()}")
     try:

@@ -1,12 +1,12 @@
 """Threads of linear systems (BLAS) and of kernels that fill a matrix row by row.
 
 A linear system of less than about 700 unknowns gains nothing from a second BLAS thread. If another program holds the
-core, every step waits for it: 316 unknowns took 915 ms instead of 10 on a busy machine with two cores.
-Kernels of a few milliseconds lose time too. The threads of BLAS keep their cores busy for a while after their work, and
-2 ms took 30 ms in a pool of threads.
+second core, every step waits: 316 unknowns took 915 ms instead of 10 ms on a busy machine with two cores. Kernels of
+a few milliseconds lose time too. The threads of BLAS keep their cores busy for a while after their work, and a kernel
+of 2 ms took 30 ms in a pool of threads.
 
 A kernel computes a range of rows and releases the interpreter lock; Python threads call it.  Loops that numba
-distributes itself (`prange`) run as fast and take two to three times as long to compile.
+distributes over threads (`prange`) run equally fast, but take two to three times as long to compile.
 """
 
 from contextlib import nullcontext
@@ -23,7 +23,8 @@ _own = local()  # .shares: whether this thread is one of several that share rows
 
 
 def blas_threads(unknowns):
-    """Context in which BLAS uses one thread for systems of few unknowns, and its own setting for larger systems"""
+    """Context in which BLAS uses one thread for systems of few unknowns, and the usual number of threads for larger
+    systems"""
     return _controller().limit(limits=1, user_api="blas") if unknowns < UNKNOWNS_WORTH_THREADS else nullcontext()
 
 
@@ -37,10 +38,11 @@ def thread_count():
 def parallel_rows(work, rows, pairs):
     """Call `work(low, high)` on ranges that cover 0 … rows, in several threads if there are enough pairs.
 
-    work : a kernel call that writes to its own rows alone, so that results do not depend on the number of threads
-    pairs : pairs of points and sources, in all rows together
-    raises : the exception of the first range that fails; ranges not yet begun are then left out
-    Within `work` further calls take one thread: that of their range.
+    work : a kernel call that writes only to the rows of its range, so that results do not depend on the number of
+        threads
+    pairs : number of pairs of points and sources in all rows together
+    raises : the exception of the first range that fails; ranges that have not begun are then omitted.
+    A call of `parallel_rows` within `work` uses only the thread of its range.
     """
     threads = min(thread_count(), rows)
     if threads == 1 or pairs < PAIRS_WORTH_THREADS or getattr(_own, "shares", False):

@@ -1,7 +1,7 @@
 """Errors of many frequencies from the differences between two resolutions at a few of these frequencies.
 
 The two resolutions of the contour method increase in steps over the frequency; between steps the difference of their
-results is smooth.  Frequencies with the same resolutions form a range.  A range is halved until two conditions hold:
+results is smooth.  Frequencies with equal resolutions form a range.  A range is halved until two conditions hold:
 at the middle frequency of the range the difference is close to the straight line between the ends of the range, and
 between the ends the phase of a wave along the body changes by less than half an oscillation.
 At the other frequencies of the range the difference is taken from the parabola through the values at the ends and the

@@ -33,12 +33,12 @@ class Piston(NamedTuple):
 
 
 def piston(mesh, corners, depth, headings, near, gravity=9.80665):
-    """`Piston` of the moonpool with `corners` (k, 2) in a held hull; None for too many panels, or if the rise has no
+    """`Piston` of the moonpool with `corners` (k, 2) in a held hull, or None for too many panels, or if the rise has no
     peak.
 
     mesh : PanelMesh of the hull; near : resonance frequency by a formula, rad/s; headings : headings of waves, rad,
         (m,)
-    Raises ValueError for a moonpool that is not convex.
+    raises : ValueError for a moonpool that is not convex
     """
     lids = (DampingLid(corners, 0.0),)
     whole = with_symmetry(mesh, mirrored_in([corners], mesh.symmetry))

@@ -7,11 +7,11 @@ of a hull point, X_c the displacement of the rotation centre, α the rotations;
 F₁ and M₁ the first-order load of water and weight
 about the rotation centre, equal to inertia times acceleration for a body without other restraint.
 
-The relative error of the pressures, times ρgζ² times the breadth, is the error of the drift, however small the drift
-is. In long waves this error exceeds the drift.
+The error of the drift is the relative error of the pressures times ρgζ² times the breadth, even if the drift is
+small. In long waves this error exceeds the drift.
 
 The momentum flux through a surface in the water around the hull would be no check: for every flow by Green's theorem
-or by eigenfunctions, right or wrong, it equals the flux far away.
+or by eigenfunctions, right or wrong, this flux equals the flux far away.
 """
 
 import numpy as np
@@ -28,7 +28,7 @@ def near_field_drift(run, moving):
     run : the quantities of one frequency of a mesh with four nodes per panel (`bem.panels.one_frequency.PanelRun`)
         or of the contour method (`bem.methods.shape_run.ShapeRun`); a run of the contour method must include the
         drift by the far field
-    moving : whether the body floats freely; False: the body is fixed
+    moving : whether the body floats freely; if False, the body is fixed
     raises : ValueError for a method without pressures on the hull, or a run without the needed quantities
     """
     force = _method(run, moving).pressure_drift(run, _motions(run, moving))
@@ -42,10 +42,10 @@ def near_field_error(run, moving):
     For each metre of breadth and squared wave amplitude, the terms at the waterline are up to ρg(1 + v)², because water
     rises to twice the wave height at a wall, and the terms on the sides are up to ρω²d a². Here v is the vertical
     motion at the waterline, and a the motion of any point of the hull.
-    A relative error of the pressures causes twice this relative error in these terms.  The relative error of the
-    pressures is taken from the estimated errors of coefficients and forces. In the contour method the error of forces
-    is of second order and that of pressures of first order; the relative error of pressures is therefore taken as at
-    least `bem.contour.pressure_drift.PRESSURES`.
+    A relative error of the pressures causes twice this relative error in the terms at the waterline and on the sides.
+    The relative error of the pressures is taken from the estimated errors of coefficients and forces. In the contour
+    method the error of forces is of second order and that of pressures of first order; the relative error of
+    pressures is therefore taken as at least `bem.contour.pressure_drift.PRESSURES`.
     Errors of the motions are not included, because drift from near and far field is equal for any motions.
 
     run, moving : as in `near_field_drift`

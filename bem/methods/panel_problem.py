@@ -29,13 +29,13 @@ class PanelProblem(Problem):
     """A floating body in water for the panel method: all input except frequency and headings.
 
     mesh : hull panels; lid : interior free-surface panels or None
-    coarse : (mesh, lid) of the same body with about half as many panels, for the error estimate; None: no estimate
+    coarse : (mesh, lid) of the same body with about half as many panels, for the error estimate; if None, no estimate
     finer : object that refines the mesh at frequencies whose estimated error exceeds the tolerance even after
         extrapolation from the two meshes; or None. finer(mesh, lid) returns a mesh and a lid of the body with about
         twice as many panels, or None at the limit; finer.omegas (n,) are the frequencies of the run, rad/s;
         finer.band(mesh, lid, omegas) gives the `band` of frequencies on that mesh, or None
     nodes_per_panel : 4 (bilinear) or 1 (constant)
-    wall : y of a vertical wall along x that reflects all waves, m; None for open water
+    wall : y of a vertical wall along x that reflects all waves, m, or None for open water
     zero_draft : whether the flat bottom of the hull lies in the water surface (`bem.panels.zero_draft`)
     damping_lids : `bem.panels.damping_lid.DampingLid` of each damped water area; with them each frequency is solved
         alone
@@ -68,8 +68,8 @@ class PanelProblem(Problem):
         return replace(self, mesh=mesh, lid=lid, coarse=None, **changes)
 
     def refined(self):
-        """The same problem on more panels, with each frequency solved alone; None at the limit. A problem without a lid
-        gives a problem without a lid"""
+        """The same problem on more panels, with each frequency solved alone, or None at the limit. A problem without
+        a lid gives a problem without a lid"""
         found = None if self.finer is None else self.finer(self.mesh, self.lid)
         return None if found is None else self._on(*found, band=None)
 
@@ -96,7 +96,7 @@ class PreparedPanelProblem:
     def axisymmetric_geometry(self):
         """Geometry of an axisymmetric body with an axisymmetric lid, which replaces the lid of the problem.
 
-        φ' vanishes on the lid, so that any lid is valid.
+        The density φ' is zero on every lid, so that any lid is valid.
         """
         g, problem = self.geometry, self.problem
         if problem.lid is None or g.sectors or not g.without_lid.sectors:
@@ -115,8 +115,8 @@ class PreparedPanelProblem:
 
     @cached_property
     def band_equations(self):
-        """The `bem.panels.band.equations.BandEquations` of the problem's band, beginning with its lower part, without
-        lid"""
+        """The `bem.panels.band.equations.BandEquations` of the problem's band; equations of low frequencies, without
+        lid, come first"""
         from ..checks import sufficient_accuracy
         from ..panels.band.equations import band_equations
 
@@ -131,7 +131,7 @@ class PreparedPanelProblem:
 
     @cached_property
     def finer(self):
-        """The same problem on more panels, whose coarser problem is this problem; None at the limit"""
+        """The same problem on more panels, whose coarser problem is this problem, or None at the limit"""
         problem = self.problem.refined()
         if problem is None:
             return None

@@ -100,7 +100,7 @@ class PreparedShapeProblem:
 
     @cached_property
     def few_estimates(self):
-        """`bem.methods.few_estimates.FewEstimates`; None if errors are estimated at every frequency"""
+        """`bem.methods.few_estimates.FewEstimates`, or None if errors are estimated at every frequency"""
         many = self.problem.method in RESOLVED and len(self.problem.omegas) >= FEWEST
         return FewEstimates(self, self.problem.omegas) if many else None
 

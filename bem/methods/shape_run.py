@@ -25,7 +25,7 @@ class ShapeRun(FrequencyRun):
 
     @property
     def sharper(self):
-        """The same run with a solver that is accurate to one more digit; None if this is not possible"""
+        """The same run with a solver that is accurate to one more digit, or None if this is not possible"""
         if self.problem.method not in RESOLVED or self.solver.sharper is None:
             return None
         return partial(ShapeRun, self.prepared, *self.question, self.solver.sharper)
@@ -59,7 +59,7 @@ class ShapeRun(FrequencyRun):
 
     @cached_property
     def differences(self):
-        """Differences from the finer body; None for strips, because the larger error of strip theory itself is not
+        """Differences from the finer body, or None for strips, because the larger error of strip theory itself is not
         estimated"""
         if self.problem.method not in RESOLVED:
             return None

@@ -1,12 +1,12 @@
-"""Axisymmetric bodies: a rotation by 2π/N about a vertical axis maps the panels of such a body onto each other.
+"""Axisymmetric bodies, whose panels a rotation by 2π/N about a vertical axis maps onto each other.
 
 The influence matrices are block-circulant (Davis, Circulant Matrices, 1979). With i and j among the p nodes of one
 sector and R_k the rotation by α_k = 2πk/N, the blocks a(i, R_k j) determine the matrix.  In the Fourier coefficients
 
     φ(R_k j) = Σ_m φ̂_m(j) exp(imα_k)        Â_m(i, j) = Σ_k a(i, R_k j) exp(imα_k)
 
-each harmonic m has separate equations, p × p. Only harmonics in a right-hand side are solved: one for heave, one for
-surge and pitch, and about kR + 10 for incident waves.
+each harmonic m has separate equations, p × p. Only harmonics that occur in a right-hand side are solved: one for
+heave, one for surge and pitch, and about kR + 10 for incident waves.
 
 With a mirror plane M, which maps m to −m, half the harmonics and half the rows of a sector are enough: M i = R_s(i) i*
 implies
@@ -145,7 +145,8 @@ def solved_by_harmonics(geometry, S, D, K, velocities, all_harmonics=True):
     """Return ({class: potentials (columns, hull nodes)}, largest residual relative to its right-hand side).
 
     S, D : `sector_rows`; K : ω²/g in 1/m; velocities : {class: (columns, hull nodes)}, m/s
-    all_harmonics : whether all harmonics are solved; False: only those that exert a force, the harmonics of the motions
+    all_harmonics : whether all harmonics are solved; if False, only those that exert a force, the harmonics of the
+        motions
     raises : LinAlgError if the equations of a harmonic are singular
     """
     from scipy.linalg import solve

@@ -2,7 +2,8 @@
 
 The error of a mesh decreases with a known power of its number of panels (`bem.checks.ERROR_ORDER`). The difference
 from a coarser mesh therefore shows most of the error, with its sign. After this error is subtracted, a sixth of the
-error remains at the median of random bodies, and at most a third in nine bodies of ten. In short waves more remains:
+error remains at the median of random bodies, and at most a third in nine bodies of ten. In short waves more of the
+error remains:
 with panels a fifth of a wave long, a third of the error at the median, and at most two thirds in nine bodies of ten
 (`left_over`). Extrapolation takes no time, whereas twice as many panels, which leave 0.45 of the error, take three
 times as long.

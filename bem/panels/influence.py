@@ -42,7 +42,7 @@ class Geometry:
 
     modes : `bem.modes.Mode`s beyond the rigid motions, with the mirror planes of the mesh
 
-    wall : y of a vertical wall along x that reflects all waves, m; None for open water
+    wall : y of a vertical wall along x that reflects all waves, m, or None for open water.
     The wall replaces the mirror plane y = 0: the mesh is shifted by `origin`, the mirror image of the body is behind
     the wall, and the flow is even in y.
     """

@@ -27,7 +27,7 @@ SHARE = 0.6
 def lowest_irregular(length, beam, draft, bottom=True):
     """K = ω²/g, 1/m, below which no hull inside a box of these dimensions (m) has an irregular frequency
 
-    bottom : whether the box has a bottom; False for walls that end on the bed
+    bottom : whether the box has a bottom; it is False for walls that end on the bed
     """
     kappa = np.pi * np.hypot(1 / length, 1 / beam)
     return float(kappa * np.tanh(kappa * draft) ** (-1 if bottom else 1))

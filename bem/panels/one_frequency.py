@@ -55,7 +55,7 @@ class PanelRun(FrequencyRun):
 
     @cached_property
     def differences(self):
-        """Errors by `bem.checks.estimate` from the coarser mesh; None without a coarser mesh"""
+        """Errors by `bem.checks.estimate` from the coarser mesh, or None without a coarser mesh"""
         return None if self.coarse is None else estimate(self, self.coarse, self.prepared.refinement)
 
     @cached_property
@@ -82,7 +82,7 @@ class PanelRun(FrequencyRun):
 
     @property
     def on_finer_mesh(self):
-        """A run on the next finer mesh of the problem; None if there is no finer mesh"""
+        """A run on the next finer mesh of the problem, or None if there is no finer mesh"""
         finer = self.prepared.finer
         return None if finer is None else partial(self._on, finer)
 

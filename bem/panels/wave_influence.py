@@ -55,7 +55,7 @@ class Pairs(NamedTuple):
         """`Pairs` of a `bem.panels.influence.Geometry`: points at the nodes `points` (r,), sources at `nodes` (m,), in
         increasing order
 
-        classes : symmetry classes; None: all
+        classes : symmetry classes; if None, all
         """
         g, e = geometry, geometry.elements
         sources = Sources.of(nodes, e.inverse.shape[2])

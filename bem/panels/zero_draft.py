@@ -7,7 +7,7 @@ sources of strength q = w − Kφ,
 
 with G of `bem.green.finite_depth` at z = ζ = 0.  q is P of SR179 report (1982), section 2.1.5.3, eqs. 2.1.5.30-33,
 for w = ζ.
-Heave, roll and pitch radiate waves, surge, sway and yaw do not.
+Heave, roll and pitch radiate waves; surge, sway and yaw radiate no waves.
 """
 
 from dataclasses import replace

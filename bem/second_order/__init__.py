@@ -1,1 +1,1 @@
-"""Forces of second order in the wave amplitude, at difference frequencies."""
+"""Forces of second order in the wave amplitude, at difference and sum frequencies."""

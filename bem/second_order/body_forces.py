@@ -4,8 +4,8 @@ On the mean position of the hull, with u = ∇φ, displacement X, velocity V = �
 
     ∂φ₂/∂n = −n·(X·∇)u + (α × n)·(V − u) + ∂(Hx)/∂t·n = n·∇×(X × u) + (α × n)·V + ∂(Hx)/∂t·n
 
-(H: `rotations`).  With ψ the radiation potential of unit velocity at the frequency Ω of the force it is −iρΩ ∬ ψ ∂φ₂/∂n
-dS (Haskind; Molin 1979), from which Stokes's theorem eliminates second derivatives:
+(H: `rotations`).  With ψ the radiation potential of unit velocity at the frequency Ω of the force, the force is −iρΩ
+∬ ψ ∂φ₂/∂n dS (Haskind; Molin 1979). Stokes's theorem eliminates second derivatives from this integral:
 
     ∬ ψ n·∇×(X × u) dS = ∮ ψ {(X·n) u_z − X_z (u·n)} dl − ∬ {(X·n) ∇ψ·u − (u·n) ∇ψ·X} dS,        u·n = V·n.
 
@@ -22,12 +22,12 @@ from .rotations import turned_twice
 
 
 def body_forces(surfaces, flow, one, two, radiated, problem, kind=DIFFERENCE):
-    """Transfer functions T about the origin, N/m², N m/m², of the pairs (one, two) of the waves of a `HullFlow`; shape
+    """Transfer functions T about the origin, N/m² and N m/m², for pairs (one, two) of waves of a `HullFlow`; shape
     (q, 6).
 
-    one, two : (q,) numbers of waves; all pairs have one difference of their frequencies or, as `kinds.Kind` says, one
-    sum
-    radiated : the six motions of unit velocity at this difference or sum (`hull_flow.radiated_flow`)
+    one, two : indices of waves, (q,); all pairs have the same difference of frequencies, or the same sum, by
+    `kinds.Kind`
+    radiated : flow of the six motions of unit velocity at this difference or sum (`hull_flow.radiated_flow`)
     """
     omega, second = radiated.omega[0], kind.second
     of_second = 0 if kind.sign > 0 else 1  # row of `linear`: the flow itself, or its conjugate

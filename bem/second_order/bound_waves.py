@@ -1,19 +1,20 @@
-"""The wave bound to a pair of waves, at the difference of their frequencies or at their sum.
+"""The wave bound to a pair of waves, at the difference or the sum of the two frequencies.
 
-A sea Re Σ aᵢ exp{i(kᵢ·x − ωᵢt)} carries Re Σᵢ Σⱼ aᵢ āⱼ s_ij exp{i(κ·x − Ωt)} at second order, Ω = ωᵢ − ωⱼ and
-κ = kᵢ − kⱼ, with the potential of a wave of amplitude s that moves as no free wave can (Longuet-Higgins and Stewart
-1962; Sharma and Dean 1981):
+At second order a sea Re Σ aᵢ exp{i(kᵢ·x − ωᵢt)} carries the bound waves Re Σᵢ Σⱼ aᵢ āⱼ s_ij exp{i(κ·x − Ωt)}, with Ω
+= ωᵢ − ωⱼ and κ = kᵢ − kⱼ. No free wave has this frequency and this wavenumber. The potential of a bound wave of
+amplitude s is (Longuet-Higgins and Stewart 1962; Sharma and Dean 1981):
 
     φ = −(ig/Ω) s cosh κ(z+h)/cosh κh · exp{i(κ·x − Ωt)},        s = −Ω q / {g (gκ tanh κh − Ω²)},
 
     q = (Ωg²/2ωᵢωⱼ) (kᵢ·kⱼ + KᵢKⱼ) + (g²/4) {(kᵢ² − Kᵢ²)/ωᵢ − (kⱼ² − Kⱼ²)/ωⱼ},        K = ω²/g.
 
-−ρ ∂φ/∂t at z = 0 is ρg s, negative: the pressure is lower under groups of high waves.  Both orders of a pair are
-counted, s_ij = s_ji: for two waves the bound wave has the amplitude 2 s aᵢaⱼ.  In deep water s of two waves in one
-direction is −Ωωᵢ/2g, ωᵢ the larger frequency: zero in the limit of long groups, but not before (Longuet-Higgins 1963).
+The pressure −ρ ∂φ/∂t at z = 0 is ρg s, which is negative under groups of high waves.  The sum contains the pairs ij
+and ji, with s_ij = s_ji, so that for two waves the bound wave has the amplitude 2 s aᵢaⱼ.
+In deep water s of two waves in one direction is −Ωωᵢ/2g, with ωᵢ the larger frequency; it is zero only in the limit
+of long groups (Longuet-Higgins 1963).
 
-At the sum frequency the second wave has −ωⱼ and −kⱼ (`kinds`): Ω = ωᵢ + ωⱼ, κ = kᵢ + kⱼ.  For a single wave s = ¾K cosh
-2kh / sinh⁴kh, that of Stokes (1847); in deep water it vanishes for waves in one direction.
+At the sum frequency the second wave has −ωⱼ and −kⱼ (`kinds`): Ω = ωᵢ + ωⱼ, κ = kᵢ + kⱼ.  For a single wave s = ¾K
+cosh 2kh / sinh⁴kh, as found by Stokes (1847). In deep water s at sum frequencies is zero for waves in one direction.
 """
 
 from typing import NamedTuple
@@ -26,7 +27,7 @@ NEAREST = 1e-9  # smallest relative frequency difference; smaller ones use this 
 
 
 class BoundWaves(NamedTuple):
-    """omega : rad/s, of the bound wave; number : (…, 2) rad/m; amplitude : s, m per m²"""
+    """omega : frequency of the bound wave, rad/s; number : wavenumber, rad/m, (…, 2); amplitude : s, m per m²"""
 
     omega: np.ndarray
     number: np.ndarray
@@ -36,8 +37,8 @@ class BoundWaves(NamedTuple):
 def bound_waves(first, second, depth, gravity=9.80665):
     """`BoundWaves` of pairs of waves.
 
-    first, second : (frequency rad/s, direction rad), each scalars or arrays that broadcast, the second frequencies
-        negative for sum frequencies; depth : m, may be inf
+    first, second : (frequency, rad/s, direction, rad), scalars or arrays that broadcast; for sum frequencies the
+        frequencies of `second` are negative; depth : m, may be inf
     """
     (one, beta), (two, gamma) = ([np.asarray(part, float) for part in wave] for wave in (first, second))
     k, l = wavenumber(one, depth, gravity), np.copysign(wavenumber(two, depth, gravity), two)

@@ -1,10 +1,9 @@
-"""First-order waves on the free surface around a vertical cylinder, from the side of the cylinder outwards, by the
-contour method.
+"""First-order waves on the free surface around a vertical cylinder, from its side outwards, by the contour method.
 
     φ = −(ig/ω) exp(ikr cos(θ − β)) + Σ_m e^{imθ} {c_m H_m(kr) + Σₙ Zₙ(0) Kₘ(kₙr) / kₙKₘ'(kₙR) ⟨∂φ/∂r, Zₙ⟩_m / ⟨Zₙ, Zₙ⟩}
 
-on r > R, c_m from the potential of the propagating mode on the side.  The local part is given on rings that begin at
-the side, as for panels (`surface_waves`).
+on r > R, with c_m from the potential of the propagating mode on the side.  The local part is given on rings that
+begin at the side, in the form used for panels (`surface_waves`).
 """
 
 import numpy as np
@@ -26,9 +25,10 @@ BEYOND = 6  # orders more than `orders_sent`
 
 
 class CylinderSurface:
-    """Like `surface_waves.SurfaceWaves`, with points on rings only
+    """First-order waves in the form of `surface_waves.SurfaceWaves`, with points only on rings
 
-    points : `bem.contour.hull.flow.HullPoints`; surfaces : `HullSurfaces`; omega, of_force : rad/s, rising
+    points : `bem.contour.hull.flow.HullPoints`; surfaces : `HullSurfaces`
+    omega, of_force : frequencies of the waves and of the force, rising, rad/s
     """
 
     def __init__(self, problem, points, surfaces, omega, of_force):
@@ -57,11 +57,11 @@ class CylinderSurface:
             self.waves.append(Wave(freq.omega, freq.k, beta, start, sent, near))
 
     def joined(self):
-        """No points near the body"""
+        """Fields near the body: none, because all points are on rings"""
         return [Field(np.zeros((len(self.waves), 0)), np.zeros((2, len(self.waves), 0)))] * 2
 
     def radiated(self, freq, flow):
-        """No points near the body, and [`Wave`] of the six motions of unit velocity"""
+        """Field near the body, which has no points, and [`Wave`] of the six motions of unit velocity"""
         whole, local = self._of(freq, of_motions(freq), 6)
         m = np.arange(-self.most, self.most + 1)
         H = hankel1(m, freq.k * self.radius)

@@ -1,10 +1,9 @@
 """First-order waves of a box or vertical cylinder by the contour method, for forces of pairs.
 
-The integrals over sides and bottom contain the flow at the edge exactly. The integral of the bound wave is over the
-wall of the plan (`bem.contour.hull`), and the surface around a cylinder is a sum of Bessel functions outwards from its
-side (`contour_surface`).
-The flow under a box is known only in the mean. A box must therefore be fixed; its heave, roll and pitch loads and the
-forcing of the surface around it are unknown.
+The integrals over sides and bottom include the exact singular flow at the edge. The integral of the bound wave is
+over the wall of the plan (`bem.contour.hull`), and the potential on the surface around a cylinder is a sum of Bessel
+functions (`contour_surface`). The contour method gives only means of the flow under a box. A box must therefore be
+fixed; its heave, roll and pitch loads, and the forcing of the surface around the box, are not computed.
 """
 
 import numpy as np
@@ -23,10 +22,10 @@ VERTICAL = [2, 3, 4]
 
 
 class ContourWaves(FirstOrderWaves):
-    """Like `first_order_waves.PanelWaves`, for a `bem.methods.shape_problem.ShapeProblem`
+    """First-order waves, as `first_order_waves.PanelWaves`, of a `bem.methods.shape_problem.ShapeProblem`
 
-    raises : ValueError for another method, infinite depth, a floating box, the surface around a box and unresolved
-        waves
+    raises : ValueError for a method other than contour, infinite depth, a floating box, the surface around a box, and
+        unresolved waves
     """
 
     def __init__(
@@ -69,7 +68,7 @@ class ContourWaves(FirstOrderWaves):
             self.around.add(freq, motions)
 
     def radiation(self, omega):
-        """`SharedFrequency` of a frequency of the force"""
+        """`SharedFrequency` at a frequency of the force"""
         return self._frequency(max(omega, self.least), [])
 
     def radiated(self, freq):

@@ -1,4 +1,4 @@
-"""First-order waves of one problem for forces of wave pairs, collected frequency by frequency."""
+"""First-order waves of one problem, collected frequency by frequency, from which forces of wave pairs are computed."""
 
 from dataclasses import replace
 
@@ -19,11 +19,13 @@ MANY = 12  # frequencies of the force above which they share work: the preparati
 
 
 class FirstOrderWaves:
-    """Common part of panels and the contour method; a method sets `prepared`, `surfaces` and `around`.
+    """Base class of panels and the contour method; a subclass sets `prepared`, `surfaces` and `around`.
 
-    headings : (m,) rad; lines : (6, 6) stiffness beside the water's, or None
-    surfaces : `hull_flow.HullSurfaces`; around : `surface_waves.SurfaceWaves` or alike, None without the surface
-    swayed : (n, m, 6) motions of another resolution about the rotation centre, for which the squares are also computed
+    headings : rad, (m,); lines : stiffness in addition to that of the water, (6, 6), or None
+    surfaces : `hull_flow.HullSurfaces`; around : `surface_waves.SurfaceWaves` or an object with its methods, or None if
+        the forcing of the surface is not wanted
+    swayed : motions from another resolution about the rotation centre, (n, m, 6), for which the squares are also
+        computed
     kind : `kinds.Kind` of the forces
     """
 
@@ -36,7 +38,7 @@ class FirstOrderWaves:
 
     @property
     def least(self):
-        """rad/s, the lowest frequency at which the body is solved"""
+        """Lowest frequency at which the body is solved, rad/s"""
         return lowest(self.problem)
 
     @property
@@ -48,7 +50,7 @@ class FirstOrderWaves:
         return wanted
 
     def take(self, run, flow_of):
-        """Add the waves of a run; flow_of : function of their motions (m, 6) about the origin that returns a flow"""
+        """Add the waves of a run; flow_of : function from motions (m, 6) about the origin to a flow"""
         rao = run.rao if self.moving else np.zeros((len(self.headings), 6), complex)
         motions = rao @ self.problem.transform
         self.parts.append(flow_of(motions))
@@ -63,12 +65,12 @@ class FirstOrderWaves:
         return motions
 
     def joined(self):
-        """`HullFlow` of all waves and (n, m, n, m, 6) T of squares of first order"""
+        """`HullFlow` of all waves, and T of the squares of first-order quantities, (n, m, n, m, 6)"""
         flow = HullFlow.joined(self.parts)
         return flow, self._squares(flow, self.loads, self.rao)
 
     def of_moving_hull(self, flow, one, two, made):
-        """`body_forces` of pairs about the rotation centre; shape (q, 6); made : as `radiated` gives it"""
+        """`body_forces` of pairs about the rotation centre; shape (q, 6); made : flow from `radiated`"""
         return body_forces(self.surfaces, flow, one, two, made, self.problem, self.kind) @ self.problem.transform.T
 
     def squares_in_swayed(self):
@@ -89,10 +91,12 @@ class FirstOrderWaves:
 
 
 class PanelWaves(FirstOrderWaves):
-    """Waves of a `bem.methods.panel_problem.PanelProblem`, on the hull and with `surface` on the water around it
+    """First-order waves of a `bem.methods.panel_problem.PanelProblem` on the hull and, with `surface`, on the water
+    around
 
-    omega : (n,) rad/s of the waves; of_force : (d,) rad/s, rising, of the force, at which the body radiates;
-    a frequency that is in both needs a single run
+    omega : frequencies of the waves, rad/s, (n,)
+    of_force : frequencies of the force, at which the body radiates, rising, rad/s, (d,).
+    A frequency that is in `omega` and in `of_force` needs a single run.
     """
 
     def __init__(
@@ -120,7 +124,7 @@ class PanelWaves(FirstOrderWaves):
             self.around.add(run, self.parts[-1], motions)
 
     def radiation(self, omega):
-        """Run of a frequency of the force"""
+        """Run at a frequency of the force"""
         known = [run for run in self.radiating if abs(run.omega - omega) <= self.near]
         dofs = self.problem.dofs
         return known[0] if known else self.prepared.run(max(omega, self.least), [0.0], {"added_mass"}, None, dofs)
@@ -130,19 +134,21 @@ class PanelWaves(FirstOrderWaves):
         return radiated_flow(run, self.surfaces)
 
     def long_waves(self, run, number):
-        """Forces of long waves about the origin, `long_wave_forces` of wavenumbers (w, 2); shape (w, 6)"""
+        """Forces of long waves about the origin, by `long_wave_forces`, for wavenumbers (w, 2), rad/m; shape (w, 6)"""
         return long_wave_forces(run, number)
 
 
 class WavesOfBodies(PanelWaves):
-    """Like `PanelWaves`, for several bodies; flows are lists, one `HullFlow` for each body, forces and motions (…, 6N).
+    """First-order waves, as `PanelWaves`, of N bodies. A flow is a list of one `HullFlow` for each body; forces and
+    motions are (…, 6N).
 
-    Products of first-order quantities are integrated over each hull separately.  Haskind's relation gives the force of
-    the bound wave on a body a. For the potential of moving hulls, with ψ the radiation potential of a motion of a, each
-    moving hull b adds −iρΩ ∬ ψ_a ∂φ₂/∂n dS over itself (`body_forces`).  A fixed body has such a ψ too.
-    The far field gives only the drift of all bodies together, so it cannot correct the drift of one body.
+    Products of first-order quantities are integrated over each hull separately.  Haskind's relation gives the force
+    of the bound wave on a body a. Let ψ_a be the radiation potential of a motion of body a, which exists for a fixed
+    body too. Every moving hull b then adds −iρΩ ∬ ψ_a ∂φ₂/∂n dS, an integral over hull b, to the force on body a
+    (`body_forces`). The far field gives only the drift of all bodies together, and cannot correct the drift of one
+    body.
 
-    raises : ValueError with `surface`, and for lines that hold the bodies
+    raises : ValueError if `surface` is wanted, and if lines hold the bodies
     """
 
     def __init__(
@@ -200,7 +206,7 @@ class WavesOfBodies(PanelWaves):
         return [slice(6 * i, 6 * i + 6) for i in range(len(self.problem.bodies))]
 
     def joined(self):
-        """[`HullFlow`] of all waves and (n, m, n, m, 6N) T of squares of first order"""
+        """[`HullFlow`] of all waves, and T of the squares of first-order quantities, (n, m, n, m, 6N)"""
         return self._joined(self.parts, self.loads, self.rao)
 
     def squares_in_swayed(self):
@@ -229,7 +235,7 @@ class WavesOfBodies(PanelWaves):
         return self.free.run(max(omega, self.least), [0.0], {"added_mass"}, None, self.problem.dofs)
 
     def radiated(self, run):
-        """[[`HullFlow`]] of the six motions of unit velocity of each body, on the hull of each"""
+        """[[`HullFlow`]] of the six motions of unit velocity of each body, on the hull of every body"""
         each = list(enumerate(self.each))
         return [[radiated_flow(run, surface, a, a == b) for b, surface in each] for a, _ in each]
 

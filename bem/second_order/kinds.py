@@ -3,9 +3,9 @@
     F(t) = Re Σᵢ Σⱼ aᵢ āⱼ T_ij exp{−i(ωᵢ − ωⱼ)t},        F(t) = Re Σᵢ Σⱼ aᵢ aⱼ T⁺_ij exp{−i(ωᵢ + ωⱼ)t}
 
 A real wave Re φ exp(−iωt) is also Re φ̄ exp(−i(−ω)t). The effect of two waves at the sum of their frequencies is
-therefore the effect, at the difference, of the first wave and of the second wave written in this form.
-A formula for differences
-becomes one for sums with −ωⱼ for ωⱼ and without the conjugates of the second wave; T⁺_ij = T⁺_ji.
+therefore their effect at the difference, if the second wave is written in this form.
+A formula for differences becomes a formula for sums if −ωⱼ replaces ωⱼ and the conjugates of the second wave are
+omitted; T⁺_ij = T⁺_ji.
 """
 
 from collections.abc import Callable
@@ -16,8 +16,7 @@ import numpy as np
 
 class Kind(NamedTuple):
     """name : name of the axis of force frequencies; sign : sign of the second wave frequency in a force frequency
-
-    second : function of first-order amplitudes that gives those of the second wave in products
+    second : function that converts the first-order amplitudes of the second wave for products
     """
 
     name: str
@@ -25,21 +24,23 @@ class Kind(NamedTuple):
     second: Callable
 
     def of(self, one, two):
-        """rad/s, frequencies of the force of pairs"""
+        """Frequencies of the force of pairs, rad/s"""
         return one + self.sign * two
 
     def negative(self, two):
-        """Second frequencies with the sign for formulas of differences"""
+        """Frequencies of the second waves, with the sign needed in formulas for differences"""
         return -self.sign * two
 
     def rows(self, omega, highest):
-        """Frequencies of the force up to `highest` of pairs of frequencies (n,) at even steps, rad/s; shape (d,)"""
+        """Frequencies of the force up to `highest`, rad/s, shape (d,), for pairs of the evenly spaced frequencies
+        (n,)"""
         step, lowest = (omega[-1] - omega[0]) / (len(omega) - 1), self.of(omega[0], omega[0])
         most = (len(omega) - 1) * (2 if self.sign > 0 else 1)
         return lowest + step * np.arange(min(int(np.floor((highest - lowest) / step + EVEN)), most) + 1)
 
     def pairs(self, row, count):
-        """Numbers (q,) and (q,) of the higher and the lower frequency of the pairs of a row, of `count` frequencies"""
+        """Indices of the higher frequency, (q,), and of the lower frequency, (q,), in each pair of a row, for `count`
+        frequencies"""
         if self.sign < 0:
             lower = np.arange(count - row)
             return lower + row, lower

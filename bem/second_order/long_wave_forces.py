@@ -1,13 +1,12 @@
-"""Force of a long wave whose wavenumber differs from the wavenumber of a free wave of its frequency; incident and
-diffracted part.
+"""Force of a long wave whose wavenumber is not that of a free wave of its frequency: incident and diffracted part.
 
 For a wave of unit amplitude, φ = −(ig/Ω) Z_κ(z) exp(iκ·x), Z_κ = cosh κ(z+h)/cosh κh (`bound_waves`),
 
     D = −iρΩ ∬ (φ n − ψ ∂φ/∂n) dS,
 
-with ψ the radiation potential of unit velocity at Ω (Haskind 1957): the diffracted wave is free.  With κ = k(Ω) this is
-the excitation force; as Ω → 0 with κ kept it is finite.  The lid against irregular frequencies is omitted: these belong
-to waves as short as the body.
+with ψ the radiation potential of unit velocity at Ω (Haskind 1957), because the diffracted wave is a free wave.  For
+κ = k(Ω) the force D is the excitation force; as Ω → 0 at constant κ it is finite.  The lid against irregular
+frequencies is omitted, because irregular frequencies belong to waves as short as the body.
 """
 
 from dataclasses import dataclass, replace
@@ -27,9 +26,9 @@ LOWEST = 1e-3  # lowest frequency over √(g/h), in deep water over √(g/draft)
 def kept_forces(problem, omega, number):
     """Forces D of waves of frequencies (f,), rad/s, with wavenumbers (f, w, 2), rad/m; shape (f, w, 6), complex
 
-    The potentials ψ depend on the frequencies alone. Seas of all heights, periods and directions need them again, so
-    they are kept from one run to the next. problem : `bem.methods.panel_problem.PanelProblem` of a body that does not
-    bend
+    The potentials ψ depend on the frequencies alone. Seas of all heights, periods and directions need these potentials,
+    which are therefore kept from one run to the next.
+    problem : `bem.methods.panel_problem.PanelProblem` of a rigid body
     """
     body, mesh = LongWaveBody(problem), problem.mesh
     of = mesh.points, mesh.corners, mesh.symmetry, () if mesh.body is None else mesh.body, problem.transform
@@ -49,7 +48,7 @@ def kept_forces(problem, omega, number):
 
 @dataclass(frozen=True, eq=False)
 class LongWaveBody:
-    """A body on panels, for `long_wave_forces`; problem : `bem.methods.panel_problem.PanelProblem`"""
+    """A body with panels, whose runs `long_wave_forces` needs; problem : `bem.methods.panel_problem.PanelProblem`"""
 
     problem: object
 
@@ -59,7 +58,7 @@ class LongWaveBody:
         return replace(self.problem, lid=None, coarse=None, finer=None, band=None).prepared()
 
     def run(self, omega):
-        """`PanelRun` of all motions at a frequency, by compressed equations where these take less memory and time"""
+        """`PanelRun` of all motions at a frequency, by compressed equations if they take less memory and time"""
         kind = PanelRun
         if self.prepared.compressed and not self.prepared.axisymmetric_geometry.sectors:
             from ..panels.compressed.one_frequency import CompressedRun as kind
@@ -69,8 +68,8 @@ class LongWaveBody:
         """Diffraction forces D of waves of one frequency and several wavenumbers, about the rotation centre, N/m, N
         m/m; shape (w, 6), complex.
 
-        omega : rad/s, positive or zero; number : (w, 2) rad/m, along x and y; kept : potentials of its run, one after
-        the other
+        omega : rad/s, positive or zero; number : wavenumbers along x and y, rad/m, (w, 2)
+        kept : potentials of the run at this frequency, one after the other
         """
         run = self.run(omega)
         if kept is not None:
@@ -82,16 +81,16 @@ class LongWaveBody:
 
 
 def lowest(problem):
-    """rad/s, the lowest frequency at which a body is solved: below this frequency the result is constant"""
+    """Lowest frequency at which a body is solved, rad/s; below this frequency the result is constant"""
     scale = problem.depth if np.isfinite(problem.depth) else problem.mesh.draft
     return LOWEST * np.sqrt(problem.gravity / scale)
 
 
 def long_wave_forces(run, number):
-    """Diffraction forces D about the origin, of waves of wavenumbers (w, 2), rad/m, at the frequency of a `PanelRun`;
-    shape (w, 6)
+    """Diffraction forces D about the origin, for wavenumbers (w, 2), rad/m, at the frequency of a `PanelRun`; shape
+    (w, 6)
 
-    Of several bodies (w, 6N), of those whose motions the run has solved for
+    For N bodies the shape is (w, 6N), with forces on the bodies whose motions the run has solved.
     """
     g, problem = run.geometry, run.problem
     nodes, weights, normals = run.hull

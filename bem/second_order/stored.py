@@ -1,7 +1,7 @@
-"""Forces of wave pairs in a database: groups `qtf`, of differences, and `qtf_sum`, and T between frequencies of `qtf`.
+"""Forces of wave pairs in a database: groups `qtf`, for differences, and `qtf_sum`, and interpolation of T from `qtf`.
 
 Between stored pairs T is interpolated cubically over the mean (ω₁ + ω₂)/2 at each stored difference, and then over the
-difference. In the difference the real part is even and the imaginary part odd.
+difference. As a function of the difference the real part is even, and the imaginary part is odd.
 """
 
 from dataclasses import dataclass
@@ -31,10 +31,10 @@ MEANING = {
 
 @dataclass(frozen=True, eq=False)
 class Held:
-    """Restraint of the body besides the water.
+    """Restraint of the body in addition to the water.
 
-    floats : whether it moves; name : name of the study whose lines hold the floating body, or empty
-    lines : (6, 6) their stiffness about the rotation centre, None without them
+    floats : whether the body moves; name : name of the study whose lines hold the floating body, or empty
+    lines : stiffness of the lines about the rotation centre, (6, 6), or None without lines
     """
 
     floats: bool
@@ -43,7 +43,8 @@ class Held:
 
     @property
     def moving(self):
-        """Argument `moving` for `quadratic_forces`: the stiffness of the lines, or else whether the body floats"""
+        """Argument `moving` of `quadratic_forces`: the stiffness of the lines or, without lines, whether the body
+        floats"""
         return self.floats if self.lines is None else self.lines
 
     def same_as(self, other):
@@ -55,12 +56,12 @@ class Held:
 class StoredForces:
     """Forces of wave pairs in a database, with the body on which they act and the errors of the forces.
 
-    method : "panel" or "contour"; share : share of the surface's forcing in them, estimated where it is left out, or
-    None
-    errors : (d, n, m, m, 6) estimated, of the whole, or None; coarser : (d, n, m, m, 6) the whole at a coarser
-        resolution, of which the errors are, or None
-    asked : rad/s, the largest difference or sum that will be stored, of a run that has not ended, or None
-    names : names of the forces, as `influenced_dof` of a database
+    method : "panel" or "contour"; share : share of the surface forcing in the forces, an estimate if it is not
+        computed, or None
+    errors : estimated errors of the whole force, (d, n, m, m, 6), or None
+    coarser : whole force at a coarser resolution, from which the errors are estimated, (d, n, m, m, 6), or None
+    asked : largest difference or sum that an unfinished run will store, rad/s, or None for a finished run
+    names : names of the forces, like `influenced_dof` in a database
     """
 
     forces: QuadraticForces
@@ -74,7 +75,7 @@ class StoredForces:
 
     @property
     def words(self):
-        """Names of the forces as results have them: "surge", of several bodies "barge surge" """
+        """Names of the forces in results: "surge", for several bodies "barge surge" """
         parts = [name.rpartition("__") for name in self.names]
         return [f"{body} {dof.lower()}".strip() for body, _, dof in parts]
 
@@ -160,10 +161,10 @@ def read_forces(db, kind=DIFFERENCE):
 
 @dataclass(frozen=True, eq=False)
 class BetweenPairs:
-    """T between stored pairs, of waves in one direction each.
+    """T between stored pairs, for one direction of the first waves and one of the second.
 
-    omega : (n,) rad/s, even; difference : (d,) rad/s, even, from 0; values : (d, n, 6), as a part of
-    `QuadraticForces` at two headings
+    omega : evenly spaced frequencies, rad/s, (n,); difference : evenly spaced differences from 0, rad/s, (d,)
+    values : T at the two headings, as in a part of `QuadraticForces`, (d, n, 6)
     """
 
     omega: np.ndarray

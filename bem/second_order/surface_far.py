@@ -2,8 +2,8 @@
 
     φ = −(ig/ω) Σ_m e^{imθ} {iᵐ c_m H_m(kr) + iᵐ e^{−imβ} J_m(kr)} + local part
 
-c_m of the Kochin function H(θ) = Σ c_m e^{imθ} of the far field; the rest of the potential near the circle, which
-decays over the depth, or in deep water over some wave lengths, is interpolated between rings.
+with c_m of the Kochin function H(θ) = Σ c_m e^{imθ} of the far field. The local part of the potential decays within
+the depth or, in deep water, within some wavelengths; it is interpolated between rings.
 """
 
 from dataclasses import dataclass
@@ -26,7 +26,7 @@ MORE = 1  # Largest order radiated by a body within a circle of kr = x
 
 
 def orders_sent(x):
-    """Largest order that a body within a circle of kr = x sends"""
+    """Largest order of the waves that a body within a circle of kr = x radiates"""
     return (x + 4 * np.cbrt(x) + MORE).astype(int) if isinstance(x, np.ndarray) else int(x + 4 * np.cbrt(x) + MORE)
 
 
@@ -34,7 +34,8 @@ def orders_sent(x):
 class Rings:
     """Points where the local parts of the waves are known: n directions on r rings in each of w radial intervals.
 
-    edges : (w + 1,) m; count : n, a multiple of four, none on an axis; centre : (2,) m
+    edges : ends of the radial intervals, m, (w + 1,); count : n, a multiple of four, with no direction on an axis
+    centre : m, (2,)
     """
 
     edges: np.ndarray
@@ -60,11 +61,12 @@ class Rings:
         return np.fft.fftfreq(self.count, 1 / self.count).astype(int)
 
     def transform(self, values):
-        """Parts e^{imθ} of values (…, n) at the directions; shape (…, n)"""
+        """Coefficients of e^{imθ} of values (…, n) at the directions; shape (…, n)"""
         return np.fft.fft(values, axis=-1) / self.count * np.exp(-1j * np.pi * self.orders / self.count)
 
     def interpolation(self, w, x):
-        """Two (n, r) from values on the rings of interval w to values and slopes in 1/m at places x (n,), −1 … 1"""
+        """Two matrices (n, r) from values on the rings of interval w to values, and to slopes, 1/m, at places x (n,)
+        in −1 … 1"""
         legendre = np.polynomial.legendre
         inverse = np.linalg.inv(legendre.legvander(legendre.leggauss(RING_POINTS)[0], RING_POINTS - 1))
         slope = legendre.legval(x, legendre.legder(np.eye(RING_POINTS))).T
@@ -72,7 +74,7 @@ class Rings:
         return legendre.legvander(x, RING_POINTS - 1) @ inverse, 2 / width * slope @ inverse
 
     def within(self, radius):
-        """Count of intervals inside a radius"""
+        """Number of intervals inside a radius"""
         return int(np.searchsorted(self.edges, radius * (1 - 1e-9)))
 
 
@@ -89,18 +91,19 @@ def rings_about(circle, depth, k, most_orders, kind):
 
 
 def directions(most):
-    """Number of directions that resolve a product of three waves of at most `most` orders"""
+    """Number of directions that resolves a product of three waves with orders up to `most`"""
     return 4 * (most + 1)
 
 
 def reach_of_local(circle, depth, k, kind):
-    """m, radius beyond which the local part of waves k is neglected in forces of a `kinds.Kind`"""
+    """Radius, m, beyond which the local part of waves k is neglected in forces of a `kinds.Kind`"""
     depths, waves, radii = REACH[kind]
     return circle.radius + min(depths * depth, max(waves / k, circle.radius), (radii - 1) * circle.radius)
 
 
 def sent_orders(run, flows, most, centre):
-    """Orders −most … most of H about the centre of flows {class: (φ (c, n), V (c, n))}; shape (c, 2 most + 1)"""
+    """Coefficients of orders −most … most of H about `centre`, for flows {class: (φ (c, n), V (c, n))}; shape (c, 2
+    most + 1)"""
     g, count = run.geometry.without_lid, 2 * most + 6
     theta = 2 * np.pi * (np.arange(count) + 0.5) / count
     nodes, weights, normals = run.hull
@@ -120,10 +123,10 @@ def sent_orders(run, flows, most, centre):
 
 
 def hankel_orders(kind, most, z):
-    """Hankel functions H_m of order 0 … most and the next order, of kind 1 or 2, without e^{±iz}; shape (most + 1, …);
-    z (…) complex or real
+    """Hankel functions H_m of kind 1 or 2 and orders 0 … most, and those of the next orders, without e^{±iz}; shape
+    (most + 1, …)
 
-    By recurrence, which is stable for these functions.
+    z : complex or real, (…). The recurrence is stable for these functions.
     """
     from scipy.special import hankel1e, hankel2e
 
@@ -138,7 +141,7 @@ def hankel_orders(kind, most, z):
 def bessel_orders(most, z):
     """Bessel functions J_m of order 0 … most + 1 without e^{|Im z|}; shape (most + 2, …); z (…) complex, Im z ≥ 0
 
-    Half the sum of both Hankel functions, except where they grow with the order and would cancel.
+    J_m is half the sum of the two Hankel functions, except where these grow with the order and would cancel.
     """
     out = np.empty((most + 2, *z.shape), complex)
     size, edge = np.abs(z), most + BEYOND

@@ -5,16 +5,16 @@ On z = 0 the second-order potential of a pair (i, j) has Ω² φ₂ − g ∂φ�
     Q = ½iΩ (∇φᵢ·∇φ̄ⱼ + KᵢKⱼ φᵢφ̄ⱼ) − ¼iωᵢ φᵢ (φ̄ⱼ,zz − Kⱼ² φ̄ⱼ) + ¼iωⱼ φ̄ⱼ (φᵢ,zz − Kᵢ² φᵢ),        T = (iΩρ/g) ∬ ψ Q
     dS
 
-minus the same force by the incident waves alone, which the bound wave satisfies (ψ as in `body_forces`;
-Molin 1979).  With
-φ,zz = −∇²φ along the surface and Green's theorem no second derivative remains:
+minus the integral for the incident waves alone, whose forcing the bound wave satisfies (ψ as in `body_forces`; Molin
+1979).  With φ,zz = −∇²φ along the surface and Green's theorem no second derivative remains:
 
     ∬ ψQ dS = ∬ ψ {¼iΩ ∇φᵢ·∇φ̄ⱼ + ¼i (2Ω KᵢKⱼ + ωᵢKⱼ² − ωⱼKᵢ²) φᵢφ̄ⱼ} − ¼i ∇ψ·(ωᵢ φᵢ∇φ̄ⱼ − ωⱼ φ̄ⱼ∇φᵢ) dS
               − ¼i ∮ ψ (ωᵢ φᵢ ∂φ̄ⱼ/∂n − ωⱼ φ̄ⱼ ∂φᵢ/∂n) dl
 
-∇ along the surface, n out of the body; sum frequencies as in `kinds`.  Inside a circle about the body the waves come
-from the panels (`surface_near`). Outside the circle they are sums of Hankel functions: first with a local part on rings
-(`surface_far`), then without it (`surface_tail`).
+∇ is along the surface, and n points out of the body; `kinds` gives the formulas for sum frequencies.  Inside a circle
+about the body the waves are computed from the panels (`surface_near`).
+Outside the circle the waves are sums of Hankel functions: first with a local part on rings (`surface_far`), then
+without it (`surface_tail`).
 """
 
 from dataclasses import dataclass
@@ -34,9 +34,9 @@ AT_ONCE = 1_000_000  # products of pairs at points
 
 
 class Products(NamedTuple):
-    """Factors of a pair's products, each (q,): of ψ∇φᵢ·∇φ̄ⱼ, of ψφᵢφ̄ⱼ, of −∇ψ·φᵢ∇φ̄ⱼ, of ∇ψ·φ̄ⱼ∇φᵢ, all over ¼i
+    """Factors of the products ψ∇φᵢ·∇φ̄ⱼ, ψφᵢφ̄ⱼ, −∇ψ·φᵢ∇φ̄ⱼ and ∇ψ·φ̄ⱼ∇φᵢ of pairs, divided by ¼i, each (q,)
 
-    The second frequency is negative at sums.
+    At sum frequencies the second frequency is negative.
     """
 
     steep: np.ndarray
@@ -51,8 +51,9 @@ class Products(NamedTuple):
 
 
 def integrated(products, terms, psi, weights):
-    """Integrals of ψQ over the surface, divided by ¼i, without the line integral; shape (q, 6): terms [(φᵢ, φ̄ⱼ)] of
-    `Field` (q, p), ψ a `Field` (q or 1, 6, p)"""
+    """Integrals of ψQ over the surface, divided by ¼i, without the line integral; shape (q, 6)
+
+    terms : [(φᵢ, φ̄ⱼ)] of `Field` (q, p); psi : `Field` (q or 1, 6, p) of ψ"""
     c = Products(*(part[:, None] for part in products))
     scalar, x, y = 0.0, 0.0, 0.0
     for f, g in terms:
@@ -70,9 +71,11 @@ def integrated(products, terms, psi, weights):
 
 @dataclass(frozen=True, eq=False)
 class PairsOfOne:
-    """All pairs with a force of one frequency: omega rad/s, of the force; one, two : (q,) indices of waves
+    """All pairs with a force of one frequency.
 
-    near : `Field` (6, p) of ψ near the body; far : its six `Wave`; line : (q, 6) integral along the waterline
+    omega : frequency of the force, rad/s; one, two : indices of waves, (q,)
+    near : `Field` (6, p) of ψ near the body; far : six `Wave`s of ψ far away; line : integral along the waterline,
+        (q, 6)
     """
 
     omega: float
@@ -84,7 +87,7 @@ class PairsOfOne:
 
 
 class SurfaceForces:
-    """T of a `SurfaceWaves` with all waves computed, at the frequencies of a `kinds.Kind`"""
+    """T from a `SurfaceWaves` that has all waves, at the frequencies of a `kinds.Kind`"""
 
     def __init__(self, waves, kind=DIFFERENCE):
         self.waves, self.kind, problem = waves, kind, waves.problem
@@ -122,12 +125,12 @@ class SurfaceForces:
 
 
 def line_integral(surfaces, flow, radiated, waves, one, two, kind=DIFFERENCE):
-    """Line integral −∮ ψ (ωᵢ φᵢ ∂φ̄ⱼ/∂n − ωⱼ φ̄ⱼ ∂φᵢ/∂n) dl of all waves, less the same integral of incident waves;
+    """Line integral −∮ ψ (ωᵢ φᵢ ∂φ̄ⱼ/∂n − ωⱼ φ̄ⱼ ∂φᵢ/∂n) dl of all waves, minus this integral of the incident waves;
     shape (q, 6)
 
     flow : `HullFlow` of all waves; waves : the incident waves; n points out of the body
 
-    ∂φ/∂n along the surface: on an inclined side n·V = n·∇φ contains a part of ∂φ/∂z = Kφ
+    ∂φ/∂n is the derivative along the surface: on an inclined side n·V = n·∇φ also contains a part of ∂φ/∂z = Kφ.
     """
     line, g = surfaces.waterline, waves.problem.gravity
     V = -1j * flow.omega[:, None] * (flow.motion @ surfaces.waterline_modes.T)

@@ -1,11 +1,10 @@
-"""Quadrature points on the free surface between a hull and the circle about the hull, and the potential at these
-points.
+"""Quadrature points on the free surface between a hull and a circle about it, and the potential at these points.
 
-Each panel side on the waterline begins a strip that ends on the circle.  The points of a strip are Radau points from
-waterline to circle, the first on the hull, and Gauss points along the side. Derivatives are those of the polynomials
+Each panel side on the waterline begins a strip that ends on the circle.  A strip has Radau points from waterline to
+circle, the first of which is on the hull, and Gauss points along the side. Derivatives are those of the polynomials
 through these points.
-Potentials at points on the hull are interpolated (`hull_interpolation`). Potentials off the hull follow from the solved
-φ and its normal derivative V on the panels,
+Potentials at points on the hull are interpolated (`hull_interpolation`). Potentials at points off the hull follow
+from φ and the normal derivative V on the panels,
 
     4πφ = ∬ (φ ∂G/∂n − V G) dS.
 """
@@ -31,7 +30,8 @@ CLOSE = 10  # points each way on panels close to a point, where the wave part of
 
 @dataclass(frozen=True, eq=False)
 class Circle:
-    """centre : (2,) m; radius : m, of a circle around the hull; half : (2,) m, half extents of the waterline"""
+    """centre, radius : centre, m, (2,), and radius, m, of a circle around the hull; half : half extents of the
+    waterline, m, (2,)"""
 
     centre: np.ndarray
     radius: float
@@ -51,11 +51,13 @@ def circle_about(mesh):
 
 @dataclass(frozen=True, eq=False)
 class Strips:
-    """Strips with a points along and b points across each: s strips, the first points across on the hull.
+    """s strips, each with a points along and b points across, of which the first are on the hull.
 
-    points : (s, a, b, 2) m; weights : (s, a, b) m²; along, across : (s, a, b, 2) 1/m, gradients of the two coordinates
-    over_side (a, a), outwards (b, b) : derivatives of values at the points
-    known : (s, 4) numbers of the points of the waterline's quadrature on each side; from_known : (a, 4)
+    points : m, (s, a, b, 2); weights : m², (s, a, b)
+    along, across : gradients of the coordinates along and across, 1/m, (s, a, b, 2)
+    over_side, outwards : matrices from values at the points to derivatives along, (a, a), and across, (b, b)
+    known : indices of the points of the waterline's quadrature on each side, (s, 4)
+    from_known : interpolation from these points, (a, 4)
     """
 
     points: np.ndarray
@@ -74,8 +76,8 @@ class Strips:
         return bool(np.all(area > LEAST**2)) and bool(np.all(self.weights > 0))
 
     def values(self, on_line, beside):
-        """Values on these strips, shape (…, s, a, b), from values along the waterline (…, l) and beside it (…, s a (b −
-        1))"""
+        """Values on these strips, shape (…, s, a, b), from values along the waterline, (…, l), and off the waterline,
+        (…, s a (b − 1))"""
         s, a, b = self.weights.shape
         hull = np.einsum("sak,...sk->...sa", self.from_known, on_line[..., self.known])
         return np.concatenate([hull[..., None], beside.reshape(*beside.shape[:-1], s, a, b - 1)], axis=-1)
@@ -90,7 +92,7 @@ class Strips:
 def strips_about(mesh, line, circle, k):
     """[`Strips`] of the meshed part of a hull, grouped by their number of points.
 
-    line : `hull_interpolation.HullQuadrature` of the waterline; k : rad/m, of the shortest waves
+    line : `hull_interpolation.HullQuadrature` of the waterline; k : wavenumber of the shortest waves, rad/m
     raises : ValueError for a hull without a waterline, or whose waterline is not one star-shaped curve
     """
     panels, sides = _sides(mesh)
@@ -209,8 +211,7 @@ def _derivative(x):
 
 
 class SurfaceInfluence:
-    """Potentials at points (p, 3) of the water off the hull, from the potentials on the hull of a `Geometry` without
-    lid"""
+    """Potentials at points (p, 3) in the water from the potentials on the hull of a `Geometry` without lid"""
 
     def __init__(self, geometry, points):
         self.geometry, self.points = geometry, points
@@ -220,8 +221,9 @@ class SurfaceInfluence:
         self.close = quadrature(geometry.panels, geometry.elements, COARSE, CLOSE)
 
     def values(self, run, flows, count=None):
-        """{class: (c, p)} potentials of flows {class: (φ (c, n), V (c, n))} at the frequency of a run, at the first
-        `count` points"""
+        """Potentials {class: (c, p)} of flows {class: (φ (c, n), V (c, n))} at the frequency of a run, at the first
+        `count`
+            points"""
         g, problem, classes = self.geometry, run.problem, list(flows)
         table = wave_table(run.omega, problem.depth, problem.gravity, self.reach, self.deepest)
         Z, count = depth_values(run.k, problem.depth), len(self.points) if count is None else count

@@ -1,23 +1,24 @@
-"""Beyond the rings, where waves have no local part: integrals of three sums of Hankel functions.
+"""Integrals over the free surface beyond the rings, where each of three waves is a sum of Hankel functions.
 
-There ∇²φ = −k²φ along the surface, and Green's theorem leaves of ∬ ψQ dS (`surface_forces`), over ¼i,
+Beyond the rings waves have no local part, ∇²φ = −k²φ along the surface, and Green's theorem reduces ∬ ψQ dS
+(`surface_forces`), divided by ¼i, to
 
     C ∬ ψ φᵢ φ̄ⱼ dS + ∮ {ψ (ωⱼ φᵢ ∂φ̄ⱼ/∂r − ωᵢ φ̄ⱼ ∂φᵢ/∂r) + Ω φᵢ φ̄ⱼ ∂ψ/∂r} dl,
     C = Ω (k² + q² − κ² + 2KᵢKⱼ) + ωᵢ (Kⱼ² − q²) − ωⱼ (Kᵢ² − k²),
 
-the line along the inner circle, k, q and κ the wavenumbers of φᵢ, φⱼ and ψ.  The orders m of φᵢ, n of φ̄ⱼ and p = n − m
+with the line integral along the inner circle, and k, q and κ the wavenumbers of φᵢ, φⱼ and ψ.  The orders m of φᵢ, n
+of φ̄ⱼ and p = n − m
 of ψ combine around the circle, with a factor that depends on frequencies alone and is equal for −m, −n, −p:
 
     2π C ∫ f_m(kr) f̄_n(qr) H_p(κr) r dr + …
 
 Radii are real up to the radius at which all orders oscillate. Beyond the circle the paths are r + ix, where products of
 outgoing waves with outgoing or incident waves decay.
-For products with the incoming part of the first incident wave they are r
-− ix.  All pairs
-use the same radii on a path, and the same values of the functions at these radii.
+For products with the incoming part of the first incident wave the paths are r − ix.  All pairs use common radii on a
+path, and common values of the functions at these radii.
 
-At the sum of two frequencies (`kinds`) κ > k + q, and all products decay along r + ix.  φⱼ is Σ (−1)ⁿ c₋ₙ H_n e^{−inθ},
-in place of Σ c̄ₙ H̄_n e^{−inθ}.
+At the sum of two frequencies (`kinds`) κ > k + q, and all products decay along r + ix.  Σ (−1)ⁿ c₋ₙ H_n e^{−inθ} then
+replaces the sum Σ c̄ₙ H̄_n e^{−inθ} of the second wave.
 """
 
 from dataclasses import dataclass
@@ -37,10 +38,12 @@ NEGLIGIBLE = 1e-11  # size relative to the largest order at the start of a path,
 
 @dataclass(frozen=True, eq=False)
 class Path:
-    """Radii in columns: along r − ix, the first radius three times, real radii, along r + ix.
+    """Radii in columns: first the radii along r − ix, then the first radius three times, real radii, and radii along
+    r + ix.
 
-    edges : (w,) m, of real intervals; highest : rad/m, a third of the wavenumber of the fastest product
-    least_down, least_up : rad/m, the least with which products decay along r − ix (infinite where none does), r + ix
+    edges : ends of the real intervals, m, (w,); highest : a third of the wavenumber of the fastest product, rad/m
+    least_down : smallest rate with which products decay along r − ix, rad/m; infinite if no product does
+    least_up : smallest rate with which products decay along r + ix, rad/m
     """
 
     edges: np.ndarray
@@ -50,7 +53,7 @@ class Path:
 
     @cached_property
     def real(self):
-        """Radii and weights, m; shape (2, c)"""
+        """Real radii and their weights, m; shape (2, c)"""
         parts = [np.zeros((2, 0))]
         for low, high in zip(self.edges[:-1], self.edges[1:], strict=True):
             x, w = np.polynomial.legendre.leggauss(int(FEW + PER_RADIAN * 3 * self.highest * (high - low) / 2))
@@ -59,8 +62,8 @@ class Path:
 
     @cached_property
     def down(self):
-        """Places x and weights, m, for products that decay as exp(−(k + q − κ)x), with a rate of 2q or more; shape (2,
-        c); none at sums"""
+        """Places x and weights, m, for products that decay as exp(−(k + q − κ)x), with a rate of 2q or more; shape
+        (2, c); empty at sum frequencies"""
         return self._away(self.least_down)
 
     @cached_property
@@ -81,7 +84,7 @@ class Path:
 
     @property
     def first(self):
-        """Number of the column of the first radius"""
+        """Index of the column of the first radius"""
         return self.down.shape[1]
 
     def reach(self, slope):
@@ -89,8 +92,8 @@ class Path:
         return self.first + 3 + self.real.shape[1] + int(np.searchsorted(self.up[0], DECAY / slope))
 
     def hankel(self, kind, k, most, place):
-        """Hankel functions H_m(kr) of a kind and their derivatives in one of the three places; shape (most + 1, c);
-        along r ± ix without e^{±ikr}"""
+        """Hankel functions H_m(kr) of a kind and their derivatives on one of the three paths `place`; shape
+        (most + 1, c); along r ± ix without the factor e^{±ikr}"""
         z = self._radii(k)
         values = hankel_orders(kind, most, z)
         real = slice(self.first, self.first + 1 + self.real.shape[1])
@@ -98,7 +101,8 @@ class Path:
         return self._thrice(values, k, place)
 
     def bessel(self, k, most, place):
-        """Like `hankel` for J_m(kr): along r + ix without e^{−ikr}, along r − ix zero"""
+        """Bessel functions J_m(kr) and derivatives, as from `hankel`: along r + ix without the factor e^{−ikr}, along
+        r − ix zero"""
         z = self._radii(k)[self.first :]
         values = bessel_orders(most, z)
         values[:, 1 + self.real.shape[1] :] *= np.exp(1j * k * self.edges[-1])
@@ -116,7 +120,9 @@ class Path:
         return np.concatenate([values[:-1, : self.first], three, values[:-1, self.first + 1 :]], axis=1)
 
     def weights(self, up, down, C, sides):
-        """Weights of the columns, (c,); up, down : rad/m, rates at which products decay along r + ix and along r − ix;
+        """Weights of the columns; shape (c,)
+
+        up, down : rates at which products decay along r + ix and along r − ix, rad/m
         sides : weights of the three columns at the first radius, divided by this radius"""
         (y, v), (r, u), (x, w) = self.down, self.real, self.up
         below, above = self.edges[-1] - 1j * y, self.edges[-1] + 1j * x
@@ -132,8 +138,9 @@ class Path:
 class Tails:
     """Integrals of waves [`surface_waves.Wave`] beyond the rings.
 
-    edges : (w,) m of radii; begin, end : (f,) of each wave, the edges between which the radii of its pairs, as the
-    faster one, are real; third : rad/m, the least and the largest of ψ; radius : m, of the circle; kind : `kinds.Kind`
+    edges : radii, m, (w,)
+    begin, end : indices of edges, (f,): between them radii are real for pairs in which the wave is the faster one
+    third : smallest and largest wavenumber of ψ, rad/m; radius : radius of the circle, m; kind : `kinds.Kind`
     """
 
     def __init__(self, waves, edges, begin, end, third, radius, gravity, kind=DIFFERENCE):
@@ -150,7 +157,7 @@ class Tails:
         }
 
     def add(self, d, out):
-        """Add ∬ ψQ dS over ¼i, (q, 6), of the pairs of a `surface_forces.PairsOfOne` to `out`"""
+        """Add ∬ ψQ dS, divided by ¼i, of the pairs of a `surface_forces.PairsOfOne` to `out` (q, 6)"""
         one, two = self.number[d.one], self.number[d.two]
         psi = {}
         for i, j in sorted(set(zip(one.tolist(), two.tolist(), strict=True))):

@@ -1,5 +1,5 @@
-"""First-order waves on the free surface around a hull: from the panels near the hull, by angular orders beyond a
-circle."""
+"""First-order waves on the free surface around a hull: from panels inside a circle, as sums over angular orders
+outside."""
 
 from typing import NamedTuple
 
@@ -11,7 +11,7 @@ from .surface_near import SurfaceInfluence, circle_about, strips_about
 
 
 class Field(NamedTuple):
-    """Potential (…, p) and its two derivatives along the surface (2, …, p)"""
+    """Potential, (…, p), and its two derivatives along the surface, (2, …, p)"""
 
     value: np.ndarray
     slope: np.ndarray
@@ -20,7 +20,7 @@ class Field(NamedTuple):
         return Field(self.value[which], self.slope[:, which])
 
     def second(self, kind):
-        """The field as the second factor in products of a `kinds.Kind`"""
+        """The field in the form of a second factor in products of a `kinds.Kind`"""
         return Field(kind.second(self.value), kind.second(self.slope))
 
     def __add__(self, other):
@@ -28,9 +28,11 @@ class Field(NamedTuple):
 
 
 class Wave(NamedTuple):
-    """One wave far from the body: omega rad/s, k rad/m, direction rad; amplitude of the incident potential, m²/s
+    """One wave far from the body.
 
-    sent : (2M + 1,) coefficients of the outgoing waves H_m(kr) e^{imθ}; local : (w, r, n) parts e^{imθ} on rings
+    omega : rad/s; k : rad/m; direction : rad; amplitude : amplitude of the incident potential, m²/s
+    sent : coefficients of the outgoing waves H_m(kr) e^{imθ}, (2M + 1,); local : coefficients of e^{imθ} on rings,
+        (w, r, n)
     """
 
     omega: float
@@ -51,10 +53,10 @@ class Wave(NamedTuple):
 
 
 class SurfaceWaves:
-    """First-order waves of one problem on the surface, collected frequency by frequency.
+    """First-order waves of one problem on the free surface, collected frequency by frequency.
 
-    prepared : `PreparedPanelProblem`; surfaces : `hull_flow.HullSurfaces`; omega : (n,) rad/s, rising
-    of_force : (d,) rad/s, rising, above 0; kind : `kinds.Kind`
+    prepared : `PreparedPanelProblem`; surfaces : `hull_flow.HullSurfaces`; omega : frequencies, rising, rad/s, (n,)
+    of_force : frequencies of the force, rising, above 0, rad/s, (d,); kind : `kinds.Kind`
     raises : ValueError for a waterline that `surface_near` does not support
     """
 
@@ -116,8 +118,7 @@ class SurfaceWaves:
         return [incident_wave(at, beta, run.omega, run.k, problem.depth, problem.gravity) for beta in run.headings]
 
     def joined(self):
-        """Return (T, I), `Field`s (f, p) near the body of all waves together: the total field, and the field of the
-        incident waves"""
+        """The total field, and the field of the incident waves: two `Field`s (f, p) of all waves near the body"""
         parts = zip(*self.near, strict=True)
         return [
             Field(np.concatenate([f.value for f in part]), np.concatenate([f.slope for f in part], axis=1))
@@ -125,7 +126,8 @@ class SurfaceWaves:
         ]
 
     def radiated(self, run, flow):
-        """`Field` (6, p) near the body and [`Wave`] of the six motions of unit velocity, `flow` on the hull"""
+        """`Field` (6, p) near the body and [`Wave`] of the six motions of unit velocity; flow : `HullFlow` of these
+        motions"""
         flows = {}
         for cls, (moving, _) in run.columns.items():
             phi = np.zeros((6, run.geometry.hull), complex)

@@ -1,2 +1,2 @@
-"""Two-dimensional sections in water of any depth: rectangles, tables of rectangles, any outline by panels; strips, a
+"""Two-dimensional sections in water of any depth: rectangles and their tables, any outline by panels, strips, a
 quay."""

@@ -2,16 +2,19 @@
 
     ½φ(p) = ∫ (φ ∂G/∂n − G ∂φ/∂n) dl,    2πG = ln|τ − p| + ln|τ − p′|,    p′ the image below the bed, n out of the water
 
-over the body (∂φ/∂n given), the surface on both sides of it (∂φ/∂n = Kφ) and two verticals one depth away, where the
-modes of the depth leave,  ∂φ/∂n = Σ λₙ Zₙ ⟨φ, Zₙ⟩ / ⟨Zₙ, Zₙ⟩,  λ₀ = ik,  λₙ = −kₙ.  The kernels do not depend on
-frequency. The body is eliminated once for a shape, and each frequency costs one small linear system.
+with integrals over the body (∂φ/∂n given), the surface on both sides of the body (∂φ/∂n = Kφ), and two verticals one
+depth away, where the depth modes are outgoing, ∂φ/∂n = Σ λₙ Zₙ ⟨φ, Zₙ⟩ / ⟨Zₙ, Zₙ⟩, λ₀ = ik, λₙ = −kₙ.
+The kernels do not depend on
+frequency. The unknowns of the body are eliminated once for a shape, so that each frequency costs one small linear
+system.
 Green's identity is applied to the water, not to the inside of the body, so there are no irregular frequencies.
 
-An edge at z = 0 between others is the water of a gap between two sections, with ∂φ/∂n = K(1 + iε)φ of the total φ, ε
-its damping (`bem.panels.damping_lid`).
+An edge at z = 0 between other edges is the water of a gap between two sections, with ∂φ/∂n = K(1 + iε)φ for the
+total φ and the damping ε of this water (`bem.panels.damping_lid`).
 
-Panels become four times smaller each towards corners, where φ is like distance^(π/β), with β the angle of the water.
-They carry Gauss points (`product_integration`).  Conventions and `Section` are those of `coefficients`.
+Towards a corner each panel is four times smaller than the panel before. At the corner φ is like distance^(π/β), with β
+the angle of the water. Panels have Gauss points (`product_integration`).
+Conventions and `Section` are those of `coefficients`.
 """
 
 from functools import cached_property, lru_cache
@@ -36,7 +39,8 @@ MOST_PANELS = 250  # 1.8 s and 0.6 GB
 def any_section(wetted, depth, omega, *, density=1025.0, gravity=9.80665, tolerance=TOLERANCE):
     """`Section` of a `Wetted` outline at one frequency.
 
-    depth : m, finite; omega : rad/s; tolerance : relative error.  Raises ValueError if it cannot be reached.
+    depth : m, finite; omega : rad/s; tolerance : relative error
+    raises : ValueError if the tolerance cannot be reached
     """
     flow = section_flow(wetted, depth, omega, gravity, tolerance)
     n = float(group_factor(flow.k, depth))
@@ -77,7 +81,8 @@ def shape(edges, depth, longest, tolerance):
 
 
 class Shape:
-    """Frequency-independent data: the panels and the equations of surface and verticals, with the body eliminated.
+    """Data that do not depend on frequency: panels, and the equations of surface and verticals without unknowns of
+    the body.
 
     (A₀ + A₁ ∂/∂n) φ = −A₂ ∂φ/∂n of the body,       φ of the body = B₀ φ + B₁ ∂φ/∂n + B₂ ∂φ/∂n of the body
     """
@@ -126,13 +131,14 @@ class Shape:
 
 
 class AnyFlow:
-    """The flows at one frequency: radiated by sway, heave and roll, and scattered from waves towards +y and −y.
+    """The flows at one frequency: those radiated by sway, heave and roll, and those scattered from waves towards +y
+    and −y.
 
-    damping : ε of the water in gaps; in_gaps : [(s, 2)] whole potential of the waves in each, moved_in_gaps : [(s, m)]
-    that of the motions
-    velocities : (n, m) of other motions along the normals of the body, instead of sway, heave and roll
-    potentials : (n, m + 2) on the body; waves : (2, m + 2) potential at z = 0 of those that leave towards −y and +y,
-    referred to y = 0
+    damping : ε of the water in gaps; in_gaps : whole potential of the two waves in each gap, [(s, 2)]
+    moved_in_gaps : potential of the motions in each gap, [(s, m)]
+    velocities : velocities along the normals of the body of m motions that replace sway, heave and roll, (n, m)
+    potentials : potentials on the body, (n, m + 2)
+    waves : potential at z = 0 of the outgoing waves towards −y and +y, referred to y = 0, (2, m + 2)
     """
 
     def __init__(self, shape, omega, gravity, damping=0.0, velocities=None):
@@ -194,13 +200,13 @@ class AnyFlow:
         return wave * Z, wave * (1j * sign * k * Z * n.real + slope * n.imag)
 
     def forces(self, potential):
-        """∮ φ n dl of potentials (n, …) on the body along each of its motions, (m, …)"""
+        """∮ φ n dl of potentials (n, …) on the body along each motion; shape (m, …)"""
         shape = self.shape
         return (self.velocities * shape.weights[shape.body, None]).T @ potential
 
     @property
     def incident_forces(self):
-        """∮ φ_I n dl of the wave towards +y, (m,)"""
+        """∮ φ_I n dl of the wave towards +y along each motion; shape (m,)"""
         return self.forces(self.incident[:, 0])
 
     def scattered(self, sign):

@@ -10,9 +10,9 @@ Exciting forces and radiated waves are related by (Haskind 1957; Newman 1975; n 
 
     F = ±2iρg (n/k) η,     B = 2ρg (n/kω) |η|²,     |R|² + |T|² = 1,     R = ½(e^{2iε_H} + e^{2iε_S})
 
-with η the elevation radiated towards +y per unit motion, − for heave, + for sway and roll.  For waves at an angle θ to
-the normal, and for motions that vary as exp(ikx sinθ) along the body, n cosθ replaces n.  The tables 2.1.3.1-20 of
-the SR179 report (1982) follow from a `Section` by `report_row`.
+with η the elevation radiated towards +y per unit motion, and the sign − for heave, + for sway and roll.  For waves at
+an angle θ to the normal, and for motions that vary as exp(ikx sinθ) along the body, n cosθ replaces n. The tables
+2.1.3.1-20 of the SR179 report (1982) follow from a `Section` by `report_row`.
 """
 
 from typing import NamedTuple
@@ -37,13 +37,13 @@ class Section(NamedTuple):
 
     beam, draft, depth : m; omega : rad/s; density : kg/m³; gravity : m/s²; k : rad/m
     added_mass : (3, 3) kg/m, kg, kg m; damping : (3, 3) kg/(m s) …
-    excitation : (3,) complex N/m² and N/m, on the fixed body, per unit amplitude, by diffraction
-    haskind : (3,) the same from the radiated flows
-    radiated : (3,) complex elevation far off towards +y, referred to y = 0, per unit amplitude of motion, m/m, m/rad
-    reflection, transmission : complex, of the fixed body, referred to y = 0
+    excitation : force on the fixed body per unit amplitude, by diffraction, complex, N/m² and N/m, (3,)
+    haskind : excitation from the radiated flows by Haskind's relation, (3,)
+    radiated : elevation far away towards +y, referred to y = 0, per unit amplitude of motion, complex, m/m and m/rad,
+        (3,)
+    reflection, transmission : coefficients R and T of the fixed body, complex, referred to y = 0
     drift : mean sway force on the fixed body per amplitude squared, N/m³
-    radiated_back : (3,) as `radiated`, towards −y
-    obliquity : θ of the waves with the normal, rad
+    radiated_back : elevation as `radiated`, towards −y, (3,); obliquity : angle θ of the waves with the normal, rad
     """
 
     beam: float
@@ -69,9 +69,9 @@ def section(beam, draft, depth, omega, *, density=1025.0, gravity=9.80665, toler
     """`Section` of a rectangle at one frequency.
 
     beam, draft : m; depth : m, may be inf; omega : rad/s
-    obliquity : θ, rad, of waves and motions with exp(ikx sinθ) along the body, in finite depth
-    tolerance : relative error; of sway–roll coupling against √(sway · roll)
-    Raises ValueError if the tolerance cannot be reached.
+    obliquity : θ of waves and motions that vary as exp(ikx sinθ) along the body, rad; for finite depth only
+    tolerance : relative error; the error of sway–roll coupling is relative to √(sway · roll)
+    raises : ValueError if the tolerance cannot be reached
     """
     flow = section_flow(beam, draft, depth, omega, gravity=gravity, tolerance=tolerance, obliquity=obliquity)
     impedance = radiation(flow, density)
@@ -125,10 +125,10 @@ def section_flow(beam, draft, depth, omega, *, gravity=9.80665, tolerance=TOLERA
 
 
 def effort(beam, draft, depth, tolerance):
-    """Functions per family and modes per smallest length that keep the tolerance.
+    """Numbers of functions per family and of modes per smallest length with which the error is within the tolerance.
 
-    Measured over 0.3 ≤ B/d ≤ 100 and 0.02 ≤ ξ_B ≤ 3 with the gap's height r times the smaller of draft and half
-    beam: the error is below 10^(−6 (P − 1) / √r) while r ≤ 120.
+    With P functions per family, and a gap whose height is r times the smaller of draft and half beam, the measured
+    error is below 10^(−6 (P − 1) / √r) for r ≤ 120, 0.3 ≤ B/d ≤ 100 and 0.02 ≤ ξ_B ≤ 3.
     """
     ratio = (depth - draft) / min(draft, beam / 2)
     terms = 1 + int(np.ceil(-np.log10(tolerance) / 6 * np.sqrt(max(ratio, 1.0))))
@@ -142,7 +142,7 @@ def effort(beam, draft, depth, tolerance):
 
 
 def radiation(flow, density):
-    """A + iB/ω (3, 3), kg/m, kg, kg m"""
+    """Radiation A + iB/ω, kg/m, kg, kg m; shape (3, 3)"""
     out = np.zeros((3, 3), complex)
     for i, j in ((SWAY, SWAY), (SWAY, ROLL), (ROLL, SWAY), (ROLL, ROLL), (HEAVE, HEAVE)):
         out[i, j] = -density * flow.force(flow.radiated[j], i)
@@ -150,16 +150,18 @@ def radiation(flow, density):
 
 
 def diffraction(flow, density, sines):
-    """iρω ∮ φⱼ ∂φ_I/∂n dl (Haskind) of φ_I = −(ig/ω) Z₀ exp(iky sinβ), (m, 3) per metre; sines : sinβ (m,)"""
+    """Diffraction force iρω ∮ φⱼ ∂φ_I/∂n dl (Haskind) per metre, for φ_I = −(ig/ω) Z₀ exp(iky sinβ); shape (m, 3)
+
+    sines : sinβ of the waves, (m,)"""
     return 1j * density * flow.omega * flow.haskind_integral(sines)
 
 
 def report_row(section):
     """The columns of the SR179 report's (1982) tables 2.1.3.1-20, by name, preceded by the arguments of the row.
 
-    ξ_B = ω²b/g, b = B/2, S = Bd.  M_H, M_S over ρS, M_R over ρS b², M_SR over ρS b; N likewise and over ω;
-    E_H, E_S over ρg b, E_R over ρg b²; ε in degrees.  Further columns are |R| and |T| of the fixed body, and its drift
-    over ρg/2.
+    ξ_B = ω²b/g, b = B/2, S = Bd.  M_H and M_S are divided by ρS, M_R by ρS b², M_SR by ρS b; N is divided in the
+    same way and by ω; E_H and E_S are divided by ρg b, E_R by ρg b²; ε is in degrees.  Further columns are |R| and
+    |T| of the fixed body, and the drift divided by ρg/2.
     """
     b, area = section.beam / 2, section.beam * section.draft
     row = {
@@ -179,7 +181,7 @@ def report_row(section):
 
 
 def check_shape(beam, draft, depth, tolerance):
-    """Raises ValueError for lengths that form no section, or an unattainable tolerance."""
+    """Raise ValueError for lengths that form no section, or for a tolerance that cannot be reached."""
     for name, value in (("beam", beam), ("draft", draft)):
         if not 0 < value < np.inf:
             raise ValueError(f"{name} is {value:g} m; allowed: above 0 and finite")

@@ -4,12 +4,13 @@
     2πG = ln r − ln r′ − 2I,   I = Re C(x) + iπ e^{KZ} cos KY,   C = eˣ (E₁(x) + iπ),   x = K(Z + iY)
 
 Y = |y − η|, Z = z + ζ, r′ from the image above the surface, K = ω²/g; C′ = C − 1/x.  Wehausen and Laitone (1960),
-eq. 13.31, with exp(−iωt).  The half contour y > 0 carries Gauss points on panels that become four times smaller each
-towards the edge, where φ is like distance^(2/3), and towards the waterline. Even and odd flows are solved separately.
+eq. 13.31, with exp(−iωt).  The half contour y > 0 has Gauss points on panels. Towards the edge, where φ is like
+distance^(2/3), and towards the waterline each panel is four times smaller than the panel before.
+Even and odd flows are solved separately.
 
 - The logarithms of ∮ G ∂φ/∂n are integrated in closed form.  In ∮ φ ∂G/∂n the sum of every row is corrected to the
-  angle that the contour subtends, so that φ counts as constant, not as zero, on the unresolved last panels at the edge.
-- Errors are relative to the whole coefficient A + iB/ω: damping below the tolerance times that is not resolved.
+  angle that the contour subtends. On the unresolved last panels at the edge φ is then constant instead of zero.
+- Errors are relative to |A + iB/ω|: smaller damping than the tolerance times this coefficient is not resolved.
 - Points inside, on the waterline, remove the irregular frequencies (Schenck, Journal of the Acoustical Society of
 America 44, 1968).
 """
@@ -30,7 +31,8 @@ GOLDEN = (np.sqrt(5) - 1) / 2
 
 
 class Contour(NamedTuple):
-    """Half the contour: y, z (n,) m, weights (n,) m, whether a point lies on the side, and the panels per length"""
+    """Half of the contour: points y, z, m, (n,), weights, m, (n,), whether each point lies on the side, and panels
+    per length"""
 
     y: np.ndarray
     z: np.ndarray
@@ -150,17 +152,18 @@ class DeepFlow:
 
     @cached_property
     def wave_exciting(self):
-        """∮ (φ_I + φ_D) n dl of sway, heave, roll on the fixed body in a unit wave towards +y, (3,), by Haskind"""
+        """∮ (φ_I + φ_D) n dl of sway, heave, roll on the fixed body in a unit wave towards +y, by Haskind; shape
+        (3,)"""
         force = incident_force(self.beam / 2, self.draft, np.inf, self.k, np.array([self.k]))[0]
         return 1j * self.gravity / self.omega * force - self.haskind_integral([1.0])[0]
 
     def force(self, flow, mode):
-        """∮ φ n dl over the whole contour along `mode`, n out of the body, of a flow of the mode's parity"""
+        """∮ φ n dl along `mode` over the whole contour, n out of the body, for a flow with the parity of the mode"""
         c = self.contour
         return 2 * np.sum(flow * c.weights * c.normal_velocities()[mode])
 
     def radiated_wave(self, mode):
-        """Potential of the wave that leaves towards y → ∞ on z = 0, referred to y = 0"""
+        """Potential at z = 0 of the wave that `mode` radiates towards y → ∞, referred to y = 0"""
         c, k = self.contour, self.k
         even, odd = np.cos(k * c.y), -1j * np.sin(k * c.y)
         wave, opposite = (even, odd) if mode == HEAVE else (odd, even)
@@ -169,13 +172,16 @@ class DeepFlow:
         return 2j * np.sum(flux * np.exp(k * c.z) * c.weights)
 
     def reflection_transmission(self):
-        """Complex R and T of the fixed body for a wave towards +y, both referred to y = 0, from the forces' phases"""
+        """Complex R and T of the fixed body for a wave towards +y, both referred to y = 0, from the phases of the
+        forces"""
         sway, heave, _ = -1j * self.wave_exciting
         even, odd = (heave / abs(heave)) ** 2, (sway / abs(sway)) ** 2
         return (even + odd) / 2, (even - odd) / 2
 
     def haskind_integral(self, sines):
-        """∮ φⱼ ∂φ_I/∂n dl of the three radiated flows, (m, 3), φ_I = −(ig/ω) exp(Kz + iKy sinβ), sines : sinβ (m,)"""
+        """∮ φⱼ ∂φ_I/∂n dl of the three radiated flows for φ_I = −(ig/ω) exp(Kz + iKy sinβ); shape (m, 3)
+
+        sines : sinβ of the waves, (m,)"""
         c, kappa = self.contour, self.k * np.asarray(sines, float)[:, None]
         even, odd = np.cos(kappa * c.y), 1j * np.sin(kappa * c.y)
         weights = 2 * np.exp(self.k * c.z) * c.weights

@@ -7,24 +7,27 @@ the line under the keel's edge, v(z) that of the side, both along y:
     beneath   φ = ψ + c + Σ T_q f_q(y) cos l_qζ ⟨u, cos l_qζ⟩ ε_q / s
 
 f_q = cosh l_qy / cosh l_qb, T_q = coth(l_qb) / l_q or sinh l_qy / sinh l_qb, T_q = tanh(l_qb) / l_q; the mean q = 0
-has T₀ = b in antisymmetric flow, and is the free constant c, with a given net outflow, in symmetric flow.  ψ has the
-bottom's velocity 1 or y at the keel, none at the bed, and at y = b an even outflow or none:
+has T₀ = b in antisymmetric flow; in symmetric flow it is the free constant c, and the net outflow is given.  ψ has
+the velocity 1 or y of the bottom at the keel, no velocity at the bed, and at y = b a uniform outflow or none:
 
     heave  (ζ² − y² + b²) / 2s − s/6        roll  Σ aₘ sin μₘy cosh μₘζ / cosh μₘs        sway, fixed  0
 
-μₘ = (m − ½)π/b, aₘ = 2 (−1)^(m+1) coth(μₘs) / bμₘ³, m = 1 …  By Green's theorem ⟨ψ(b, ζ), u⟩ is then half of what the
-flow of u under a fixed keel does on the bottom, ∫ φ dy or ∫ yφ dy, and no term of roll grows with the gap.  (With
-(yζ² − y³/3) / 2s, which sends up to s/2 through it, the energy was kept to 1e-12 over thirty drafts of water.)
+μₘ = (m − ½)π/b, aₘ = 2 (−1)^(m+1) coth(μₘs) / bμₘ³, m = 1 …  By Green's theorem ⟨ψ(b, ζ), u⟩ is then half of the
+integral ∫ φ dy or ∫ yφ dy over the bottom for the flow of u under a fixed keel, and no term of roll grows with the
+gap.  (With ψ = (yζ² − y³/3) / 2s, whose outflow is up to s/2, energy was conserved to 1e-12 in water thirty drafts
+deep.)
 
-Oblique waves, all with exp(iκx) along the body, κ = k sinθ: kₙ and l_q become √(kₙ² + κ²) and √(l_q² + κ²) in R and
-T and f, R₀ = 1/ik cosθ; the mean q = 0 is a mode of the rest, l₀ = κ, and ψ of heave is cosh κζ / κ sinh κs, for then
-there is no free constant; λₘ = √(μₘ² + κ²) stands in cosh and coth of roll and aₘ = 2 (−1)^(m+1) coth(λₘs) / bμₘ²λₘ.
+In oblique waves all quantities vary as exp(iκx) along the body, κ = k sinθ. In R, T and f √(kₙ² + κ²) and √(l_q² +
+κ²) replace kₙ and l_q, and R₀ = 1/ik cosθ. There is no free constant: the mean q = 0 is a mode like the other modes,
+with l₀ = κ, and ψ of heave is cosh κζ / κ sinh κs. In roll λₘ = √(μₘ² + κ²) replaces μₘ in cosh and coth, and aₘ = 2
+(−1)^(m+1) coth(λₘs) / bμₘ²λₘ.
 
-Galerkin: both potentials are equal on the gap when tested with every function of `bem.depth_modes.gap`. The functions
-are nearly dependent, so the orthonormal combinations of `gap_profiles` are used.
-Energy is then conserved to 1e-12 in the highest gaps. The functions themselves give 4e-10, and another value with
-another number of threads.  Unit
-velocities; y to port, z up, roll from y to z about the origin; exp(−iωt).  SR179 report (1982), section 2.1.3;
+Galerkin's method makes the two potentials equal at the gap when tested with every function of `bem.depth_modes.gap`.
+These functions are nearly dependent, so their orthonormal combinations in `gap_profiles` are used. Energy is then
+conserved to 1e-12 in the highest gaps. With the functions themselves energy is conserved to 4e-10, a number that
+changes with the number of threads.
+Motions have unit velocity; y is to port, z up, roll from y to z about the origin; the time factor
+is exp(−iωt). SR179 report (1982), section 2.1.3;
 Garrett, Journal of Fluid Mechanics 46 (1971) for the method; Porter and Evans, in the same journal, 294 (1995), for the
 functions of the gap.
 """
@@ -46,7 +49,7 @@ SMALLEST = 1e-13  # eigenvalue of the profiles, below is rounding: 20 of 36 func
 class Motion(NamedTuple):
     """A motion of unit velocity.
 
-    side : its velocity on the side as (a, b) of a + b z; keel : 1 if the bottom moves up or turns with it
+    side : velocity on the side, (a, b) of a + b z; keel : 1 if the motion moves the bottom up or turns it, otherwise 0
     outflow : outflow of ψ through the gap at y = b, m²/s; bottom : ∫ ψ dy (heave) or ∫ yψ dy (roll) over the bottom
     """
 
@@ -60,10 +63,10 @@ FIXED = Motion()
 
 
 class Beneath(NamedTuple):
-    """Frequency-independent terms beneath the body, for one parity.
+    """Terms beneath the body for one parity, which do not depend on frequency.
 
-    ratios : T_q (q,); matrix : potential beneath of the functions of the gap, tested with them (f, f)
-    bottom : ∫ φ dy (heave) or ∫ yφ dy (roll) over the bottom, of the functions, (f,)
+    ratios : T_q, (q,); matrix : potential beneath of the functions of the gap, tested with these functions, (f, f)
+    bottom : ∫ φ dy (heave) or ∫ yφ dy (roll) over the bottom for each function, (f,)
     """
 
     ratios: np.ndarray
@@ -72,8 +75,8 @@ class Beneath(NamedTuple):
 
 
 class Shape(NamedTuple):
-    """gap, its profiles as (p, f) of functions, half beam b, inner modes, the motions, `Beneath` for (antisymmetric,
-    symmetric) flow"""
+    """Data of a shape: gap, profiles in terms of functions, (p, f), half beam b, inner modes, motions, and `Beneath`
+    for antisymmetric and symmetric flow"""
 
     gap: Gap
     profiles: np.ndarray
@@ -84,7 +87,7 @@ class Shape(NamedTuple):
 
 
 class SectionFlow(NamedTuple):
-    """Solution: u (f,), c, the motion, and the amplitude of φ₀ = incident · Z₀"""
+    """A solved flow: u, (f,), c, the motion, and the factor `incident` of φ₀ = incident · Z₀"""
 
     velocity: np.ndarray
     constant: complex
@@ -151,8 +154,8 @@ def _under(l, b, symmetric):
 class FiniteDepthFlow:
     """The three radiated flows and the diffracted flows at one frequency.
 
-    beam, draft, depth : m; omega : rad/s; gravity : m/s²; terms, modes : see `shape`; sine : sine of the waves' angle θ
-    with the normal; Haskind's integrals are of flows without waves along the body
+    beam, draft, depth : m; omega : rad/s; gravity : m/s²; terms, modes : see `shape`; sine : sine of the angle θ of
+        the waves with the normal; Haskind's integrals are for flows that do not vary along the body
     """
 
     along = 0.0  # κ
@@ -193,18 +196,18 @@ class FiniteDepthFlow:
 
     @cached_property
     def diffracted(self):
-        """Flows of the antisymmetric and symmetric part of a unit wave towards +y, fixed body included"""
+        """Flows of the antisymmetric and of the symmetric part of a unit wave towards +y past the fixed body"""
         incident = -1j * self.gravity / self.omega * np.exp(-1j * self.across * self.shape.half)
         return self._flow(False, incident=-incident), self._flow(True, incident=incident)
 
     @property
     def wave_exciting(self):
-        """∮ (φ_I + φ_D) n dl of sway, heave, roll on the fixed body in a unit wave towards +y, (3,)"""
+        """∮ (φ_I + φ_D) n dl of sway, heave, roll on the fixed body in a unit wave towards +y; shape (3,)"""
         odd, even = self.diffracted
         return np.array([self.force(odd, SWAY), self.force(even, HEAVE), self.force(odd, ROLL)])
 
     def force(self, flow, mode):
-        """∮ φ n dl over the whole contour along `mode`, n out of the body"""
+        """∮ φ n dl along `mode` over the whole contour, n out of the body"""
         motion = self.shape.motions[mode]
         side = motion.side @ self._side(flow)[:2]
         return 2 * side - (0.0 if mode == SWAY else self._bottom(flow, mode == HEAVE))
@@ -238,7 +241,9 @@ class FiniteDepthFlow:
         return back + even - odd, even + odd
 
     def haskind_integral(self, sines):
-        """∮ φⱼ ∂φ_I/∂n dl of the three radiated flows, (m, 3), φ_I = −(ig/ω) Z₀ exp(iky sinβ), sines : sinβ (m,)"""
+        """∮ φⱼ ∂φ_I/∂n dl of the three radiated flows for φ_I = −(ig/ω) Z₀ exp(iky sinβ); shape (m, 3)
+
+        sines : sinβ of the waves, (m,)"""
         b, d, h, k = self.shape.half, self.shape.gap.draft, self.shape.gap.depth, self.k
         kappa = k * np.asarray(sines, float)
         side = np.array([self._side(flow)[2] for flow in self.radiated])

@@ -1,11 +1,11 @@
 """Added mass of a rectangle at ω → 0 and ω → ∞ in finite depth: the flows of `finite_depth` without a wave.
 
-    ω → 0   ∂φ/∂z = 0 on z = 0: kₙ = nπ/h.  Sway and roll send no net flow away, φ tends to a constant;
-            heave sends away what it displaces, φ ~ |y| − b, and B/ω grows like 1/k
+    ω → 0   ∂φ/∂z = 0 on z = 0: kₙ = nπ/h.  Sway and roll have no net flow, and φ tends to a constant far away.
+            Heave has the net flow that it displaces, φ ~ |y| − b far away, and B/ω grows like 1/k
     ω → ∞   φ = 0 on z = 0:     kₙ = (n − ½)π/h
 
-The results are the limits of `coefficients.section`. At ω → 0 the wave's part 1/ik of the potential is imaginary, so
-the added mass of heave stays finite, unlike in deep water.
+The results are the limits of `coefficients.section`. At ω → 0 the part 1/ik of the potential, due to the wave, is
+imaginary, so that the added mass of heave remains finite, unlike that in deep water.
 """
 
 import numpy as np
@@ -18,9 +18,8 @@ WHICH = ("zero", "infinity")
 
 
 def added_mass_limit(beam, draft, depth, which, *, density=1025.0, tolerance=1e-6):
-    """Added mass of sway, heave and roll, kg/m, kg, kg m; shape (3, 3); which : "zero" or "infinity" of the frequency.
-
-    Raises ValueError for a section that cannot be solved, also in deep water.
+    """Added mass of sway, heave and roll, kg/m, kg, kg m; shape (3, 3); which : frequency, "zero" or "infinity"
+    Raises ValueError for deep water, and for a section that cannot be solved.
     """
     if which not in WHICH:
         raise ValueError(f"limit is {which!r}; allowed: {' or '.join(WHICH)}")
@@ -32,7 +31,7 @@ def added_mass_limit(beam, draft, depth, which, *, density=1025.0, tolerance=1e-
 
 
 class LimitFlow(FiniteDepthFlow):
-    """The radiated flows under a rigid lid (`lid`) or under a surface of no pressure."""
+    """The radiated flows under a rigid lid (`lid`), or under a surface with zero pressure."""
 
     def __init__(self, beam, draft, depth, lid, terms, modes):
         self.shape, self.lid = shape(beam, draft, depth, terms, modes), lid

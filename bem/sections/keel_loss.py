@@ -1,15 +1,16 @@
-"""A rectangular section with head loss under the keel: exact potential flow with a resistance across the gap.
+"""A rectangular section with head loss under the keel: potential flow, without further approximation, with a
+resistance across the gap.
 
-    p(0⁻) − p(0⁺) = ½ρC |U| U  →  (4/3π) ρ C |U| U,     U mean velocity under the keel at y = 0, amplitudes
+    p(0⁻) − p(0⁺) = ½ρC |U| U  →  (4/3π) ρ C |U| U,     U the amplitude of the mean velocity under the keel at y = 0
 
-To every flow that is odd in y a flow g is added, driven by a potential of ±1 on the two halves of the gap:
+A flow g, driven by a potential of ±1 on the two halves of the gap, is added to every flow that is odd in y:
 
     δ = iκU,   κ = (2C/3πω) |U|,      U = U₀ + δ U_g,      φ = φ₀ + δ φ_g,      δ = iκ U₀ / (1 − iκ U_g)
 
-so a `Section` follows for a resistance κ, in m, in which a body moves as in any other.  The lost power is the power of
-the head loss, ½ (4/3π) ρ C |U|³ s.
+For a resistance κ, in m, the result is a `Section`, which is used like any other section.  The lost power is the
+power of the head loss, ½ (4/3π) ρ C |U|³ s.
 The symmetric flow (heave) carries no water under the keel from one side to the other.
-It is linearised as in `mooring.breakwater.loss`, which applies to any section but only to the propagating wave.
+The loss is linearised as in `mooring.breakwater.loss`, which applies to any section but only to the propagating wave.
 """
 
 from typing import NamedTuple
@@ -23,8 +24,9 @@ from .finite_depth import FIXED, SectionFlow
 class KeelFlow(NamedTuple):
     """The flows past a rectangle at one frequency, for sway, heave and roll.
 
-    section : without loss; moved (at y = 0) : (3,) U of unit velocities; scattered : U of a unit wave; own : U_g, 1/m
-    force : (3,) ∮ φ_g n dl; wave : elevation that g radiates towards +y over what a unit of φ at z = 0 is
+    section : `Section` without loss; moved : U at y = 0 for unit velocities, (3,); scattered : U for a unit wave
+    own : U_g, 1/m; force : ∮ φ_g n dl, (3,)
+    wave : elevation that g radiates towards +y over the elevation of a unit of φ at z = 0
     """
 
     section: Section
@@ -35,11 +37,11 @@ class KeelFlow(NamedTuple):
     wave: complex
 
     def through(self, motion):
-        """U₀, m/s per unit wave amplitude, of motions (3,) about the origin"""
+        """U₀, m/s per unit wave amplitude, for motions (3,) about the origin"""
         return self.scattered - 1j * self.section.omega * (self.moved @ motion)
 
     def resisted(self, kappa):
-        """`Section` of a resistance κ, m"""
+        """`Section` with a resistance κ, m"""
         there, share = self.section, 1j * kappa / (1 - 1j * kappa * self.own)
         rho, omega, g = there.density, there.omega, there.gravity
         impedance = there.added_mass + 1j * there.damping / omega
@@ -61,7 +63,7 @@ class KeelFlow(NamedTuple):
 
 
 def keel_flow(beam, draft, depth, omega, *, density=1025.0, gravity=9.80665, tolerance=1e-6):
-    """`KeelFlow`; arguments as in `coefficients.section`, in finite depth.  Raises ValueError."""
+    """`KeelFlow` of a rectangle in finite depth; arguments as in `coefficients.section`.  Raises ValueError."""
     there = section(beam, draft, depth, omega, density=density, gravity=gravity, tolerance=tolerance)
     flow = section_flow(beam, draft, depth, omega, gravity=gravity, tolerance=tolerance)
     gap, profiles, f = flow.shape.gap, flow.shape.profiles, len(flow.shape.gap.mean)

@@ -2,9 +2,10 @@
 
     {−ω²[M + A] − iωB + C} ξ = F + Gᵀμ,    G ξ = 0
 
-over sway, heave and roll of each section, about its centre of gravity, per metre of length.
+with ξ the sway, heave and roll of each section about its centre of gravity, per metre of length.
 A row of G requires that the point of a hinge moves equally on both sections or, for a rigid hinge, that both sections
-rotate equally. μ is the hinge force (in three dimensions `bem.hinges`).  Conventions are those of `coefficients`.
+rotate equally. μ is the hinge force.  `bem.hinges` has the equations in three dimensions.  Conventions are those of
+`coefficients`.
 """
 
 from typing import NamedTuple
@@ -21,9 +22,8 @@ KINDS = ("hinge", "rigid")
 class Floating(NamedTuple):
     """A section at y, m.
 
-    mass : kg/m, None for the mass of the displaced water; center : z of the centre of gravity, m; gyration : radius
-    about the centre of gravity, m
-    fixed : True for a fixed section
+    mass : kg/m; if None, the mass of the displaced water; center : z of the centre of gravity, m
+    gyration : radius of gyration about the centre of gravity, m; fixed : whether the section is fixed
     """
 
     wetted: Wetted
@@ -35,7 +35,7 @@ class Floating(NamedTuple):
 
 
 class Hinge(NamedTuple):
-    """A hinge between two sections, by their numbers, at (y, z) m; kind : one of KINDS"""
+    """A hinge at (y, z), m, between two sections given by their indices; kind : one of KINDS"""
 
     sections: tuple[int, int]
     y: float
@@ -46,9 +46,9 @@ class Hinge(NamedTuple):
 class LinkedSections(NamedTuple):
     """Results of one frequency in a wave of 1 m towards +y.
 
-    motions : (n, 3) complex m, m, rad of sway, heave and roll about each centre of gravity; 0 for fixed sections
-    held : (hinges, 3) complex N/m, N/m, N in sway, heave and roll, exerted by the first section on the second
-    gains : (gaps,) amplitude of the mean rise of the water over that of the wave
+    motions : sway, heave and roll about each centre of gravity, complex, m, m, rad, (n, 3); 0 for fixed sections
+    held : forces in sway, heave and roll of the first section on the second, complex, N/m, N/m, N, (hinges, 3)
+    gains : amplitude of the mean rise of the water in each gap over the wave amplitude, (gaps,)
     reflection, transmission : complex, both referred to y = 0; taken : share of the wave energy absorbed by the gaps
     """
 
@@ -67,8 +67,8 @@ def linked_sections(
     """`LinkedSections` of one frequency.
 
     sections : [`Floating`] from left to right; depth : m; omega : rad/s; hinges : [`Hinge`]; damping : ε of all gaps
-    raises : ValueError as `side_by_side.side_by_side`, for a hinge of a section with itself, and for motions without
-        stiffness and inertia
+    raises : ValueError for the reasons of `side_by_side.side_by_side`, for a hinge of a section with itself, and for
+        motions with neither stiffness nor inertia
     """
     made = [(one.wetted, one.y) for one in sections]
     points = [one.y + one.wetted.center.real + 1j * one.center for one in sections]

@@ -2,8 +2,9 @@
 
     τ(u) = s + (e − s) u,      or the arc  c + (s − c) exp(iφu),  φ = 4 arctan b,      0 ≤ u ≤ 1
 
-s and e are the ends of an edge. b is its bulge, the tangent of a quarter of the arc's angle, positive where the edge
-turns to the left, as in DXF files. Points are complex, y + iz.  Outlines run counterclockwise, the body on their left.
+s and e are the ends of an edge. The bulge b of an edge is the tangent of a quarter of the arc's angle, positive where
+the edge turns to the left, as in DXF files. Points are complex, y + iz. Outlines run counterclockwise, with the body
+on the left.
 """
 
 from dataclasses import dataclass
@@ -31,12 +32,12 @@ class Edge(NamedTuple):
 
     @property
     def angle(self):
-        """φ, rad; 0 for a straight edge"""
+        """Angle φ of the arc, rad; 0 for a straight edge"""
         return 4 * np.arctan(self.bulge)
 
     @property
     def center(self):
-        """c, complex, m; of an arc"""
+        """Centre c of an arc, complex, m"""
         b = self.bulge
         return (self.start + self.end) / 2 + 1j * (self.end - self.start) / 2 * (1 - b * b) / (2 * b)
 
@@ -46,13 +47,13 @@ class Edge(NamedTuple):
         return abs(self.end - self.start) if self.bulge == 0 else abs((self.start - self.center) * self.angle)
 
     def at(self, u):
-        """τ, complex, m"""
+        """Point τ at u, complex, m"""
         if self.bulge == 0:
             return self.start + (self.end - self.start) * np.asarray(u)
         return self.center + (self.start - self.center) * np.exp(1j * self.angle * np.asarray(u))
 
     def slope(self, u):
-        """dτ/du"""
+        """Slope dτ/du at u, complex, m"""
         if self.bulge == 0:
             return np.full(np.shape(u), self.end - self.start)
         return 1j * self.angle * (self.start - self.center) * np.exp(1j * self.angle * np.asarray(u))
@@ -79,8 +80,9 @@ class Edge(NamedTuple):
 class Wetted(NamedTuple):
     """The part of an outline under water, z = 0 at the surface.
 
-    edges : from the waterline at the left along the bottom to that at the right; area : m²; center : complex
-    left, right : y of the waterline, m; draft : m; symmetric : whether it is symmetric about y = 0
+    edges : from the waterline at the left along the bottom to the waterline at the right; area : m²
+    center : centre of the area, complex, m; left, right : y of the two ends of the waterline, m; draft : m
+    symmetric : whether the part is symmetric about y = 0
     """
 
     edges: tuple
@@ -99,7 +101,8 @@ class Wetted(NamedTuple):
 
 @dataclass(frozen=True)
 class Outline:
-    """A closed section; edges : `Edge`s, each of which begins at the end of the previous one, in either sense
+    """A closed section; edges : `Edge`s, each of which begins at the end of the previous edge, in either sense of
+    rotation
 
     Raises OutlineError for an outline that is open, crosses itself or has no area.
     """
@@ -130,7 +133,7 @@ class Outline:
     def wetted(self, draft):
         """`Wetted` with the lowest point `draft` under water.
 
-        Raises OutlineError where the waterline does not cut the section in one piece.
+        Raises OutlineError if the waterline does not cut the section in one piece.
         """
         if not 0 < draft < self.height:
             raise OutlineError(
@@ -143,7 +146,7 @@ class Outline:
         return Wetted(edges, area, moment / area, left, right, draft, _is_mirrored(edges))
 
     def draft_of(self, area):
-        """Draft at which the section displaces `area`, m².  Raises OutlineError where it sinks."""
+        """Draft at which the section displaces `area`, m².  Raises OutlineError if the section sinks."""
         from scipy.optimize import brentq
 
         whole = float(_integral(self.edges, lambda p: p.real))
@@ -165,7 +168,7 @@ class Outline:
         return bool(np.any(_cross(points[:-1], points[1:], start, end)))
 
     def distance(self, point):
-        """m from a point, complex, to the outline, 0 for a point inside"""
+        """Distance from a point, complex, to the outline, m; 0 for a point inside"""
         to = self._points() - point
         if abs(np.sum(np.angle(to[1:] / np.where(to[:-1] == 0, 1, to[:-1])))) > np.pi:
             return 0.0

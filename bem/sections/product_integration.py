@@ -1,13 +1,14 @@
-"""Logarithms and dipoles over panels, straight or circular arcs, for densities given at Gauss points.
+"""Logarithms and dipoles integrated over panels, straight or circular arcs, for densities given at Gauss points.
 
     ∫ f ln|τ − p| |dτ|,        ∫ f ∂/∂n ln|τ − p| |dτ| = −Im ∫ f dτ/(τ − p)
 
-n to the left of the panel.  From afar by the Gauss rule.  Near by, f being a polynomial in t, by the integrals of
-Legendre's polynomials against 1/(t₀ − t) and ln(t₀ − t), with t₀ the complex parameter at which the panel would meet p:
+n points to the left of the panel.  For a distant p the Gauss rule is used. For a near p, f is taken as a polynomial
+in t, and Legendre's polynomials are integrated against 1/(t₀ − t) and ln(t₀ − t), with t₀ the complex parameter at
+which the continued panel meets p:
 
     ∫ P_k/(t₀ − t) dt = 2Q_k(t₀),      ∫ P_k ln(t₀ − t) dt = 2 (Q_{k+1}(t₀) − Q_{k−1}(t₀)) / (2k + 1),  k ≥ 1
 
-Helsing and Ojala, Journal of Computational Physics 227 (2008), for the use of polynomials in a complex parameter.
+Helsing and Ojala, Journal of Computational Physics 227 (2008), use polynomials in a complex parameter in this way.
 """
 
 from typing import NamedTuple
@@ -25,7 +26,7 @@ NEAR = 2.6  # sum of an ellipse's half axes: Gauss' rule errs by NEAR^(−2 NODE
 class Panels(NamedTuple):
     """middle, arm, center : (m,) complex, m, τ = middle + arm t of straight panels, center + (middle − center)
     exp(i t angle/2) of arcs; angle : (m,) rad, 0 where straight; points : (m, NODES) complex, m
-    slopes : (m, NODES) dτ/dt, complex, m
+    slopes : dτ/dt, complex, m, (m, NODES)
     """
 
     middle: np.ndarray
@@ -37,7 +38,7 @@ class Panels(NamedTuple):
 
     @property
     def speed(self):
-        """|dτ/dt| (m,), m"""
+        """Speed |dτ/dt| of each panel, m; shape (m,)"""
         return np.abs(self.slopes[:, 0])
 
     @property
@@ -59,7 +60,7 @@ def panels_of(edges):
 def layers(panels, targets, own=None):
     """Single and double layer (p, m · NODES) of densities at the nodes for targets (p,), complex, m
 
-    own : panel (p,) on which a target lies as one of its nodes; without it, targets lie on no panel
+    own : panel of which each target is a node, (p,); if None, no target lies on a panel
     """
     m = len(panels.middle)
     away = panels.points.reshape(-1) - targets[:, None]

@@ -1,8 +1,9 @@
-"""Fixed sections side by side in beam waves: the water in their gaps, with and without damping.
+"""Fixed sections side by side in beam waves, and the water in their gaps, with or without damping.
 
-Between long bodies the water oscillates vertically as one mass, most strongly where 2π/ω is its natural period.  In
-potential flow only radiated waves damp it, and the computed rise is several times too high. A damping ε of the gap's
-water replaces the effect of eddies; tests with sharp bilges give 0.02 to 0.07 (`bem.panels.damping_lid`).
+Between long bodies the water oscillates vertically as one mass, most strongly in waves of its natural period.  In
+potential flow only radiated waves damp this motion, and the computed rise is several times too high.
+A damping ε of the gap's water replaces the effect of eddies; tests with sharp bilges give 0.02 to 0.07
+(`bem.panels.damping_lid`).
 """
 
 from itertools import pairwise
@@ -18,7 +19,7 @@ from .outline import Edge
 class SideBySide(NamedTuple):
     """Results of one frequency in a wave towards +y.
 
-    gains : (gaps,) amplitude of the mean rise of the water in each gap over the wave amplitude
+    gains : amplitude of the mean rise of the water in each gap over the wave amplitude, (gaps,)
     reflection, transmission : complex, both referred to y = 0; taken : share of the wave energy absorbed by the gaps
     """
 
@@ -32,8 +33,9 @@ class SideBySide(NamedTuple):
 def side_by_side(sections, depth, omega, damping=0.0, *, gravity=9.80665, tolerance=TOLERANCE):
     """`SideBySide` of fixed sections.
 
-    sections : [(`Wetted`, y m)], each moved by y, from left to right; depth : m; omega : rad/s; damping : ε of all gaps
-    raises : ValueError for sections that touch or overlap, and an unattainable tolerance
+    sections : [(`Wetted`, y, m)], each moved by y, from left to right; depth : m; omega : rad/s; damping : ε of all
+        gaps
+    raises : ValueError for sections that touch or overlap, and for a tolerance that cannot be reached
     """
     flow = flow_of(sections, depth, omega, damping, gravity, tolerance)
     reflection, transmission = flow.scattered(+1)
@@ -43,8 +45,10 @@ def side_by_side(sections, depth, omega, damping=0.0, *, gravity=9.80665, tolera
 
 
 def flow_of(sections, depth, omega, damping, gravity, tolerance, velocities=None):
-    """`AnyFlow` of sections as in `side_by_side`; velocities : function of points, normals and the number of the
-    section of each, (n,), that gives (n, m) of motions along the normals, or None
+    """`AnyFlow` of sections; arguments as in `side_by_side`
+
+    velocities : function of points, normals and the index of the section of each point, (n,), that gives the
+        velocities of m motions along the normals, (n, m); or None
     """
     if not (damping >= 0 and np.isfinite(damping)):
         raise ValueError(f"damping is {damping:g}; allowed: 0 or more")
@@ -59,9 +63,10 @@ def flow_of(sections, depth, omega, damping, gravity, tolerance, velocities=None
 
 
 def in_gaps(flow, speeds=None):
-    """[(mean rise, ∫ |rise|² dy)] of the water in each gap in the wave towards +y, complex m per m and m³ per m²
+    """Mean rise of the water, complex, m per m, and ∫ |rise|² dy, m³ per m², in the wave towards +y; a list of pairs,
+    one for each gap
 
-    speeds : (m,) m/s … of the motions, or None
+    speeds : velocities of the motions, m/s …, (m,), or None
     """
     out, weights = [], flow.shape.weights[~flow.shape.body]
     for phi, gap in zip(flow.in_gaps, flow.shape.gaps, strict=True):
@@ -72,7 +77,7 @@ def in_gaps(flow, speeds=None):
 
 
 def taken_of(flow, depth, damping, rise):
-    """Share of the wave energy absorbed by gaps; rise : `in_gaps`"""
+    """Share of the wave energy absorbed by gaps; rise : result of `in_gaps`"""
     celerity = flow.omega / flow.k * float(group_factor(flow.k, depth))
     return float(damping * flow.omega / celerity * sum(square for _, square in rise))
 

@@ -1,25 +1,27 @@
-"""A box as a row of two-dimensional sections: strip and inverse strip method.
+"""A box as a row of two-dimensional sections, by the strip method and the inverse strip method.
 
-Ordinary strips are sections B × d in a row along x. Inverse strips are sections L × d in a row across, for the motions
-along the box (SR179 report, 1982, section 2.4.4).  Strips do not interact.  In a frame with x′ along the row and y′
-across it, a the half length of the row, per metre a sectional impedance Zᵢⱼ (sway, heave, roll):
+Ordinary strips are sections B × d in a row along x. Inverse strips are sections L × d in a row along y, for the
+motions along the box (SR179 report, 1982, section 2.4.4).  Strips do not interact.  In a frame with x′ along the row
+and y′ across it, with a the half length of the row and Zᵢⱼ the sectional impedance per metre (sway, heave, roll), the
+impedances of the row are
 
     sway, roll, their coupling   2a Z₂₂, 2a Z₄₄, 2a Z₂₄        heave  2a Z₃₃
     pitch  ∫x′² Z₃₃ dx′ = ⅔a³ Z₃₃                              yaw    ∫x′² Z₂₂ dx′ = ⅔a³ Z₂₂
 
-Froude–Krylov forces are exact, for the whole box.  The diffraction force follows Salvesen, Tuck and Faltinsen,
-Transactions of SNAME 78 (1970), at zero speed. It is Haskind's relation with the radiated flow of the section and the
+Froude–Krylov forces are the exact forces on the whole box.  The diffraction force follows Salvesen, Tuck and Faltinsen,
+Transactions of SNAME 78 (1970), at zero speed. Haskind's relation combines the radiated flow of the section with the
 oblique wave,
 
     fⱼ = iρω ∮ φⱼ ∂φ_I/∂n dl,  φ_I = −(ig/ω) Z₀ exp(iky′ sinβ′),    Fⱼ = ∫ fⱼ exp(ikx′ cosβ′) dx′
 
 for sway, heave, roll; the pitch moment follows from heave, −∫x′f₃, and the yaw moment from sway, ∫x′f₂.  Surge along
-the row is no sectional motion. It is the sway of a row in the other direction, whose sides are the ends of the body.
-This surge is not coupled to pitch, which comes from other sections. With a coupling the damping matrix would not remain
-positive.  Waves around the ends are neglected, and therefore also drift and the far field.
+the row is no sectional motion. Surge is computed as the sway of a row in the other direction, whose sides are the
+ends of the body. This surge is not coupled to pitch, because pitch is computed from other sections: with a coupling the
+damping matrix might not remain positive.
+Waves around the ends are neglected, and therefore also drift and the far field.
 
-Against a panel method in water of twice the draft, B/d = 5, L/B = 2, 4, 8, waves on the beam: the error of the
-exciting force in heave is 28, 6, 4 %, in sway 5, 2, 1 %, in roll 5, 2, 1 %.
+In beam waves, with B/d = 5 and water of twice the draft, the exciting force differs from that of a panel method, for
+L/B = 2, 4 and 8, by 28, 6 and 4 % in heave, by 5, 2 and 1 % in sway, and by 5, 2 and 1 % in roll.
 """
 
 from dataclasses import dataclass
@@ -40,9 +42,10 @@ TURN[[0, 1, 2, 3, 4, 5], [1, 0, 2, 4, 3, 5]] = 1, -1, 1, 1, -1, 1
 
 @dataclass(frozen=True)
 class Strips:
-    """A box by strips; with `inverse` by the inverse method, whose strips run across the box.
+    """A box by the strip method or, with `inverse`, by the inverse strip method, whose strips are in a row across the
+    box.
 
-    length, beam, draft, depth : m, depth may be inf; tolerance : relative error of the sections, not of the method
+    length, beam, draft, depth : m, depth may be inf; tolerance : relative error of sections, not of the strip method
     """
 
     length: float
@@ -55,7 +58,8 @@ class Strips:
     def first_order(self, omega, headings, theta=None, dofs=range(6), density=1025.0, gravity=9.80665):
         """`FirstOrder` at ω rad/s for waves towards `headings` (m,) rad; no Kochin functions.
 
-        dofs : needed degrees of freedom; the others are zero.  Raises ValueError where sections do.
+        dofs : needed degrees of freedom; results of other degrees of freedom are zero
+        raises : ValueError if a section cannot be solved
         """
         headings = np.atleast_1d(np.asarray(headings, float))
         impedance, scattered = np.zeros((6, 6), complex), np.zeros((len(headings), 6), complex)
@@ -74,7 +78,7 @@ class Strips:
         return density * gravity * np.where(np.isin(np.arange(6), dofs), force, 0)
 
     def added_mass_limit(self, which, density=1025.0):
-        """A (6, 6) about the origin for `which` "zero" or "infinity" of the frequency.  Raises ValueError."""
+        """Added mass (6, 6) about the origin at the frequency `which`, "zero" or "infinity".  Raises ValueError."""
         out = np.zeros((6, 6))
         for row in self._rows(range(6)):
             section = added_mass_limit(
@@ -93,7 +97,7 @@ class Strips:
 
 
 class Row(NamedTuple):
-    """Sections of `beam` m in a row of `length` m, across or along x, for the degrees of freedom `mine`."""
+    """Sections of `beam` m in a row of `length` m, along x or y, for the degrees of freedom `mine`."""
 
     beam: float
     length: float

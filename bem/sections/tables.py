@@ -1,7 +1,7 @@
 """Tables of sectional coefficients over B/d, H/d and ξ_B.
 
-The SR179 report (1982) gives twenty tables, 2.1.3.1-20: H/d in the outer order, B/d in the inner order, and ten values
-of ξ_B each. Its design guideline interpolates them in B/d and H/d.
+The SR179 report (1982) gives twenty tables, 2.1.3.1-20: one for each pair of H/d (outer order) and B/d (inner order),
+with ten values of ξ_B in each table. The design guideline of the report interpolates the tables in B/d and H/d.
 Here any shape is solved in milliseconds, without interpolation.
 """
 
@@ -27,8 +27,9 @@ COLUMNS = (
 def tables(beam_draft=BEAM_DRAFT, depth_draft=DEPTH_DRAFT, xi=XI, tolerance=TOLERANCE, progress=None):
     """Rows of all tables in the report's order: H/d, then B/d, then ξ_B; a list of dictionaries with `COLUMNS`.
 
-    depth_draft may contain inf; progress : called after each row, in an order that allows an estimate of the remaining
-    time. Raises ValueError for a shape that cannot be solved to the tolerance.
+    depth_draft may contain inf; progress : function called after each row; the order of rows allows an estimate of
+    the remaining time
+    Raises ValueError for a shape that cannot be solved to the tolerance.
     """
     shapes = [(B, H, x) for H in depth_draft for B in beam_draft for x in xi]
     rows = [{} for _ in shapes]
@@ -40,7 +41,7 @@ def tables(beam_draft=BEAM_DRAFT, depth_draft=DEPTH_DRAFT, xi=XI, tolerance=TOLE
 
 
 def row_of(beam_draft, depth_draft, xi, tolerance=TOLERANCE):
-    """One row: {column: number}"""
+    """One row of a table, {column: number}"""
     if not 0 < xi < np.inf:
         raise ValueError(f"xi_B is {xi:g}; allowed: above 0 and finite")
     values = report_row(section(beam_draft, 1.0, depth_draft, frequency_of(xi, beam_draft), tolerance=tolerance))
@@ -48,7 +49,7 @@ def row_of(beam_draft, depth_draft, xi, tolerance=TOLERANCE):
 
 
 def table_name(row):
-    """ "2.1.3.1" … "2.1.3.20" for the shapes of the report, "" for others"""
+    """ "2.1.3.1" … "2.1.3.20" for the shapes of the report, "" for other shapes"""
     try:
         order = DEPTH_DRAFT.index(row["H_over_d"]) * len(BEAM_DRAFT) + BEAM_DRAFT.index(row["B_over_d"])
     except ValueError:

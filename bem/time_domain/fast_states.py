@@ -1,9 +1,9 @@
-"""States of a memory that decay within a fraction of any wave period are replaced by their instantaneous response.
+"""States of a memory that decay within a fraction of every wave period, replaced by their instantaneous response.
 
     y = c (s − a)⁻¹ b ν  →  −c a⁻¹ b ν − c a⁻² b ν̇        |s| ≪ |a|
 
-a damping and an inertia; the neglected part is (ω/|a|)² of their force.  Otherwise an explicit integration would need
-steps of 3/|a|, whatever the motion.
+The two terms are a damping and an inertia; the neglected part is (ω/|a|)² of the force. With these states an explicit
+integration would need steps of 3/|a|, however slow the motion.
 """
 
 from typing import NamedTuple
@@ -14,7 +14,8 @@ from .memory_kernels import MemoryArrays
 
 
 class SlowMemory(NamedTuple):
-    """arrays : `MemoryArrays` of the remaining states; damping, inertia : (6, 6) that replace the other states"""
+    """arrays : `MemoryArrays` of the remaining states; damping, inertia : matrices (6, 6) that replace the fast
+    states"""
 
     arrays: MemoryArrays
     damping: np.ndarray
@@ -22,7 +23,7 @@ class SlowMemory(NamedTuple):
 
 
 def slow_memory(memory, fastest):
-    """`SlowMemory` of a `Memory`; states with poles beyond `fastest` rad/s follow at once."""
+    """`SlowMemory` of a `Memory`; states with poles beyond `fastest` rad/s are replaced."""
     decay, turn, into, out = memory.arrays
     n, p = len(decay), len(turn)
     real, pairs = np.arange(n - 2 * p), n - 2 * p + np.arange(p)

@@ -1,8 +1,8 @@
 """The fewest states of coupled motions whose passive system is within tolerance of a transform.
 
-Poles are those of `rational`. States are selected by balancing, and outputs follow from `passive_fit`.
-Within the band the
-fit is more accurate than the tolerance where the body is sensitive to its error (`sensitivity`).
+Poles are found by `rational`. States are selected by balancing, and outputs follow from `passive_fit`. At frequencies
+of the band where the body is sensitive to errors of the fit (`sensitivity`), the fit is more accurate than the
+tolerance.
 """
 
 import numpy as np
@@ -21,7 +21,7 @@ COARSER = 2.0  # error of the best system over the smallest tolerance that can b
 
 
 class FitError(ValueError):
-    """A tolerance that is not met; within : tolerance below which no tolerance is met either"""
+    """A tolerance is not met; within : limit below which all tolerances are missed too"""
 
     def __init__(self, message, within):
         super().__init__(message)
@@ -29,11 +29,12 @@ class FitError(ValueError):
 
 
 def fewest_states(omega, wanted, size, group, tolerance, answered, words):
-    """`Passive` of coupled motions, in units of `size`, with the fewest states found within tolerance
+    """`Passive` of coupled motions, in units of `size`, with the fewest states that were found within tolerance
 
-    omega : (q,) rad/s; wanted : (q, m, m) transform; size : (m,) of each motion; group : indices of the motions
-    answered : (q, m) `sensitivity` of the motions; words : names of all motions
-    Computed now, or kept from an earlier call.  raises : FitError
+    omega : rad/s, (q,); wanted : transform to fit, (q, m, m); size : scale of each motion, (m,)
+    group : indices of the coupled motions; answered : `sensitivity` of the motions, (q, m); words : names of all
+        motions.
+    The fit is computed, or kept from an earlier call.  Raises FitError.
     """
     arrays = omega, wanted, size, tolerance, answered
     try:

@@ -1,7 +1,8 @@
-"""Fits of the memory, and other arrays, from earlier runs, kept with the compiled kernels.
+"""Fits of the memory and other arrays, kept from earlier runs in the folder of the compiled kernels.
 
-A fit takes seconds, and every study of a database needs the same fit.  It depends on arrays alone. A digest of the
-arrays, of the source files and of the versions of numpy and scipy names its file, so any change leads to a new fit.
+A fit takes seconds, and all studies of a database need one fit.  The fit depends on arrays alone. The name of its
+file is a digest of these arrays, of the source files and of the versions of numpy and scipy, so that a change of any
+of them leads to a new fit.
 """
 
 import hashlib
@@ -30,9 +31,11 @@ class NoFit(Exception):
 
 
 def kept_fit(source, make, *arrays):
-    """`Passive` from make(), or from an earlier call with the same arrays; source : the file of its code
+    """`Passive` from make(), or from an earlier call with equal arrays; source : source file of the code that makes
+    the fit
 
-    raises : NoFit, of make() now or earlier: a search in vain takes as long as a fit
+    raises : NoFit if make() raises it or has raised it earlier; a search without result is kept too, because it takes
+        as long as a fit
     """
     file = _file(source, arrays)
     found = _read(file)
@@ -48,7 +51,8 @@ def kept_fit(source, make, *arrays):
 
 
 def kept_array(source, make, *arrays):
-    """Array from make(), or from an earlier call with the same arrays; source : the file of its code"""
+    """Array from make(), or from an earlier call with equal arrays; source : source file of the code that makes the
+    array"""
     file = _file(source, arrays)
     with suppress(*UNREADABLE), np.load(file, allow_pickle=False) as stored:
         return stored["value"]

@@ -1,23 +1,23 @@
-"""The memory of the water as a linear system that dissipates energy in every motion, for integration in time.
+"""The memory of the water as a linear system for integration in time, which dissipates energy in every motion.
 
     (M + A(∞)) ν̇ + y + … = F,    ẋ = a x + b ν,    y = c x,    c (−iω − a)⁻¹ b ≈ B + iω [A(∞) − A]
 
-with velocities ν (6,) about the rotation centre, in axes of the body. For several bodies ν has (6N,) velocities, body
-by body, each about its own centre in its own axes. The velocities of shapes of bodies that bend follow; the whole
-system is passive.  The n states x are r
-that decay and p pairs that turn as well, r + 2p = n, in the order: r, first of each pair, second of each pair,
+with velocities ν (6,) about the rotation centre, in axes of the body. For N bodies ν contains (6N,) velocities, body
+by body, about the rotation centre and in the axes of each body, followed by the velocities of shapes of flexible
+bodies; the whole system is passive.  The n states x are r states that decay and p pairs of states that oscillate and
+decay, r + 2p = n. The r states come first, then the first states of the pairs, then their second states:
 
     ẋ_k = −decay_k x_k + Σ_j input_jk ν_j                                            k < r
     ẋ_k = −decay_k x_k + turn_i x_{k+p} + Σ_j input_jk ν_j,                          k = r + i, i < p
     ẋ_{k+p} = −decay_k x_{k+p} − turn_i x_k + Σ_j input_j,k+p ν_j
     y_j = Σ_k output_jk x_k
 
-Motions uncoupled by symmetry have their own states.  Damping at every frequency and A(∞) are those of `whole_axis`, and
-their poles are those of `rational`. The output follows from a matrix P ≥ 0 such that (`passive_fit`)
+Motions that symmetry uncouples have separate states.  Damping at every frequency and A(∞) come from `whole_axis`, and
+the poles from `rational`. The output follows from a matrix P ≥ 0 such that (`passive_fit`)
 
     d/dt ½ xᵀP x = yᵀν − ½ |lossᵀ x|²,    y = 0 in steady motion.
 
-The fewest states within tolerance are those of `fewest_states`.
+`fewest_states` finds the fewest states within tolerance.
 """
 
 from dataclasses import dataclass
@@ -48,16 +48,16 @@ SAME = 1e-7  # relative difference of the transforms of two groups that are one
 
 @dataclass(frozen=True, eq=False)
 class Memory(Causal):
-    """The system of the module's equations, its stored and lost energy, and its errors relative to its database.
+    """The linear system of this module, its stored and lost energy, and its errors relative to the database.
 
     arrays : `MemoryArrays`
-    storage : (n, n) P, J a unit of states squared; loss : (n, q) with power ½ |lossᵀx|² W
-    added_mass_infinity : (6, 6) kg …, stored or by causality
-    error : (6, 6) largest difference of the system from the fitted transform, from ω = 0 to beyond the band, couplings
-    and their motions by √(ii · jj) of the largest transform; 0 of couplings that are neglected as noise
-    deviation : (6, 6) of the fitted transform from the database in its band, in the same unit; error + deviation bound
-        the rest
-    band : rad/s, first and last stored frequency; groups : indices of coupled motions; words : words of the motions
+    storage : P, J for each squared unit of the states, (n, n); loss : matrix of the lost power ½ |lossᵀx|², W, (n, q)
+    added_mass_infinity : stored added mass or that by causality, kg …, (6, 6)
+    error : largest difference of the system from the fitted transform, from ω = 0 to beyond the band, divided by √(ii
+        · jj) of the largest transform, (6, 6); 0 for couplings that are neglected as noise
+    deviation : largest difference of the fitted transform from the database in its band, in the unit of error, (6, 6);
+        the sum error + deviation bounds the difference of the system from the database
+    band : first and last stored frequency, rad/s; groups : indices of coupled motions; words : names of the motions
     """
 
     arrays: MemoryArrays
@@ -81,7 +81,7 @@ class Memory(Causal):
 
     @property
     def matrices(self):
-        """a (n, n) 1/s, b (n, 6), c (6, n)"""
+        """Matrices of the system: a, 1/s, (n, n), b, (n, 6), and c, (6, n)"""
         decay, turn, into, out = self.arrays
         n, p = self.states, len(turn)
         a, first = -np.diag(decay), n - 2 * p + np.arange(p)
@@ -89,28 +89,28 @@ class Memory(Causal):
         return a, into.T, out
 
     def rate(self, states, velocity):
-        """ẋ (n,) of states (n,) and velocities (6,) m/s, rad/s: what the kernel `memory_rate` writes"""
+        """ẋ (n,) from states (n,) and velocities (6,), m/s and rad/s, as the kernel `memory_rate` computes it"""
         a, b, _ = self.matrices
         return a @ states + b @ velocity
 
     def force(self, states):
-        """y (6,) N, N m, against the motion: what the kernel `memory_force` writes"""
+        """Force y (6,), N and N m, against the motion, as the kernel `memory_force` computes it"""
         return self.arrays.output @ states
 
     def stored_energy(self, states):
-        """J of states (…, n), stored energy of the water's motion that is returned"""
+        """Energy, J, stored in the water's motion by states (…, n), which the water returns"""
         return 0.5 * np.einsum("...i,ij,...j->...", states, self.storage, states)
 
     def lost_power(self, states):
-        """W of states (…, n), radiated power"""
+        """Radiated power, W, of states (…, n)"""
         return 0.5 * np.sum((states @ self.loss) ** 2, axis=-1)
 
     def transform(self, omega):
-        """B + iω [A(∞) − A] (q, 6, 6) kg/s … at omega (q,) rad/s"""
+        """Transform B + iω [A(∞) − A], kg/s …, (q, 6, 6), at omega (q,) rad/s"""
         return _transfer(self.arrays, np.atleast_1d(omega)).conj()
 
     def retardation(self, times):
-        """K (m, 6, 6) kg/s² … at times (m,) s"""
+        """Retardation function K, kg/s² …, (m, 6, 6), at times (m,) s"""
         left, right, rate = _complex_modes(self.arrays)
         decay = np.exp(np.multiply.outer(np.asarray(times, float), rate))
         return np.einsum("ik,qk,jk->qij", left, decay, right).real
@@ -133,12 +133,12 @@ class _Goal(NamedTuple):
 def memory_of_database(db, tolerance=1e-3, motions=None, goal=None):
     """`Memory` of a `bem.database.Database` or `Reader`, with the fewest states found within tolerance.
 
-    tolerance : tolerance of the transform, relative to the largest of each motion, 1e-5 to 0.1; WORTH of the deviation
-        of coupled motions if that is more
-    motions : indices of those of a study, None for all; the others are neither read nor fitted
-    goal : `goal_of_database` of the same, for several tolerances; None to find it
-    raises : ValueError if damping or added mass are unknown for these, at too few frequencies, or contradict
-    each other because the band is too short; `fewest_states.FitError` if the tolerance is not reached
+    tolerance : allowed error of the transform relative to its largest value for each motion, 1e-5 to 0.1; or WORTH
+        times the deviation of coupled motions if this is larger
+    motions : indices of the motions of a study, None for all; coefficients of other motions are neither read nor fitted
+    goal : `goal_of_database` for these arguments, to save time for several tolerances; if None, computed here
+    raises : ValueError if damping or added mass of these motions are unknown, or known at too few frequencies, or
+    contradict each other because the band is too short; `fewest_states.FitError` if the tolerance is not reached
     """
     if not 1e-5 <= tolerance <= 0.1:
         raise ValueError(
@@ -151,9 +151,9 @@ def memory_of_database(db, tolerance=1e-3, motions=None, goal=None):
 
 
 def goal_of_database(body, motions=None):
-    """What the memory of the `motions` of a `Reader` is fitted to, at any tolerance
+    """The transform to which the memory of the `motions` of a `Reader` is fitted, at any tolerance
 
-    raises : ValueError at too few frequencies
+    raises : ValueError for too few frequencies
     """
     motions = range(len(body.words)) if motions is None else motions
     if len(body.omega) < FEWEST:
@@ -186,10 +186,10 @@ def _memory(body, tolerance, goal):
 
 
 def no_memory(body):
-    """`Memory` without states of a `Reader`, for runs that use coefficients at one frequency instead
+    """`Memory` of a `Reader` without states, for runs that use coefficients at one frequency
 
-    A few states cannot represent resonances of water before a wall; added mass at the highest frequency then replaces
-    added mass at infinite frequency.
+    Few states cannot represent resonances of water in front of a wall; in such a run the added mass at the highest
+    frequency replaces the added mass at infinite frequency.
     """
     band = body.between.span
     count = len(body.words)

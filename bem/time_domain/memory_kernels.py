@@ -1,4 +1,4 @@
-"""Compiled rate and force of `memory`: 0.1 µs each for 60 states, whatever the motions."""
+"""Compiled rate and force of `memory`: each takes 0.1 µs for 60 states, for any number of motions."""
 
 from typing import NamedTuple
 
@@ -10,10 +10,7 @@ from ..kernels.jit import kernel
 
 @in_memory
 class MemoryArrays(NamedTuple):
-    """Arguments of kernels: decay (n,) 1/s, turn (p,) rad/s, input and output (6N, n) of the system of `memory`
-
-    All contiguous.
-    """
+    """Contiguous arrays for the kernels: decay, 1/s, (n,), turn, rad/s, (p,), input and output, (6N, n), of `memory`"""
 
     decay: np.ndarray
     turn: np.ndarray
@@ -23,9 +20,9 @@ class MemoryArrays(NamedTuple):
 
 @kernel(counted=False)
 def memory_rate(memory, states, velocity, rate, body=0):
-    """Write ẋ into rate (n,): `Memory.rate`.
+    """Write ẋ into rate (n,), as `Memory.rate`.
 
-    memory : `MemoryArrays`; states (n,); velocity (6,) m/s, rad/s, of one of several bodies, by index `body`
+    memory : `MemoryArrays`; states : (n,); velocity : velocity of the body with index `body`, m/s and rad/s, (6,)
     """
     n, p, f = len(memory.decay), len(memory.turn), 6 * body
     first, second = n - 2 * p, n - p
@@ -42,9 +39,10 @@ def memory_rate(memory, states, velocity, rate, body=0):
 
 @kernel(inline=True, counted=False)
 def memory_force(memory, states, force, body=0):
-    """Write y, the force on one of several bodies against its motion, N and N m, into force (6,), as `Memory.force`.
+    """Write y, N and N m, the force on the body with index `body` against its motion, into force (6,), as
+    `Memory.force`.
 
-    memory : `MemoryArrays`; states (n,)
+    memory : `MemoryArrays`; states : (n,)
     """
     x = y = z = a = b = c = 0.0  # six sums side by side: one after the other each would wait for its own last digit
     out = memory.output

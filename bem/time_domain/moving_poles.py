@@ -1,13 +1,14 @@
-"""Poles, inputs and losses of a passive system, adjusted together until the largest error of the system is small.
+"""Poles, inputs and losses of a passive system, adjusted together to reduce the largest error of the system.
 
 With rows b_k of B and l_k of L in the modes of `passive_fit`,
 
     H(s) = Σ_kl  b̄_k S_kl (l_k · l̄_l) b_lᵀ / (s − λ_l),    S_kl = −1 / (λ̄_k + λ_l),    Σ_k l̄_k b_kᵀ / λ_k = 0,
 
 is passive for all λ, B and L with Re λ < 0.  The sum of the p-th powers of the errors of H is minimised by Newton's
-method without the second derivatives of H (Levenberg's and Marquardt's damping), for p = 4 and 8, which approximate the
-largest.  Decay changes by its logarithm, so it remains a decay. b_k changes only in directions normal to itself, since
-it has the size of l_k.  With fixed poles, boxes and a buoy need 3 to 25 % more states for the same largest error.
+method without the second derivatives of H (Levenberg's and Marquardt's damping). With p = 4 and 8 the sum
+approximates the largest error.  The unknown for a decay is its logarithm, so that it remains positive. b_k changes
+only in directions normal to b_k, because l_k contains its size.
+With fixed poles, boxes and a buoy need 3 to 25 % more states for an equal largest error.
 """
 
 from typing import NamedTuple
@@ -21,7 +22,7 @@ STEADY = 1e6  # weight of the last condition relative to that of its unknowns; i
 
 
 class Moving(NamedTuple):
-    """λ (n,), last the poles of the p pairs and then the conjugates of these poles; B (n, m) and L (n, m) in modes"""
+    """λ (n,), which ends with the poles of the p pairs and then their conjugates; B (n, m) and L (n, m) in the modes"""
 
     rate: np.ndarray
     input: np.ndarray
@@ -30,8 +31,8 @@ class Moving(NamedTuple):
 
 
 def real_basis(alone, pairs):
-    """Unitary matrix from real states to modes; shape (n, n): the single modes, then the first and the second mode of
-    each pair"""
+    """Unitary matrix from real states to modes; shape (n, n): single modes come first, then the first modes of the
+    pairs, then their second modes"""
     basis = np.eye(alone + 2 * pairs, dtype=complex)
     one = np.sqrt(0.5) * np.eye(pairs)
     basis[alone:, alone:] = np.block([[one, -1j * one], [one, 1j * one]])
@@ -39,7 +40,7 @@ def real_basis(alone, pairs):
 
 
 def moved(system, s, wanted, weight):
-    """`Moving` closer to H (q, m, m) at s (q,), wherever weight (q, m, m) times its error is above 1"""
+    """`Moving` whose errors from H (q, m, m) at s (q,), times weight (q, m, m), are reduced where they exceed 1"""
     system, slowest = _steady(system), np.abs(s[s != 0]).min()  # slower ones would act for hours
     off = (transfer(system, s) - wanted) * weight
     damping = 1e-2
@@ -65,7 +66,7 @@ def moved(system, s, wanted, weight):
 
 
 def storage(system):
-    """P (n, n) in modes"""
+    """Storage matrix P (n, n) in the modes"""
     rate, _, loss, _ = system
     return -(loss @ loss.conj().T) / (rate.conj()[:, None] + rate)
 

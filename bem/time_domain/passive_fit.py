@@ -1,15 +1,15 @@
-"""Passive linear systems near a matrix function of frequency.
+"""Passive linear systems that approximate a matrix function of frequency.
 
     ẋ = A x + B u,    y = C x,    C = BᵀP,    AᵀP + P A = −L Lᵀ,    Lᵀ A⁻¹ B = 0
 
-dissipates energy in every motion, since d/dt ½ xᵀP x = yᵀu − ½ |Lᵀx|² (Kalman, Yakubovich and Popov): energy that is
-not stored in P ≥ 0 is lost, for any L.  At s = iω the Hermitian part of H = C (s − A)⁻¹ B is ½ VᴴV with V = Lᵀ (s −
-A)⁻¹ B. The last condition makes it zero at ω = 0: steady motion has no resistance.
-
-A and B are given by their modes; L (n, m) is found by least squares of H over samples, H(0) = 0 a heavy one, by
-Gauss and Newton with Levenberg's and Marquardt's damping.  In coordinates z of the modes, A = diag λ, P is
-Pₖₗ = −(L Lᴴ)ₖₗ / (λ̄ₖ + λₗ), and derivatives of H to L are products of matrices.  Where that is nearly enough, modes
-and L move together (`moving_poles`).
+dissipates energy in every motion, since d/dt ½ xᵀP x = yᵀu − ½ |Lᵀx|² (Kalman, Yakubovich and Popov): for any L,
+energy that is not stored in P ≥ 0 is lost.  At s = iω the Hermitian part of H = C (s − A)⁻¹ B is ½ VᴴV with V = Lᵀ (s −
+A)⁻¹ B. The condition Lᵀ A⁻¹ B = 0 makes this part zero at ω = 0: steady motion has no resistance.  A and B are known
+by their modes. L (n, m) is found by least squares of H over samples, one of which is H(0) = 0 with a large weight, by
+the method of Gauss and Newton with Levenberg's and Marquardt's damping.
+In coordinates z of the modes, A = diag λ, P is
+Pₖₗ = −(L Lᴴ)ₖₗ / (λ̄ₖ + λₗ), and derivatives of H with respect to L are products of matrices.  If the fit is then
+nearly within tolerance, modes and L are adjusted together (`moving_poles`).
 """
 
 from typing import NamedTuple
@@ -33,8 +33,9 @@ REAL = 1e-10  # relative imaginary part below which a mode is real
 class Passive(NamedTuple):
     """A passive system in real modes: first the modes that only decay, then pairs of modes that also oscillate.
 
-    decay : (n,) 1/s; turn : (p,) rad/s of pairs k, whose two states are r + k and r + p + k with r = n − 2p
-    input, output : (m, n); storage P : (n, n); loss L : (n, m)
+    decay : 1/s, (n,); turn : frequency of each pair k, rad/s, (p,), whose states are r + k and r + p + k with r = n −
+        2p
+    input, output : (m, n); storage : P, (n, n); loss : L, (n, m)
     """
 
     decay: np.ndarray
@@ -55,12 +56,12 @@ class _Modes(NamedTuple):
 
 
 def passive_fit(A, B, s, H, tolerance=0.0, weight=None):
-    """`Passive` near H (q, m, m) at s (q,) = iω, with the modes of a stable A (n, n), B (n, m), n > m, or near them
+    """`Passive` that approximates H (q, m, m) at s (q,) = iω, with the modes of a stable A (n, n), B (n, m), n > m
 
-    tolerance : tolerance of H times weight (q, m, m), 1 by default, at which no more is tried; 0 : as near as it goes
-    with these modes
-    returns : also its largest weighted error; None and the error of an output without the condition P ≥ 0, if this
-    error is already clearly beyond the tolerance
+    tolerance : error of H, times weight (q, m, m), at which the fit ends; the modes may be adjusted to reach it. 0: the
+        best fit with unchanged modes; weight : None: 1
+    returns : the `Passive` and its largest weighted error. If an output without the condition P ≥ 0 already has an
+        error clearly beyond the tolerance, None and this error
     """
     weight = np.ones(H.shape) if weight is None else weight
     modes = _modes(A, B)
@@ -127,16 +128,16 @@ class _Problem:
         return (self.modes.input.conj().T @ P @ self.response).reshape(m, -1, m).swapaxes(0, 1)
 
     def misses(self, Z):
-        """Real differences from the wanted values, in one row"""
+        """Real and imaginary parts of the differences from the wanted values, in one row"""
         off = ((self.transfer(Z) - self.wanted) * self.weights).ravel()
         return np.concatenate([off.real, off.imag])
 
     def worst(self, Z):
-        """Largest weighted miss"""
+        """Largest weighted difference"""
         return np.hypot(*np.split(self.misses(Z), 2)).max()
 
     def slopes(self, Z):
-        """Derivatives of the misses by the unknowns; shape (unknowns, misses)"""
+        """Derivatives of the differences with respect to the unknowns; shape (unknowns, differences)"""
         a, m = Z.shape
         loss, B = self.columns @ Z, self.modes.input.conj()
         out = []
@@ -150,7 +151,8 @@ class _Problem:
         return np.stack(out, axis=1).reshape(a * m, -1)
 
     def output(self):
-        """C (m, n) of least squares with the same modes, free of the condition P ≥ 0, and its largest weighted miss"""
+        """Least-squares output C (m, n) with these modes without the condition P ≥ 0, and its largest weighted
+        difference"""
         m = self.wanted.shape[1]
         real = (self.modes.basis.conj().T @ self.response).reshape(len(self.modes.rate), -1, m)
         C, miss = [], 0.0
@@ -163,7 +165,8 @@ class _Problem:
         return np.array(C), miss
 
     def start(self, C):
-        """Initial Z: L of an output C (m, n) with some damping, or C itself, with which V has the peaks of H"""
+        """Initial Z: L that belongs to an output C (m, n) with some damping, or C itself, with which V has the peaks
+        of H"""
         Z = self.free.T @ self._factor(C)
         made = self.transfer(Z)
         return Z * np.sqrt(max(np.vdot(made, self.wanted).real / np.vdot(made, made).real, 1e-3))

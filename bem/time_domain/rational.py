@@ -1,12 +1,12 @@
-"""Stable linear systems of few states near a matrix function of frequency.
+"""Stable linear systems of few states that approximate a matrix function of frequency.
 
     H(s) ≈ Σ_k R_k / (s − p_k),    p_k common to all entries, real or in conjugate pairs
 
-by vector fitting (Gustavsen and Semlyen, IEEE Transactions on Power Delivery 14, 1999; relaxed, 2006): poles move to
-the zeros
-of σ = d + Σ c_k / (s − a_k) for which σ H has the poles a_k, until they stay.  The states, as many as poles times
-inputs, are reduced in balance. States that are weakly reached and weakly seen are taken to follow the others
-immediately (Liu and Anderson, International Journal of Control 50, 1989), and the remaining system is stable.
+by vector fitting (Gustavsen and Semlyen, IEEE Transactions on Power Delivery 14, 1999; relaxed, 2006): the poles a_k
+are replaced by the zeros of σ = d + Σ c_k / (s − a_k) for which σ H has the poles a_k, until they no longer change.
+The number of states, poles times inputs, is reduced by balancing. States that are weakly reached and weakly seen are
+assumed to follow the other states immediately (Liu and Anderson, International Journal of Control 50, 1989), and the
+remaining system is stable.
 """
 
 from typing import NamedTuple
@@ -27,7 +27,8 @@ class System(NamedTuple):
 
 
 class Balanced(NamedTuple):
-    """A system of 1/s with the square roots of its Gramians: reached (n, n), seen (n, n), and their singular vectors"""
+    """A system in the variable 1/s, the square roots of its Gramians, reached (n, n) and seen (n, n), and singular
+    vectors"""
 
     system: System
     reached: np.ndarray
@@ -47,10 +48,11 @@ class Balanced(NamedTuple):
 
 
 def fitted(s, H, count, weight):
-    """`System` with `count` poles an input whose transfer function is near H (q, m, m), symmetric, at s (q,) = iω
+    """`System` with `count` poles for each input whose transfer function approximates the symmetric H (q, m, m) at s
+    (q,) = iω
 
-    weight : (q, m, m), symmetric, of what is missed
-    returns : also its largest error, times weight
+    weight : weight of the errors, symmetric, (q, m, m)
+    returns : the `System` and its largest weighted error
     """
     m = H.shape[1]
     rows, columns = np.triu_indices(m)
@@ -72,9 +74,10 @@ def fitted(s, H, count, weight):
 
 
 def balanced(system):
-    """`Balanced` of a stable system, as a function of 1/s: removed states are replaced by their instantaneous response
+    """`Balanced` of a stable system in the variable 1/s, so that removed states are replaced by their instantaneous
+    response
 
-    The direct path of the removed states from input to output, a constant, is neglected.
+    The constant direct path of removed states from input to output is neglected.
     """
     from scipy.linalg import solve_continuous_lyapunov
 
@@ -86,7 +89,8 @@ def balanced(system):
 
 
 def fractions(s, poles):
-    """Real-coefficient partial fractions at s (q,) of poles with imaginary part ≥ 0, two for each pair; shape (q, n)"""
+    """Partial fractions with real coefficients at s (q,) for poles with imaginary part ≥ 0, two for each pair; shape
+    (q, n)"""
     columns = []
     for p in poles:
         first = 1 / (s - p)

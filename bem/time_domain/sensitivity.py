@@ -1,15 +1,14 @@
-"""Sensitivity of a moored body to an error of its memory: for lightly damped motion, memory must be more accurate.
+"""Sensitivity of a moored body to an error of its memory; lightly damped motions have a larger sensitivity.
 
-An error E (6, 6) of the impedance changes a free decay by up to E / (e B) of its start, with B all damping at the
-natural frequency. It acts by the admittance of the body on its springs.
-With the restoring forces C of the water, and a little damping in addition to the damping of waves, as every moored body
-has,
+An error E (6, 6) of the impedance changes a free decay by up to E / (e B) of its initial amplitude, with B the whole
+damping at the natural frequency. The effect is proportional to the admittance Y of the body on its springs. With the
+restoring forces C of the water, and the small damping that every moored body has in addition to wave radiation,
 
-    Y = [H − iω (M + A∞) + iC/ω + 2ζω (M + A)]⁻¹,        its diagonal times that of the largest H.
+    Y = [H − iω (M + A∞) + iC/ω + 2ζω (M + A)]⁻¹,        its diagonal times the diagonal of the largest H.
 
 Springs of moorings are unknown here.  Moorings restrain surge, sway and yaw more softly than hydrostatics restrains
-heave. Below the natural frequency of heave these motions count as resonant at every frequency, if that gives a larger
-sensitivity.
+heave. Surge, sway and yaw are therefore taken as resonant at every frequency below the natural frequency of heave, if
+this gives a larger sensitivity.
 """
 
 import numpy as np
@@ -21,10 +20,10 @@ NEAR = 0.05  # relative shift of the natural frequencies of heave, roll and pitc
 
 
 def sensitivity(body, omega, transform, added_mass_infinity, size, rigid=None):
-    """Diagonal of Y times size² at omega (q,) rad/s, 0 of bodies without mass or restoring forces; shape (q, n)
+    """Diagonal of Y times size² at omega (q,) rad/s; shape (q, n); 0 for bodies without mass or restoring forces
 
-    transform : (q, n, n) kg/s … H; size : (n,) square root of the largest of each motion
-    rigid : how many of the motions are of rigid bodies, the first ones; None for all
+    transform : H, kg/s …, (q, n, n); size : square root of the largest H of each motion, (n,)
+    rigid : number of rigid motions, which come first; if None, all motions are rigid
     """
     count, rigid = len(size), len(size) if rigid is None else rigid
     out = np.zeros((len(omega), count))

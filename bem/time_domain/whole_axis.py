@@ -1,24 +1,23 @@
-"""Damping at every frequency, and the added mass that follows from the damping by causality.
+"""Damping at every frequency, and the added mass that follows from this damping by causality.
 
     A(ω) = A(∞) + (2/π) ⨍₀^∞ B(x) / (x² − ω²) dx        (Kramers and Kronig)
 
-Damping is taken as linear in frequency between the frequencies of the band.  Beyond its ends ω₁ and Ω it follows
-powers,
+Between the frequencies of the band damping is linear in frequency.  Outside the ends ω₁ and Ω of the band damping
+follows powers,
 
     Bᵢⱼ = Mᵢⱼ(ω) + [Bᵢⱼ(ω₁) − Mᵢⱼ(ω₁)] (ω/ω₁)^{(pᵢ + pⱼ)/2} below,    Bᵢⱼ = Bᵢⱼ(Ω) (Ω/ω)^{(rᵢ + rⱼ)/2} above,
 
-with pᵢ, rᵢ from the slopes of the diagonal. A matrix that dissipates energy at an end of the band then also does so
-beyond it.
-The added mass of the band may require further damping, as where damping still rises at Ω. It is added there in the
-shapes (Ω/ω)³ − (Ω/ω)⁵ and (Ω/ω)⁵ − (Ω/ω)⁹, by least squares, as far as it adds no energy.
-M are the waves of a body that
-changes the volume below the surface by qᵢ m² per unit of motion, ω → 0 (the pulsating source; Newman, Marine
-Hydrodynamics, 1977, section 6.18, and its limit in shallow water):
+with pᵢ, rᵢ from the slopes of the diagonal. A matrix that dissipates energy at an end of the band then also
+dissipates energy beyond this end.
+The added mass of the band may require more damping above Ω, for example if damping still rises at Ω. This damping has
+the shapes (Ω/ω)³ − (Ω/ω)⁵ and (Ω/ω)⁵ − (Ω/ω)⁹, with factors by least squares, limited so that no energy is added.
+M is the damping, as ω → 0, of a body that changes the volume below the surface by qᵢ m² per unit of motion (a pulsating
+source; Newman, Marine Hydrodynamics, 1977, section 6.18, and the limit of shallow water):
 
     M = ρ ω q qᵀ / 4h  in water of depth h,    M = ρ ω³ q qᵀ / 2g  in deep water.
 
-Motions without change of volume are dipoles, with B like ω³ and more. A vertical side damps like ω⁻³ in short waves, a
-horizontal side less than any power.
+Motions without change of volume are dipoles, whose damping falls like ω³ or faster as ω → 0.  In short waves the
+damping by a vertical side falls like ω⁻³, and that by a horizontal side faster than any power.
 """
 
 from dataclasses import dataclass
@@ -37,28 +36,29 @@ COMPARED = 60  # frequencies at which added mass is compared
 
 
 class Causal:
-    """Added mass and damping of what has a `transform` B + iω [A(∞) − A] and an `added_mass_infinity`"""
+    """Added mass and damping of a subclass that has a `transform` B + iω [A(∞) − A] and an `added_mass_infinity`"""
 
     def damping(self, omega):
-        """B (q, 6, 6) kg/s … at omega (q,) rad/s"""
+        """Damping B, kg/s …, (q, 6, 6), at omega (q,) rad/s"""
         return self.transform(omega).real
 
     def added_mass(self, omega):
-        """A (q, 6, 6) kg … at omega (q,) rad/s above 0"""
+        """Added mass A, kg …, (q, 6, 6), at omega (q,) rad/s, above 0"""
         omega = np.atleast_1d(omega)
         return self.added_mass_infinity - self.transform(omega).imag / omega[:, None, None]
 
 
 @dataclass(frozen=True, eq=False)
 class WholeAxis:
-    """Damping (n, 6, 6) kg/s … straight between omega (n,) rad/s from 0, and added_mass_infinity (6, 6) kg …"""
+    """Damping, kg/s …, (n, 6, 6), linear between omega (n,) rad/s, which begin at 0, and added_mass_infinity, kg …,
+    (6, 6)"""
 
     omega: np.ndarray
     damping: np.ndarray
     added_mass_infinity: np.ndarray
 
     def transform(self, omega):
-        """B + iω [A(∞) − A] (q, 6, 6) at omega (q,) rad/s, no value of which is among `self.omega`"""
+        """Transform B + iω [A(∞) − A] (q, 6, 6) at omega (q,) rad/s; no value of omega may be in `self.omega`"""
         omega = np.atleast_1d(omega)
         at, share = self._gap(omega)
         share = share[:, None, None]
@@ -66,13 +66,12 @@ class WholeAxis:
         return B - 1j * omega[:, None, None] * self.excess(omega)
 
     def excess(self, omega):
-        """A − A(∞) (q, 6, 6) at omega (q,) rad/s"""
+        """Difference A − A(∞) (q, 6, 6) at omega (q,) rad/s"""
         weights = (2 / np.pi) * kramers_kronig(omega, self.omega)
         return np.tensordot(weights, self.damping, axes=1)
 
     def between(self, omega):
-        """Frequencies, rad/s, in the middle of the gaps of `self.omega` that contain omega (q,), each once; shape
-        (q,)"""
+        """Middle frequencies, rad/s, of the gaps of `self.omega` that contain omega, without repetition; shape (q,)"""
         at = np.unique(self._gap(np.asarray(omega))[0])
         return 0.5 * (self.omega[at] + self.omega[at + 1])
 
@@ -82,10 +81,10 @@ class WholeAxis:
 
 
 def whole_axis(omega, added_mass, damping, added_mass_infinity=None, monopole=None):
-    """`WholeAxis` of coefficients (n, 6, 6) at omega (n,) rad/s rising, dense enough for straight lines between.
+    """`WholeAxis` from coefficients (n, 6, 6) at rising omega (n,) rad/s, dense enough for linear interpolation.
 
-    added_mass_infinity : (6, 6), None for the one with which causality best reproduces the added mass of the band
-    monopole : function of ω (q,) that returns M (q, 6, 6) kg/s …, None if unknown
+    added_mass_infinity : (6, 6); if None, the matrix with which causality best reproduces the added mass of the band
+    monopole : function from ω (q,) to M, kg/s …, (q, 6, 6), or None if unknown
     """
     below, low = _below(omega, damping, monopole)
     above, high = _above(omega, damping)
@@ -99,7 +98,7 @@ def whole_axis(omega, added_mass, damping, added_mass_infinity=None, monopole=No
 def ends_of(body, motions=None):
     """A(∞) (6, 6) and M of a `bem.database.reader.Reader` for `whole_axis`, each None if unknown
 
-    motions : requested indices, None for all; A(∞) and M are 0 for the others
+    motions : indices of the requested motions, None for all; A(∞) and M are 0 for other motions
     """
     count = len(body.words)
     out = [] if motions is None else [i for i in range(count) if i not in motions]
@@ -123,8 +122,8 @@ def ends_of(body, motions=None):
 def monopole_damping(flux, density, depth, gravity):
     """M of the module as a function of omega (q,) rad/s.
 
-    flux : (n,) m² (m³ a radian) of volume that a unit of each motion displaces: the waterplane and its moments, and
-    what the wetted surface of a shape does
+    flux : volume that a unit of each motion displaces, m² (for rotations m³ per radian), (n,): the waterplane area,
+    its moments, and the volume that the wetted surface displaces in a shape
     """
     square = density * np.outer(flux, flux)
 
@@ -137,7 +136,7 @@ def monopole_damping(flux, density, depth, gravity):
 
 
 def kramers_kronig(omega, points):
-    """w (q, n) with Σ w B = ⨍ B(x) / (x² − ω²) dx for B straight between points (n,), of which no point is at omega
+    """Weights w (q, n) with Σ w B = ⨍ B(x) / (x² − ω²) dx for B linear between points (n,); no point is at omega
     (q,)."""
     a, b = points[:-1], points[1:]
     w = np.atleast_1d(omega)[:, None]
@@ -209,7 +208,8 @@ def _unseen(omega, added_mass, axis, above):
 
 
 def without_negative(matrices, damping):
-    """Matrices (q, 6, 6) without parts that would add energy, motions scaled by their largest damping (n, 6, 6)"""
+    """Matrices (q, 6, 6) without parts that would add energy; motions are scaled by their largest `damping` (n, 6,
+    6)"""
     size = np.sqrt(np.abs(np.einsum("qii->qi", damping)).max(axis=0))
     scale = np.outer(size, size)
     scale[scale == 0] = 1.0

@@ -1,2 +1,1 @@
-"""Bodies far from each other: the response of each kind of body to partial waves, coupled by the waves that the bodies
-send."""
+"""Bodies far from each other: each responds to partial waves, and waves that the bodies send couple them."""

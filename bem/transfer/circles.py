@@ -1,8 +1,9 @@
-"""Whether bodies are far enough from each other for partial waves: the circles around them are apart.
+"""Test whether bodies are far enough from each other for partial waves: the circles around them must not overlap.
 
-Two squares of 20 m with 5 m draft in 20 m of water, one wave: with 10 m between them (circles 1.7 m apart) errors are
-3e-4. With 6 m between them the circles overlap by 2.3 m, and the error stays above 3e-3 for any number of orders; with
-4 m it stays above 3e-2.  The narrower the gap, the more of the modes that decay over the depth cross it.
+An example are two squares of 20 m with 5 m draft in 20 m of water, in one wave. If the squares are 10 m apart, the
+circles are 1.7 m apart, and the errors are 3e-4. If the squares are 6 m apart, the circles overlap by 2.3 m, and the
+error remains above 3e-3 for any number of orders; if they are 4 m apart, the error remains above 3e-2.  Across a
+narrower gap more of the evanescent modes reach the other body.
 """
 
 import numpy as np
@@ -11,10 +12,10 @@ SHARE_OF_DEPTH = 0.02  # least water between two circles; of a tolerance of 1e-2
 
 
 def nearest_circles(axes, radii):
-    """Return (i, j, m) of the two circles with the least water between them, and the width of this water, m, below 0
-    where they overlap
+    """Return (i, j, gap): the indices of the two nearest circles, and the width of water between them, m, negative if
+    they overlap
 
-    axes : (N,) complex m; radii : (N,) m
+    axes : complex, m, (N,); radii : m, (N,)
     """
     axes, radii = np.asarray(axes, complex), np.asarray(radii, float)
     clear = np.abs(axes[:, None] - axes) - radii[:, None] - radii
@@ -24,7 +25,8 @@ def nearest_circles(axes, radii):
 
 
 def too_near(axes, radii, depth):
-    """Return (i, j, what they are) of circles that are nearer than `SHARE_OF_DEPTH` of the depth, m, else None"""
+    """Return (i, j, description) of two circles whose distance is less than `SHARE_OF_DEPTH` of the depth, m, or None
+    if there are no such circles"""
     i, j, clear = nearest_circles(axes, radii)
     if clear >= SHARE_OF_DEPTH * depth:
         return None

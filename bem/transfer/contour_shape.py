@@ -1,9 +1,8 @@
-"""Answers of a box or a vertical cylinder to partial waves, by the contour method.
+"""Response of a box or a vertical cylinder to partial waves, by the contour method.
 
-The wave f of one depth mode n before a rigid wall down to the bed is f − N(kₙ) ∂f/∂n on the plan contour. The part that
-goes under the keel is solved as for plane waves (`bem.contour.matching`).
-By Green's theorem a flow that leaves the contour
-with the velocity w in mode n sends
+In front of a rigid wall down to the bed, the wave f of one depth mode n becomes f − N(kₙ) ∂f/∂n on the plan contour.
+The flow under the keel is solved as for plane waves (`bem.contour.matching`).
+By Green's theorem a flow with the outward velocity w at the contour in mode n sends the waves
 
     b = −∮ w (f − N ∂f/∂n) ds / {π (1 + δₘ₀) W},    W the Wronskian of `partial_waves`
 """
@@ -26,9 +25,10 @@ class Answers(NamedTuple):
 
     Partial waves are ordered mode by mode, cos 0 … M and then sin 1 … M.
 
-    radiation : (6, 6) ∬ φⱼ nᵢ dS of unit velocities; sent : (q, 6) by these; scattered : (q, q), column by column of
-    regular waves; pressed : (6, q) ∬ φ nᵢ dS of each with what it scatters; residual : residual of the equations
-    members : [(n,)] partial waves of each of `CLASSES`, which answer by themselves
+    radiation : ∬ φⱼ nᵢ dS of unit velocities, (6, 6); sent : outgoing waves of unit velocities, (q, 6)
+    scattered : outgoing waves of each regular wave, in columns, (q, q)
+    pressed : ∬ φ nᵢ dS of each regular wave with its scattered waves, (6, q); residual : residual of the equations
+    members : partial waves of each of `CLASSES`, [(n,)]; classes do not interact
     """
 
     radiation: np.ndarray
@@ -43,7 +43,8 @@ def answers(body, modes, waves):
     """`Answers` of a `bem.contour.body.ContourBody`.
 
     modes : `bem.depth_modes.gap.OuterModes`
-    waves : [`partial_waves.PartialWaves`] from the propagating mode on, or without it from the first that decays
+    waves : [`partial_waves.PartialWaves`], beginning with the propagating mode or, without it, with the first
+        evanescent mode
     """
     return _OneShape(body, modes, waves).answers()
 
@@ -103,7 +104,7 @@ class _OneShape:
 
     @cached_property
     def rows(self):
-        """[(r,)] Projections on the depth mode Zₙ, over the side, of the velocity profiles, of 1 and of z"""
+        """Projections of the velocity profiles, and of 1 and z over the side, on each depth mode Zₙ; [(r,)]"""
         known = self.modes.rows[:, : self.decaying].T
         first = [self.modes.wave_rows] if self.decaying < len(self.waves) else []
         return [self.body.profiles.combinations @ one for one in (*first, *known)]

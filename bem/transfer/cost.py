@@ -1,7 +1,7 @@
-"""What far bodies take: seconds of one thread, and memory.
+"""Cost of bodies far from each other: seconds of one thread, and memory.
 
-With q partial waves, and N bodies of s shapes that answer to q/4 combinations of them each, within a factor of three on
-2, 20 and 50 bodies of 32 to 790 waves
+There are q partial waves, and N bodies of s shapes, each of which responds to q/4 combinations of the waves. On 2, 20
+and 50 bodies with 32 to 790 waves the cost is within a factor of three of
 
     frequency    s (4e-4 q + 5e-10 q³) + 1e-4 N² + 4e-10 (Nq/4)³ s,    64 s q² + 48 (Nq/4)² bytes
 """

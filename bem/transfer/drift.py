@@ -1,16 +1,17 @@
 """Mean drift of each of several bodies from the partial waves about the body.
 
-What waves of one depth mode n carry through a circle around one body is the momentum of a plane problem: with
-N = ∫Zₙ² dz and g = ∂f/∂x, ∂f/∂y or ∂f/∂θ for the force along x, along y and the moment about the axis,
+Waves of one depth mode n carry the momentum of a plane problem through a circle around one body. With N = ∫Zₙ² dz and
+g = ∂f/∂x, ∂f/∂y or ∂f/∂θ for the force along x, along y and the moment about the axis,
 
     F = −¼ρN Re Q,    Q = ∮ (g ∂f*/∂n − f* ∂g/∂n) ds
 
-since ∫Zₙ′² dz contains the square of the elevation at the waterline, and modes are orthogonal. f and g are sums of Jₘ
+because ∫Zₙ′² dz contains the square of the elevation at the waterline, and modes are orthogonal. f and g are sums of Jₘ
 and Hₘ, or of Iₘ and Kₘ, with coefficients a, b and α, β. The products leave Wronskians:
 
     Q = −4i Σ (αₘ bₘ* + βₘ aₘ* + 2 βₘ bₘ*),    of modes that decay  2π Σ (βₘ aₘ* − αₘ bₘ*)
 
-The water inside has the same momentum after a period. Whether the body is held or afloat, nothing else acts on it.
+The momentum of the water inside the circle is unchanged after a period, so that Q gives the mean force on a fixed or
+a floating body.
 """
 
 import numpy as np
@@ -20,8 +21,9 @@ from scipy.special import ive
 def mean_force(waves, norms, radius, regular, sent, density):
     """Mean force along x and y of the scene and moment about the axis, in each of c flows, N, N m; shape (c, 3).
 
-    waves, norms : [`partial_waves.PartialWaves`] and ∫Zₙ² dz (m) of each; radius : m, of the circle around the body
-    regular, sent : (q, c) coefficients, mode by mode, m²/s
+    waves, norms : [`partial_waves.PartialWaves`], and ∫Zₙ² dz of each, m; radius : radius of the circle around the
+        body, m
+    regular, sent : coefficients of regular and outgoing waves, mode by mode, m²/s, (q, c)
     """
     out, start = np.zeros((regular.shape[1], 3)), 0
     for one, norm in zip(waves, norms, strict=True):

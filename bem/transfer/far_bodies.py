@@ -1,14 +1,14 @@
 """Bodies far from each other: each kind of body is solved once per frequency, and the bodies are coupled by partial
 waves.
 
-T is what a body scatters of regular waves, R what its motions send, E the forces of waves, and S the waves that one
-body receives from what another sends (`partial_waves`);
+The matrix T gives the waves that a body scatters from regular waves, R the waves that its motions radiate, E the
+forces of waves, and S the regular waves at one body due to outgoing waves of another body (`partial_waves`);
 
     a = a₀ + S b,    b = T a + R v,    force = E a + Z v
 
-a, b are the regular and outgoing waves about all bodies, a₀ those of the plane wave, v the motions: Kagemoto & Yue,
-J. Fluid Mech. 166 (1986).  A body answers to few combinations y = Q a of the waves about it alone, the singular vectors
-of T and E, 20 to 40 of 150, so that
+a and b are the regular and outgoing waves about all bodies, a₀ the regular waves of the plane wave, and v the motions
+(Kagemoto & Yue, J. Fluid Mech. 166, 1986). A body responds only to few combinations y = Q a of the waves
+about it, 20 to 40 of 150: the singular vectors of T and E. Therefore
 
     (I − Q S T Q⁺) y = Q a₀ + Q S R v
 """
@@ -43,7 +43,7 @@ GONE = 40.0  # κ times the water between two circles, beyond which nothing arri
 def prepare_far(shapes, places, depth, tolerance=1e-3):
     """`FarBodies`; arguments as in `contour.several.bodies.prepare_several`
 
-    Raises ValueError as `solver.prepare_box`, and for bodies whose circles are too near (`circles`).
+    Raises ValueError for the reasons of `solver.prepare_box`, and for bodies whose circles are too near (`circles`).
     """
     makers, known = {"box": prepare_box, "buoy": prepare_cylinder}, {}
     for shape, sizes in shapes:
@@ -63,11 +63,13 @@ def prepare_far(shapes, places, depth, tolerance=1e-3):
 
 @dataclass(frozen=True, eq=False)
 class FarBodies(SeveralBodies):
-    """`bem.contour.body.ContourBody` of several bodies, one object for equal bodies; other arguments as in
-    `SeveralBodies`"""
+    """Several bodies far from each other; bodies : `bem.contour.body.ContourBody` of each, one object for equal
+    bodies; other arguments as in `SeveralBodies`"""
 
     def first_order(self, omega, headings=(), theta=(), dofs=None, density=1025.0, gravity=9.80665):
-        """`FirstOrder` at one frequency, motions (6N,) about the origin, body by body; dofs : all are found"""
+        """`FirstOrder` at one frequency, motions (6N,) about the origin, body by body
+
+        dofs : ignored, because all motions are solved"""
         return self.at(omega, gravity).first_order(headings, theta, density)
 
     def at(self, omega, gravity=9.80665):
@@ -100,11 +102,11 @@ class FarBodies(SeveralBodies):
 
     @cached_property
     def alone(self):
-        """The bodies that differ"""
+        """The different bodies, each once"""
         return tuple(dict.fromkeys(self.bodies))
 
     def resolution(self, omega, gravity=9.80665):
-        """As of `body.ContourBody`"""
+        """Resolution of the equations at a frequency; errors are smooth over frequencies of equal resolution"""
         return tuple(body.resolution(omega, gravity) for body in self.alone)
 
     @cached_property
@@ -119,16 +121,16 @@ class FarBodies(SeveralBodies):
 
     @cached_property
     def apart(self):
-        """m, (N, N) between axes, ∞ of one body"""
+        """Distances between axes, m, ∞ from a body to itself; shape (N, N)"""
         return np.where(np.eye(len(self.axes), dtype=bool), np.inf, np.abs(self.axes[:, None] - self.axes))
 
     @cached_property
     def clear(self):
-        """m, from the circle around each body to the nearest other circle; shape (N,)"""
+        """Distance from the circle around each body to the nearest other circle, m; shape (N,)"""
         return (self.apart - self.radii).min(axis=1) - self.radii
 
     def waves(self, kind, modes):
-        """[`PartialWaves`] that get from one body to another"""
+        """[`PartialWaves`] that reach another body"""
         tolerance, nearest_axis = SHARE * self.tolerance, self.apart.min(axis=1)
 
         def of(kind, k):
@@ -143,10 +145,10 @@ class FarBodies(SeveralBodies):
 
 
 class Response(NamedTuple):
-    """What one body does with regular waves a about its axis, through few numbers y = Q a.
+    """Response of one body to regular waves a about its axis, through few numbers y = Q a.
 
-    few : (r, q) Q; scattered : (q, r) outgoing waves of y; pressed : (6, r) ∬ φ nᵢ dS of y; sent : (q, 6) outgoing
-    waves of unit velocities, in axes of the body
+    few : Q, (r, q); scattered : outgoing waves of y, (q, r); pressed : ∬ φ nᵢ dS of y, (6, r)
+    sent : outgoing waves of unit velocities, in axes of the body, (q, 6)
     """
 
     few: np.ndarray
@@ -155,13 +157,13 @@ class Response(NamedTuple):
     sent: np.ndarray
 
     def turned(self, turn):
-        """This Response with partial waves about axes rotated by an angle; turn : (q,) exp(im · angle)"""
+        """This Response with partial waves about axes rotated by an angle; turn : exp(im · angle), (q,)"""
         few, back = self.few * turn, turn[:, None]
         return Response(few, self.scattered / back, self.pressed, self.sent / back)
 
 
 class Coupled:
-    """Bodies coupled at one frequency, or in a limit of the frequency.
+    """Bodies coupled at one frequency, or at zero or infinite frequency.
 
     modes : {body: `OuterModes`}; kind : kind of the first partial waves
     """
@@ -180,7 +182,7 @@ class Coupled:
 
     @cached_property
     def each(self):
-        """[`Response`] of all, partial waves exp(imθ) in axes of the scene"""
+        """[`Response`] of every body, with partial waves exp(imθ) in axes of the scene"""
         few = {body: self._response(body, one) for body, one in self.alone.items()}
         places = zip(self.bodies.bodies, self.bodies.places, strict=True)
         return [few[body].turned(np.exp(1j * self.orders * place.heading)) for body, place in places]
@@ -230,10 +232,10 @@ class Coupled:
         return slices(np.cumsum([0, *(len(one.few) for one in self.each)]))
 
     def pairs(self):
-        """Return ((i, j), S) of all pairs, S [(q, q)] of each mode, or None where nothing arrives: waves about i that j
-        sends
+        """Return ((i, j), S) of all pairs: S [(q, q)] of each mode gives waves about i that j sends, or None if no wave
+        arrives
 
-        Pairs of equal bodies at equal distance and direction follow one after another and share one matrix S.
+        Pairs of equal bodies at equal distance and direction are consecutive and share one matrix S.
         """
         alike = {}
         for i, j in product(range(len(self.each)), repeat=2):
@@ -250,7 +252,7 @@ class Coupled:
 
     @cached_property
     def equations(self):
-        """Factors of I − Q S T, and (y, 6N) Q S R"""
+        """Factors of I − Q S T, and the matrix Q S R, (y, 6N)"""
         from scipy.linalg import lu_factor
 
         count, last, known = self.first[-1].stop, None, {}
@@ -274,11 +276,11 @@ class Coupled:
 
     @cached_property
     def moved(self):
-        """Unknowns of unit velocities about the axes; shape (y, 6N)"""
+        """Unknowns y for unit velocities about the axes; shape (y, 6N)"""
         return self._solved(self.equations[1])
 
     def diffracted(self, headings):
-        """Unknowns of plane waves of unit amplitude, with the waves that all other bodies send; shape (y, m)"""
+        """Unknowns y for plane waves of unit amplitude, including the waves from all other bodies; shape (y, m)"""
         incident = self.incident(headings)
         return self._solved(np.vstack([one.few @ wave for one, wave in zip(self.each, incident, strict=True)]))
 
@@ -289,7 +291,7 @@ class Coupled:
 
     @cached_property
     def radiation(self):
-        """Integrals ∬ φⱼ nᵢ dS: moments about the axis of each body, components along its own axes; shape (6N, 6N)"""
+        """Integrals ∬ φⱼ nᵢ dS, about the vertical axis and along the axes of each body; shape (6N, 6N)"""
         from scipy.linalg import block_diag
 
         return block_diag(*(self.alone[body].radiation for body in self.bodies.bodies)) + self.pressed(self.moved)
@@ -315,9 +317,9 @@ class Coupled:
         return np.stack([one.scattered @ y[at] + one.sent @ v for one, at, v in each])
 
     def drift_of_each(self, headings, motions, density):
-        """Mean force along x and y of the scene and moment about each axis, N/m², N m/m²; shape (m, N, 3)
+        """Mean force along x and y of the scene, and moment about the axis of each body, N/m², N m/m²; shape (m, N, 3)
 
-        motions : (m, 6N) m, rad about the origin, per metre of each wave
+        motions : motions about the origin, m and rad per metre of each wave, (m, 6N)
         """
         with blas_threads(SMALL):
             velocity = (-1j * self.omega * motions @ self.bodies.to_scene).T
@@ -331,7 +333,7 @@ class Coupled:
         return np.stack([mean_force(self.waves, norms, a, *both, density) for a, *both in parts], axis=1)
 
     def first_order(self, headings, theta, density):
-        """`FirstOrder`, about the origin"""
+        """`FirstOrder` with motions about the origin"""
         headings, theta = (np.atleast_1d(np.asarray(a, float)) for a in (headings, theta))
         with blas_threads(SMALL):
             T, omega, d = self.bodies.to_scene, self.omega, 6 * len(self.each)
@@ -377,5 +379,5 @@ class Coupled:
 
 
 def slices(ends):
-    """[slice] between ends"""
+    """[slice] between consecutive ends"""
     return [slice(int(a), int(b)) for a, b in pairwise(ends)]

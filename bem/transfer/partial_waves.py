@@ -1,16 +1,16 @@
 """Partial waves about a vertical axis, and the partial waves of one axis seen from another axis.
 
-A body in a circle of radius a sends Σ Zₙ(z) bₙₘ Sₙₘ(r) exp(imθ), all others send Σ Zₙ(z) aₙₘ Rₙₘ(r) exp(imθ):
+A body in a circle of radius a sends Σ Zₙ(z) bₙₘ Sₙₘ(r) exp(imθ); waves from elsewhere are Σ Zₙ(z) aₙₘ Rₙₘ(r) exp(imθ):
 
     kind        regular R                  outgoing S
     radiating   Jₘ(kr) |Hₘ(ka)|            Hₘ(kr) / |Hₘ(ka)|         propagating mode
     decaying    Iₘ(κr) / Iₘ(κa)            Kₘ(κr) Iₘ(κa)             evanescent modes
     laplace     (r/a)ᵐ                     (a/r)ᵐ, log r             κ → 0
 
-with |m| for m, scaled so that neither function overflows.
-Graf's addition theorem (DLMF 10.23.7) turns what an axis sends into
-regular waves of a second axis, at points nearer to the second axis than the first axis is: with R, α of the second axis
-from the first,
+with |m| in place of m. The scales keep R and S from overflow.
+Graf's addition theorem (DLMF 10.23.7) converts the outgoing waves of a first axis into regular waves of a second
+axis, at points that are nearer to the second axis than the first axis is. With R and α the distance and direction of
+the second axis from the first,
 
     Hₘ e^{imθ} = Σ_q Hₘ₋q(kR) e^{i(m−q)α} J_q e^{iqθ′},    Kₘ e^{imθ} = Σ_q (−1)^q Kₘ₋q(κR) e^{i(m−q)α} I_q e^{iqθ′}
 """
@@ -26,7 +26,7 @@ LARGEST = 1e150  # of a wave where it is scaled, so that products of two are fin
 class PartialWaves(NamedTuple):
     """The partial waves of one depth mode.
 
-    kind : radiating, decaying or laplace; k : rad/m; last : highest order
+    kind : "radiating", "decaying" or "laplace"; k : wavenumber, rad/m; last : highest order
     """
 
     kind: str
@@ -39,12 +39,12 @@ class PartialWaves(NamedTuple):
         return np.arange(-self.last, self.last + 1)
 
     def size(self, a):
-        """Size |Hₘ(ka)| of radiating waves, 1 of other partial waves; shape (last + 1,)"""
+        """Size of partial waves: |Hₘ(ka)| for radiating waves, 1 for other kinds; shape (last + 1,)"""
         m = np.arange(self.last + 1)
         return np.abs(hankel1(m, self.k * a)) if self.kind == "radiating" else np.ones(len(m))
 
     def regular(self, a, r):
-        """R and dR/dr of orders 0 … last at r (p,) m, two (p, last + 1)"""
+        """R and dR/dr of orders 0 … last at r (p,) m; two arrays (p, last + 1)"""
         m, r = np.arange(self.last + 1), np.asarray(r, float)[:, None]
         if self.kind == "laplace":
             value = (r / a) ** m
@@ -74,10 +74,11 @@ class PartialWaves(NamedTuple):
         return np.full(len(m), -2j / np.pi if self.kind == "radiating" else 1.0)
 
     def seen_from(self, there, a, there_a):
-        """(2 last + 1,) squared: from the waves that this axis sends to regular waves about a second axis at `there`,
-        complex m, from this axis
+        """Matrix from the waves that this axis sends to regular waves about a second axis; shape (2 last + 1, 2 last
+        + 1)
 
-        a, there_a : m, radii of the circles about this axis and about the second axis
+        there : position of the second axis relative to this axis, complex, m
+        a, there_a : radii of the circles about this axis and about the second axis, m
         """
         m, R, turn = self.orders, abs(there), there / abs(there)
         if self.kind == "laplace":
@@ -105,11 +106,13 @@ class PartialWaves(NamedTuple):
 
 
 def highest_order(kind, k, a, apart, gap, tolerance, most):
-    """Highest order that bodies in circles of radius a, `apart` from axis to axis and `gap` from hull to hull (m) need
+    """Highest order of partial waves that is needed between bodies in circles of radius a, m
 
     Order m of the waves that a box sends decreases like (a / apart)ᵐ on the way to the next axis. Waves that pass a
-    body have no more orders than plane waves have on its circle.  Of the decaying waves only those count that cross the
-    gap and return.
+    body have no more orders than plane waves on the circle of the body.
+    Decaying waves matter only if they cross the gap
+    and return.
+    apart : distance from axis to axis, m; gap : distance from hull to hull, m
     """
     m = np.arange(1, _finite(kind, k, a, apart, most) + 1)
     left = (a / apart) ** m
@@ -145,5 +148,5 @@ def to_real(orders):
 
 
 def to_complex(orders):
-    """The inverse of `to_real`; shape (2M + 1, 2M + 1)"""
+    """Inverse of the matrix `to_real`; shape (2M + 1, 2M + 1)"""
     return np.linalg.inv(to_real(orders))

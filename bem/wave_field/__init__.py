@@ -1,1 +1,1 @@
-"""The waves around bodies, from the far field of the bodies."""
+"""The waves around bodies, computed from the far field of the bodies."""

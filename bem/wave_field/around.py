@@ -1,10 +1,8 @@
-"""The waves around one body of a database, or outside the outline around several, fixed or moving with the waves.
+"""Waves around one body of a database, or outside the outline around several bodies, fixed or moving.
 
-On a whole map, or at points in many waves.
-
-η(p) = exp(ik·p) + Σ_j s_j H₀(k|p − p_j|), the sources s_j from the Kochin function of the diffraction and, if the body
-moves, of its radiation times its motion (`sources`).  Local waves, which decay as exp(−πr/h) with the distance r from
-the hull, are neglected.
+The elevation, on a map or at points in many waves, is η(p) = exp(ik·p) + Σ_j s_j H₀(k|p − p_j|). The sources s_j follow
+from the Kochin function of the diffraction and, if the body moves, that of the radiation times the motion
+(`sources`).  Local waves, which decay as exp(−πr/h) with the distance r from the hull, are neglected.
 """
 
 from typing import NamedTuple
@@ -22,9 +20,10 @@ CORNERS = 24  # corners that represent a curved plan
 class WavesAround(NamedTuple):
     """One body, or several, in waves of 1 m towards one direction.
 
-    omega rad/s, k rad/m, beta rad; sources : sources of its plan; middle : (2,) m of the plan; strengths : (s,) m
-    motion : (n,) m and rad about the centre of rotation, None for a fixed body; missed : share of the far field that
-    the sources do not send; pierces : whether the hull reaches the surface
+    omega : rad/s; k : rad/m; beta : rad; sources : `Sources` in the plan; middle : middle of the plan, m, (2,)
+    strengths : strengths of the sources, m, (s,); motion : motions about the rotation centre, m and rad, (n,), or
+        None for a fixed body
+    missed : share of the far field that the sources do not reproduce; pierces : whether the hull reaches the surface
     """
 
     omega: float
@@ -38,8 +37,8 @@ class WavesAround(NamedTuple):
     pierces: bool
 
     def elevation(self, places):
-        """Complex elevation per metre of amplitude at places (p, 2), m; shape (p,). The surface is Re η exp(−iωt). nan
-        in the plan of the body, or for several bodies in the outline around all"""
+        """Complex elevation per metre of amplitude at places (p, 2), m; shape (p,). The surface is Re η exp(−iωt).
+        The elevation is nan in the plan of the body, or, for several bodies, in the outline around all bodies"""
         places = np.atleast_2d(np.asarray(places, float))
         total = np.full(len(places), np.nan, complex)
         outside = ~self.sources.covers(places - self.middle) if self.pierces else np.ones(len(places), bool)
@@ -52,7 +51,7 @@ class WavesAround(NamedTuple):
 def waves_around(reader, omega, beta, fixed=False):
     """`WavesAround` of a `Reader`'s body at omega (rad/s) and direction beta (rad).
 
-    raises : BetweenError outside the database, without Kochin functions or, unless `fixed`, mass
+    raises : BetweenError outside the stored waves, without Kochin functions, and, unless `fixed`, without mass
     """
     k = float(wavenumber(omega, reader.depth, reader.gravity))
     plan, pierces = plan_of(reader.mesh)
@@ -65,10 +64,12 @@ def waves_around(reader, omega, beta, fixed=False):
 
 
 def beside_incident(reader, omega, headings, motions, places):
-    """Waves that a `Reader`'s body adds at places: (q, p, n) complex, m per m, and the largest share missed.
+    """Waves that a `Reader`'s body adds at places, complex, m per m, (q, p, n), and the largest share missed in any
+    wave.
 
-    omega : (q,) rad/s; headings : (p,) rad; motions : (q, p, 6); places : (n, 2) m, see `at_waterline`
-    missed : share of the far field that the sources miss, among the waves.  Raises as `waves_around`.
+    omega : rad/s, (q,); headings : rad, (p,); motions : (q, p, 6); places : m, (n, 2), see `at_waterline`.
+    The share missed is the part of the far field that the sources do not reproduce.  Raises the errors of
+    `waves_around`.
     """
     plan, _ = plan_of(reader.mesh)
     middle = (plan.min(axis=0) + plan.max(axis=0)) / 2
@@ -95,8 +96,8 @@ def at_waterline(mesh, places):
 
 
 def far_field(reader, motion, omega, beta):
-    """Kochin functions about the origin in waves towards beta (…,) rad, of motions (…, 6) or None for none; shape (…,
-    t)"""
+    """Kochin functions about the origin in waves towards beta (…,) rad, for motions (…, 6), or None without motions;
+    shape (…, t)"""
     betas = np.atleast_1d(beta)
     radiated, diffracted = reader.far_field([omega], betas)
     H = diffracted[0] if motion is None else diffracted[0] + np.atleast_2d(motion) @ radiated[0]
@@ -104,10 +105,10 @@ def far_field(reader, motion, omega, beta):
 
 
 def plan_of(mesh):
-    """Corners anticlockwise of the convex hull of a PanelMesh's waterline, and whether the mesh has a waterline, m;
-    shape (n, 2)
+    """Corners, m, anticlockwise, of the convex hull of a PanelMesh's waterline, (n, 2), and whether the mesh has a
+    waterline
 
-    A submerged body has the plan of all its panels.  A curved plan is represented by CORNERS corners.
+    For a submerged body the plan is that of all panels.  CORNERS corners represent a curved plan.
     """
     points = mesh.whole().vertices.reshape(-1, 3)
     at_surface = points[:, 2] > -SURFACE * abs(points[:, 2].min())

@@ -1,26 +1,26 @@
-"""A body before a reflecting wall, from its results in open water: the waves of the body and of its image, with all
-reflections.
+"""A body in front of a reflecting wall, computed from its results in open water with all reflections.
 
-The wall is at y = w; ′ mirrors a point in it.  Sources s of a body's waves (`sources`) respond to the incident waves:
-the wave towards β, its reflection, and the waves of the equal sources of the image:
+The wall is at y = w, and p′ is the mirror image of a point p in the wall.  The sources s of a body's waves (`sources`)
+respond to the wave towards β, the reflection of this wave, and the waves from equal sources of the body's image:
 
     s = F [H(β) + e^{2ikw sinβ} H(−β) + M s],    M_ti = η(p′_i; θ_t + π)
     f = F(β) + e^{2ikw sinβ} F(−β) + C Σ s_i ηⱼ(p′_i),    C = −4iρg n/k²,  n = C_g/C
 
-F fits sources to a far field.  By reciprocity, a source at p sends towards θ, by way of the body, the wave that the
-body scatters to p from a plane wave towards θ + π. It exerts the force C ηⱼ(p) on the body, with ηⱼ the wave at p due
-to motion j: Haskind's relation for a source as near as that.
-Sources of motion j give ω²ΔA + iωΔB in place of f.  Drift is what waves bring to them,
+F fits sources to a far field.  By reciprocity, the wave that the body scatters towards θ from a source at p equals
+the wave that the body scatters to p from a plane wave towards θ + π. The source exerts the force C ηⱼ(p) on the body,
+with ηⱼ the wave at p due to motion j, which is Haskind's relation for a near source.  For the sources of motion j the
+second equation gives ω²ΔA + iωΔB in place of f.  Drift is the mean force of waves on the sources,
 
     D = (2ρg n/k²) Σ Im s_i ∇η*(p_i),
 
-η are all incident waves and the regular part J₀ of the body's own sources. The yaw moment is that of these forces.
-
-The report (SR179, 1982, section 3.7.3) is two-dimensional and stops at one wave that passes under the body and returns.
-It multiplies motions by its factor π (`bem.sections.quay`).  Here ends, every reflection, added mass, damping and drift
-are included.  Local waves between hull and image are `neglected`.  Compared with panels and the wall (200 × 50 × 10 m,
-0.15 to 0.95 rad/s), forces differ by 0.4 % of the largest with 25 m between hull and wall in 20 m of water, by 2.3 %
-with 10 m, and by 60 % with 3 m. In 100 m of water they differ by 4 % (25 m) and 33 % (10 m).
+where η is the sum of all incident waves and the regular part J₀ of the waves from the body's own sources. The yaw
+moment is the moment of these forces. The report (SR179, 1982, section 3.7.3) is two-dimensional, includes only one
+wave that passes under the body and returns, and multiplies motions by a factor π (`bem.sections.quay`).  This module
+includes the ends of the body, every reflection, added mass, damping and drift.
+Local waves between hull and image are `neglected`.  For a box of 200 × 50 × 10 m in waves of 0.15 to 0.95 rad/s and
+20 m of water, forces differ from those of the panel method with the wall by 0.4 % of the largest force if the hull is
+25 m from the wall, by 2.3 % at 10 m, and by 60 % at 3 m. In 100 m of water forces differ by 4 % at 25 m and by 33 %
+at 10 m.
 """
 
 from dataclasses import replace
@@ -42,22 +42,24 @@ NEEDED = ("added_mass", "radiation_damping", "excitation_force", "kochin_radiati
 
 
 class WallError(ValueError):
-    """The behaviour before a wall cannot be computed from a database; the message gives the reason and a remedy."""
+    """The behaviour in front of a wall cannot be computed from a database; the message gives the reason and a
+    remedy."""
 
 
 def neglected(body, wall):
-    """Height of a local wave at the hull after its way to the image and back, as a share of its height at the start
+    """Height of a local wave that has travelled from the hull to the image and back, as a share of its initial height
 
-    exp(−2πg/b), with g the gap from hull to wall, and b the depth or, in deeper water, the breadth of the hull. For the
-    box of the module in 100 m it gives 0.04 and 0.28, where sway is off by 0.04 and 0.30; in 20 m it gives 0.0004,
-    0.04, 0.39, where forces are off by 0.004, 0.02, 0.6.
+    The share is exp(−2πg/b), with g the gap from hull to wall, and b the depth or, in deeper water, the breadth of the
+    hull. For the box of the module at 25 and 10 m in 100 m of water the share is 0.04 and 0.28, and the relative
+    errors of sway are 0.04 and 0.30. At 25, 10 and 3 m in 20 m of water the share is 0.0004, 0.04 and 0.39, and the
+    relative errors of forces are 0.004, 0.02 and 0.6.
     """
     low, high = _breadth(body)
     return float(np.exp(-max(wall - high, low - wall) / _decay(body.depth, high - low)))
 
 
 def least_gap(share, depth, breadth):
-    """m, distance from hull to wall at which `neglected` is equal to `share`"""
+    """Distance from hull to wall, m, at which `neglected` is equal to `share`"""
     return -float(np.log(share)) * _decay(depth, breadth)
 
 
@@ -67,11 +69,11 @@ def _decay(depth, breadth):
 
 
 def before_wall(body, wall):
-    """`bem.database.reader.Reader` of a `Reader`'s body before a wall at y = wall, m
+    """`bem.database.reader.Reader` of a `Reader`'s body in front of a wall at y = wall, m
 
-    The result has added mass, damping, forces and, for a body with inertia, drift, at frequencies close enough for
-    waves that travel to the wall and back.
-    raises : WallError for a database that lacks needed quantities, has a wall already or whose body reaches the wall
+    The result has added mass, damping, forces and, for a body with inertia, drift, at frequencies that resolve the
+    interference of waves which travel to the wall and back.
+    raises : WallError if the database lacks needed quantities or has a wall already, or if the body reaches the wall
     """
     _check(body, wall)
     body = body if body.inertia is None or body.stiffness is None else body.floating()
@@ -93,11 +95,12 @@ def before_wall(body, wall):
 
 
 def given_back(body):
-    """Negative radiated energy, 0 or more: minus the lowest eigenvalue of damping over the largest of each motion
+    """Size of negative radiated energy, 0 or more: minus the lowest eigenvalue of damping, scaled by the largest
+    damping of each motion
 
-    Negative energy is an error of the result. For the box of the module with headings stored every 15° it is 1e-4 at 25
-    m and 0.02 at 50 m; with headings every 30° it is 0.12. Sharp resonances between hull and wall are sensitive to
-    errors.
+    Negative energy is an error of the result. For the box of the module with headings stored every 15° its size is
+    1e-4 at 25 m and 0.02 at 50 m from the wall; with headings every 30° it is 0.12.
+    Sharp resonances between hull and wall are sensitive to errors.
     """
     B = body.between.quantities["radiation_damping"]
     size = np.sqrt(np.einsum("nii->ni", B).max(axis=0))

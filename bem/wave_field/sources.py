@@ -1,18 +1,19 @@
-"""The waves a body scatters and radiates, anywhere around it, from its Kochin function.
+"""The waves that a body scatters and radiates, at any place around the body, from its Kochin function.
 
     η(p) = Σ_j s_j H₀(k|p − p_j|),      H(θ) = Σ_j s_j exp(−ik(x_j cosθ + y_j sinθ))
 
-H₀ Hankel's function of the first kind, sources on two convex curves inside the plan of the body.  The far field
-determines the propagating wave everywhere outside. The sources are its least-squares fit after Tikhonov: combinations
-of sources that send less than `SMALLEST` away, which are errors of H magnified, fade out.
-Around a circle that reflects, with an error of a thousandth in H, the water at the hull is off by at most 0.009 m/m (k
-times radius up to 6.5). If such combinations were cut off sharply, it would be 0.015, with steps of 0.014 from one
-frequency to the next (0.001 now).  Waves that stand within one
-curve alone send nothing away near their resonance, and a fit to it moves the water at the hull by metres (4.3 m/m at
-the bow of a box of 100 × 50 m in 20 m of water at 0.8325 rad/s, waves 60° off the bow, where it is 1.25): the few
-sources of the second, deeper one have other resonances.  Beyond the circle about the body the fit is as good as H.
-Within it, beside a long body, detail finer than half a wave length is smoothed. Waves that decay over the depth, like
-exp(−πr/h), are left out. Unit of H: m per m of wave amplitude or of motion (`bem.kochin`).
+with H₀ Hankel's function of the first kind, and sources on two convex curves inside the plan of the body.  The far
+field determines the propagating wave everywhere outside. The sources are fitted to the far field by least squares
+after Tikhonov:
+combinations of sources that radiate less than `SMALLEST`, which would magnify errors of H, are attenuated.
+Around a reflecting circle, with an error of a thousandth in H and k times radius up to 6.5, the elevation at the hull
+is wrong by at most 0.009 m/m, and changes by steps of 0.001 from one frequency to the next. A sharp cut-off of these
+combinations would give 0.015 m/m, with steps of 0.014.  Near a resonance inside one curve, standing waves within the
+curve radiate nothing. With one curve alone the fit would then be wrong by metres at the hull: it gives 4.3 m/m, where
+1.25 m/m is right, at the bow of a box of 100 × 50 m in 20 m of water at 0.8325 rad/s, with waves 60° off the bow. The
+few sources of the second, inner curve have other resonances.  Outside the circle about the body the fit is as
+accurate as H. Inside this circle, beside a long body, detail finer than half a wavelength is smoothed.  Evanescent
+waves, which decay like exp(−πr/h), are omitted. H is in m per m of wave amplitude or of motion (`bem.kochin`).
 """
 
 from functools import cached_property
@@ -28,7 +29,9 @@ AT_ONCE = 2_000_000
 
 
 class Sources:
-    """Sources inside a convex plan (n, 2), m, corners anticlockwise, at wavenumber k, rad/m; theta : (t,) rad of H"""
+    """Sources inside a convex plan at wavenumber k, rad/m.
+
+    plan : corners, anticlockwise, m, (n, 2); theta : angles of H, rad, (t,)"""
 
     def __init__(self, plan, k, theta):
         self.plan, self.k = np.asarray(plan, float), float(k)
@@ -41,7 +44,7 @@ class Sources:
 
     @cached_property
     def of_far_field(self):
-        """Strengths of H (t,); shape (s, t)"""
+        """Matrix from H (t,) to strengths; shape (s, t)"""
         return regular_inverse(self.sent, SMALLEST)
 
     def strengths(self, H):
@@ -51,7 +54,7 @@ class Sources:
         return found, float(np.linalg.norm(H - found @ self.sent.T) / size) if size > 0 else 0.0
 
     def elevation(self, strengths, places):
-        """Elevation at places (p, 2), m, by sources of strengths (…, s); shape (…, p)"""
+        """Elevation at places (p, 2), m, due to sources of strengths (…, s); shape (…, p)"""
         step = max(1, AT_ONCE // len(self.points))
         parts = [
             strengths @ waves(self.k, places[i : i + step], self.points).T for i in range(0, max(len(places), 1), step)
@@ -64,13 +67,13 @@ class Sources:
 
 
 def waves(k, places, points):
-    """H₀(k|p − p_j|), (p, s)"""
+    """H₀(k|p − p_j|) at places p, from sources at p_j; shape (p, s)"""
     r = k * np.hypot(*(places[:, None] - points).transpose(2, 0, 1))
     return j0(r) + 1j * y0(r)
 
 
 def slopes(k, places, points):
-    """∇H₀(k|p − p_j|) at p, (p, s, 2); of a source at p itself the regular part, 0"""
+    """∇H₀(k|p − p_j|) at places p; shape (p, s, 2); for a source at p itself the regular part, which is 0"""
     away = places[:, None] - points
     r = np.hypot(*away.transpose(2, 0, 1))
     apart = np.where(r > 0, r, 1.0)
@@ -85,7 +88,7 @@ def covers(plan, places):
 
 
 def incident(k, beta, places):
-    """exp(ik(x cosβ + y sinβ)) (b, p) of waves towards beta (b,) rad at places (p, 2)"""
+    """exp(ik(x cosβ + y sinβ)) of waves towards beta (b,) rad at places (p, 2); shape (b, p)"""
     return np.exp(1j * k * (directions(beta) @ places.T))
 
 
@@ -107,7 +110,7 @@ def shrunk(plan, inset=INSET):
 
 
 def perimeter(plan):
-    """m, of a polygon (n, 2)"""
+    """Perimeter of a polygon (n, 2), m"""
     return float(np.linalg.norm(np.roll(plan, -1, axis=0) - plan, axis=1).sum())
 
 

@@ -2,9 +2,10 @@
 
     s_u = F (H(β) e_u + H G Σ_v≠u W_uv s_v),      H_total(θ) = Σ_u H_u(θ) exp(−ik p_u·(cosθ, sinθ))
 
-s_u the `Sources` of unit u, F their fit to a far field, e_u the incident wave at its middle; W_uv the waves of the
-sources of v on the contour of u, G their least-squares fit by plane waves, H(β, θ) the Kochin functions of one unit in
-these, its motion on its lines included.  Waves that decay over the depth do not pass from unit to unit.
+s_u are the strengths of the `Sources` of unit u, F fits strengths to a far field, and e_u is the incident wave at the
+middle of unit u. W_uv gives the waves of the sources of unit v on the contour of unit u, and G fits plane waves to
+these waves by least squares. H(β, θ) are the Kochin functions of one unit, moving on its lines, in these plane waves.
+Evanescent waves from unit to unit are neglected.
 """
 
 from typing import NamedTuple
@@ -17,8 +18,9 @@ ARRIVING = 1e-3  # singular value, over the largest, below which plane waves on 
 
 
 class Field(NamedTuple):
-    """sources : sources of one unit about its middle; middles : (u, 2) m; strengths : (b, u, s) by incident direction
-    beta : (b,) rad; missed : share of H that the sources do not send"""
+    """sources : `Sources` of one unit about its middle; middles : middles of the units, m, (u, 2)
+    strengths : strengths for each incident direction, (b, u, s); beta : incident directions, rad, (b,)
+    missed : share of H that the sources do not reproduce"""
 
     sources: Sources
     middles: np.ndarray
@@ -27,8 +29,7 @@ class Field(NamedTuple):
     missed: float
 
     def elevation(self, places):
-        """Complex elevation of the whole wave, the incident wave included, at places (p, 2), m; shape (b, p); nan in a
-        body"""
+        """Complex elevation at places (p, 2), m, including the incident wave; shape (b, p); nan inside a body"""
         total = incident(self.sources.k, self.beta, places)
         for middle, strengths in zip(self.middles, self.strengths.swapaxes(0, 1), strict=True):
             total += self.sources.elevation(strengths, places - middle)
@@ -56,9 +57,9 @@ def field(plan, k, theta, own, ring, of_ring, beta, middles):
     """`Field` of equal units.
 
     plan : (n, 2) m, convex, anticlockwise; k : rad/m; theta : (t,) rad, equally spaced from 0
-    own : (b, t) Kochin functions of a unit in the waves asked for, towards beta (b,) rad
-    ring : (n,) rad of plane waves, of_ring : (n, t) Kochin functions in these, used where there is more than one of the
-    middles (u, 2)
+    own : Kochin functions of a unit in the wanted waves towards beta (b,) rad, (b, t)
+    ring : directions of plane waves, rad, (n,); of_ring : Kochin functions in these plane waves, (n, t), needed for
+        more than one unit; middles : middles of the units, m, (u, 2)
     """
     sources = Sources(plan, k, theta)
     arriving = incident(k, beta, middles)

@@ -124,7 +124,8 @@ class _Edges:
         return one or ("xy" if all(side) and there.any(axis=1).all() else None)
 
     def level(self, which):
-        """End of a message on open edges: the waterline of the drawing, where they are the hull's top or foot"""
+        """End of a message on open edges, which names the waterline of the drawing if the edges are the hull's top or
+        foot"""
         z, ends = self.points[:, 2], np.unique(self.ends[which])
         reach = DRAWN * float(np.median(np.linalg.norm(np.diff(self.points[self.ends], axis=1), axis=2)))
         top, foot = (np.array_equal(np.flatnonzero(np.abs(z - at) <= reach), ends) for at in (z.max(), z.min()))

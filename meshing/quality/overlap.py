@@ -77,7 +77,7 @@ def _is_closed(mesh):
 def connected(a, b, count):
     """Smallest node of the connected part of each node; shape (count,); edges join nodes a (e,) with nodes b (e,).
 
-    Of two parts joined by an edge, the later part takes the number of the earlier, until no edge joins two parts. The
+    If an edge joins two parts, the later part takes the number of the earlier part, until no edge joins two parts. The
     import of scipy.sparse.csgraph would take longer than the whole check.
     """
     root = np.arange(count)

@@ -1,6 +1,6 @@
 """Seams: places where panels lie side by side without common corners. Water cannot pass, although every edge is free.
 
-Free edges, directed as in their panels, form rings.  Each ring encloses an open area,
+Free edges, each in the direction in which it borders its panel, form rings.  Each ring encloses an open area,
 
     a = ½ Σ x × Δx        with a straight line that closes a ring which ends at the surface
 
@@ -23,7 +23,7 @@ SLIT = 0.1  # mean width of a ring over the mean edge, below which it is a seam;
 class Rings(NamedTuple):
     """number : index of the ring of each free edge, (f,); seam : whether each ring is a closed seam, (r,)
     joint : common number of two rings that close each other, (r,); length : length of each ring, m, (r,)
-    area : open area of each ring, m², (r,); widest : greatest width of the seams, m
+    area : open area of each ring, m², (r,); widest : greatest width of the seams, m.
     Lengths and areas exclude images.
     """
 

@@ -17,7 +17,7 @@ def patch(corners, size, symmetry=""):
     """Panels inside a convex polygon, normals up; with mirror planes "x", "y" only the part in x > 0, y > 0 has panels.
 
     corners : corners of the polygon, counter-clockwise, m, (k, 2); size : edge length of the panels, m
-    returns : PanelMesh in z = 0; None if no part of the polygon has panels
+    returns : PanelMesh in z = 0, or None if no part of the polygon has panels
     """
     part = _clipped(np.asarray(corners, float), symmetry)
     if part is None:

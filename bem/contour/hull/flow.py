@@ -60,7 +60,7 @@ class HullPoints:
 
     @cached_property
     def under(self):
-        """`UnderKeel` of a cylinder; None for a box"""
+        """`UnderKeel` of a cylinder, or None for a box"""
         return UnderKeel(self.body, self.degree, self.contour) if isinstance(self.body.plan, Circle) else None
 
     @property
@@ -69,7 +69,7 @@ class HullPoints:
         return self.under is not None
 
     def surfaces(self, freq):
-        """`HullSurfaces` of a `SharedFrequency`; they are equal for all frequencies"""
+        """`HullSurfaces` of a `SharedFrequency`, which are equal at all frequencies"""
         c, draft = self.contour, self.body.draft
         depth = depth_flow(freq, 1 / self.k)
         flat = np.stack([c.x, c.y, 0 * c.x], axis=1)

@@ -52,7 +52,8 @@ class UnderKeel:
         self.found = ((a + b) / 2 + (b - a) / 2 * np.cos(angles)) ** 1.5  # Chebyshev's points in ρ^(2/3)
 
     def flow(self, freq, cls):
-        """φ, (columns, p), and ∇φ along the bottom, (columns, p, 3), of a solved frequency that has these functions"""
+        """φ, (columns, p), and ∇φ along the bottom, (columns, p, 3), of a frequency solved with the functions of this
+        `UnderKeel`"""
         value, slope = self._radial(freq, cls)
         plan, r = self.body.plan, self.radius - self.rho
         m = plan.orders(cls, self.degree)

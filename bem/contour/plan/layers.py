@@ -44,7 +44,7 @@ def radiating(k):
 
 
 class Layers(NamedTuple):
-    """Targets (i,) against the nodes (m,) of a contour and their images.
+    """Data of pairs of targets (i,) with the nodes (m,) of a contour and the images of these nodes.
 
     distance, along : values of the far pairs as in `Points`, without weights, (f,); pair : flat index (i, image, m),
         (f,)

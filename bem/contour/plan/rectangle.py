@@ -2,8 +2,8 @@
 
 Velocity is expanded in Legendre polynomials over each side, P_m(2y/B) on the ends and P_m(2x/L) on the sides. In the
 gap under the keel the velocity is smooth along a side up to the corner of the box.
-The resulting potentials are not smooth
-(r^(2/3) at the corner). They are found at the nodes of `panels` by integral equations of the direct kind,
+The resulting potentials are not smooth (r^(2/3) at the corner). The potentials are found at the nodes of `panels` by
+integral equations of the direct kind,
 
     outside  (½ − D) φ = −S ∂φ/∂n        inside  (½ + D) φ = S ∂φ/∂n        wall  (½ − D) φ = exp(ik·x)
 
@@ -38,7 +38,8 @@ class Rectangle:
 
     nodes : Gauss nodes per panel; count : Gauss nodes on a piece of a panel near a target
     extra : polynomials per side and class beyond those needed for waves
-    further : further polynomials on the shorter side, added after rounding, and in proportion on the longer side
+    further : number of polynomials added on the shorter side after rounding; in proportion more are added on the
+        longer side
     """
 
     length: float
@@ -90,8 +91,8 @@ class Rectangle:
         """Highest polynomial degrees (end, side); `waves`, rad/m, is the largest wavenumber under the keel.
 
         The flow near a corner extends over the shorter side. To resolve a length δ at the end of a side, polynomials
-        need a degree like δ^(−1/2).  The coefficients of the Legendre series of a wave begin to decay at the degree
-        x, the phase of the wave along half the side in rad, within a number of degrees proportional to x^(1/3).
+        need a degree like δ^(−1/2).  Let x be the phase of a wave along half the side, rad. The coefficients of its
+        Legendre series begin to decay at the degree x, within about x^(1/3) degrees.
         """
         sides = np.array([self.beam, self.length])
         reach = np.sqrt(sides / sides.min())
@@ -130,8 +131,7 @@ class Rectangle:
         )  # fmt: skip
 
     def basis(self, cls, degree, contour):
-        """Functions ψ at the nodes; shape (m, n): end then side, each with its polynomials of the class in increasing
-        order"""
+        """Functions ψ at the nodes; shape (m, n): polynomials of the end, then of the side, in increasing order"""
         columns = []
         for side, (m, extent) in enumerate(zip(self.orders(cls, degree), (self.beam, self.length), strict=True)):
             here = (contour.nx > 0.5) if side == 0 else (contour.ny > 0.5)

@@ -40,7 +40,7 @@ def prepare_several(shapes, places, depth, tolerance=1e-3):
 
     shapes : [("box", (length, beam, draft)) or ("buoy", (radius, draft))], m
     places : [`exterior.Place`] of the middle of each body; depth : m, finite
-    Raises ValueError for the reasons of `solver.prepare_box`, for bodies that touch, and for gaps below `NARROWEST`.
+    raises : ValueError for the reasons of `solver.prepare_box`, for bodies that touch, and for gaps below `NARROWEST`
     """
     makers = {"box": prepare_box, "buoy": prepare_cylinder}
     bodies = [makers[shape](*sizes, depth, tolerance) for shape, sizes in shapes]
@@ -63,7 +63,7 @@ def beside(body, gap):
 
 
 def coupling(body):
-    """The body with functions under its keel for `COUPLED` digits more"""
+    """The body with functions under the keel for `COUPLED` additional digits"""
     height, fine = body.depth - body.draft, body.accuracy
     if height > 0:
         more = accuracy(fine.digits + COUPLED, body.draft, height, body.plan.scale)
@@ -74,8 +74,8 @@ def coupling(body):
 def near(body, gap):
     """The plan of a body with functions for flows whose length is the gap, m, to the next body
 
-    On a circle the orders of flows at that distance decay like those of the circle's image. A side of a rectangle
-    needs more polynomials, in proportion to the width of the plan over the gap, to resolve its ends.
+    On a circle the orders of flows from a distance of the gap decay like the orders of the circle's image. A side of
+    a rectangle needs more polynomials, in proportion to the width of the plan over the gap, to resolve its ends.
     """
     plan, digits = body.plan, body.accuracy.digits
     if isinstance(plan, Circle):
@@ -150,12 +150,12 @@ class SeveralBodies:
 
     @property
     def tolerance(self):
-        """Relative error for which the parts are made"""
+        """Relative error for which all parts of the method are resolved"""
         return max(body.tolerance for body in self.bodies)
 
     @property
     def digits(self):
-        """Number of digits for which the parts are made"""
+        """Number of digits for which all parts of the method are resolved"""
         return max(body.accuracy.digits for body in self.bodies)
 
     def first_order(self, omega, headings=(), theta=(), dofs=None, density=1025.0, gravity=9.80665):
@@ -228,7 +228,7 @@ class SeveralBodies:
 
     @cached_property
     def sharper(self):
-        """The same bodies for a tenth of the tolerance; None at the smallest tolerance"""
+        """The same bodies for a tenth of the tolerance, or None at the smallest tolerance"""
         return None if any(body.sharper is None for body in self.bodies) else self._by(lambda body: body.sharper)
 
     def _by(self, better):
@@ -274,7 +274,7 @@ class SeveralBodies:
         return [body.profiles.gap.outer_modes(omega, count, gravity) for body in self._first_of_kinds]
 
     def resolution(self, omega, gravity=9.80665):
-        """Resolution of the equations at a frequency, as of `body.ContourBody`"""
+        """Resolution of the equations at a frequency; errors are smooth over frequencies of equal resolution"""
         k = float(wavenumber(omega, self.depth, gravity))
         return (*self.degrees(k), self.exterior(k, self.degrees(k)[0]).size)
 

@@ -8,7 +8,7 @@ integrated (`plan.layers`).  On a circle the layers are closed forms for the m o
     waves              (iπ/2) R Jₘ(kR) Hₘ(kr)          (iπ/2) kR Jₘ'(kR) Hₘ(kr)          1 − D
     κ → 0              (R/2m) (R/r)ᵐ,  −R ln r         ½ (R/r)ᵐ,  0                      1 − D
 
-times cos mθ or sin mθ; at r < R, waves only, J and H change places.
+times cos mθ or sin mθ.  At r < R the layers of waves have J and H exchanged.
 """
 
 from functools import cached_property
@@ -91,7 +91,7 @@ class OnRectangle:
 
 
 class OnCircle:
-    """A `Circle` with as many nodes on its quarter as there are orders in a symmetry class"""
+    """A `Circle` whose quarter has as many nodes as a symmetry class has orders"""
 
     def __init__(self, plan, degree, k, orders, tolerance):
         self.plan = plan

@@ -3,8 +3,9 @@ cause is tried, and the cause that fits is reported.
 
     corrected = cause(set),    best = argmin over causes of the largest of `gaps`(corrected)
 
-A cause with a number (a length, a factor or a point) first fits this number to both solutions by least squares.  If no
-single cause fits, all pairs of causes are tried. The report can thus name a unit and a point, or a sign and a unit.
+A cause with a number (a length, a factor or a point) first fits this number to the two solutions by least squares.
+If no single cause fits, all pairs of causes are tried. The report can thus name a unit and a point, or a sign and a
+unit.
 """
 
 import itertools
@@ -47,7 +48,8 @@ MATRICES = ("added_mass", "radiation_damping", "added_mass_zero", "added_mass_in
 class Cause(NamedTuple):
     """text : description; correct : Values → Values; way_out : remedy besides `--correct`
 
-    fitted : whether the cause has a fitted number that is no unit, sign or convention; such a cause corrects nothing
+    fitted : whether the cause has a fitted number that is no unit, sign or convention; a cause with such a number is
+        not used for corrections
     """
 
     text: str
@@ -68,7 +70,8 @@ class Finding(NamedTuple):
 
 
 def finding(values, own):
-    """`Finding` on a `sample` of Values against `Own`; None if the set agrees with hakobune's solution within `AGREED`
+    """`Finding` on a `sample` of Values against `Own`, or None if the set agrees with hakobune's solution within
+    `AGREED`
 
     Agreement is tested on flat panels with one node, as in most programs, and with four nodes, which is close to the
     limit of many panels.

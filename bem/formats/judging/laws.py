@@ -67,8 +67,8 @@ def _finite(values):
 
 
 def size_of(values):
-    """Length of the body, m: the length of the waterplane or, if larger, twice the arm of added mass in yaw. If both
-    are unknown, the length follows from A₃₃"""
+    """Length of the body, m: the length of the waterplane or, if larger, twice the arm of added mass in yaw. If
+    waterplane and arm are unknown, the length follows from A₃₃"""
     C, A = values.get("hydrostatic_stiffness"), values.get("added_mass")
     plane = 0.0
     if C is not None and C[2, 2] > 0:
@@ -145,8 +145,8 @@ def _circle(values):
 
 
 def haskind_ratios(values):
-    """Ratios {mode: (q,)} of damping to the damping that follows from the far field, and frequencies (q,); None without
-    excitation"""
+    """Ratios {mode: (q,)} of damping to the damping that follows from the far field, and frequencies (q,), or None
+    without excitation"""
     X, B = values.get("excitation_force"), np.einsum("nii->ni", values.get("radiation_damping"))
     if X is None or not X.size:
         return None
@@ -244,7 +244,7 @@ def _slope(omega, ratio):
 
 
 def depth_of(values):
-    """Depth of water, m, possibly inf, at which damping and excitation agree in every mode; None if there is no such
+    """Depth of water, m, possibly inf, at which damping and excitation agree in every mode, or None if there is no such
     depth"""
     fits = {}
     for depth in (np.inf, *np.geomspace(1000, 5, 60)):

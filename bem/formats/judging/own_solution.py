@@ -97,7 +97,7 @@ def _images(headings):
 
 
 def own_of(values, mesh):
-    """`Own` of Values on their hull; None if there are other bodies, too many panels, or no long wave"""
+    """`Own` of Values on their hull, or None if there are other bodies, too many panels, or no long wave"""
     if values.others or len(mesh) > MOST_PANELS or any(values.get(name) is None for name in WANT[:2]):
         return None
     if not np.any(_sizes_of_waves(values, mesh) < READABLE):

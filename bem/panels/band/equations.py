@@ -1,8 +1,8 @@
 """Integral equations of a band of frequencies, with a Rankine part common to all and low-rank wave matrices.
 
 The equations are those of `bem.panels.influence`, with the equations of the lid multiplied by −1. S₀ and D₀ are the
-Rankine part of S and D; W, S_w are the wave part in the low-rank form of `bem.panels.band.low_rank_waves`. With f on
-the hull and g on the lid they are
+Rankine part of S and D; W, S_w are the wave part in the low-rank form of `bem.panels.band.low_rank_waves`. With
+right-hand sides f on the hull and g on the lid the equations are
 
     2πφ − D₀φ − K S₀φ' = f,    −4πφ' − K S₀φ' − D₀φ = g,    (f, g) = X m − S₀V v
     m = W[points, sources] α − S_w[points, monopoles] M v,    α = Y (φ, φ')
@@ -12,8 +12,8 @@ the Schur complement, with T = S₀ + D₀ (2π − D₀)⁻¹ S₀,
 
     K φ' = −(4π/K + T)⁻¹ (g + D₀ (2π − D₀)⁻¹ f)
 
-is a real system of the size of the lid; eliminating φ by the Woodbury identity leaves a complex system for m, of the
-rank of W.
+is a real system of the size of the lid; the Woodbury identity eliminates φ and leaves a complex system for m, whose
+size is the rank of W.
 """
 
 from typing import NamedTuple

@@ -83,7 +83,7 @@ class ErrorTest(NamedTuple):
         return errors
 
     def flux_error(self, flux, at_flux_nodes):
-        """Largest error of ∂φ_I/∂n at the samples, relative to the largest |∂φ_I/∂n| of the same wave
+        """Largest error of ∂φ_I/∂n at the samples, relative to the largest |∂φ_I/∂n| of the wave
 
         flux : ∂φ_I/∂n at the samples on the hull, (m, e); at_flux_nodes : ∂φ_I/∂n at the interpolation nodes, (m, t)
         """

@@ -1,6 +1,6 @@
 """Low-rank basis of the wave matrices of a frequency band, by interpolative decomposition.
 
-The wave part of G (all but 1/r and its image in the bed) is smooth on hull and lid, except within a strip below the
+The wave part of G (G without 1/r and its image in the bed) is smooth on hull and lid, except within a strip below the
 waterline.  Let W = [D_w, K S_w] be the influence matrix of the wave part, acting on the unknowns of the hull nodes
 and of the lid nodes. For all frequencies of a band and all symmetry classes, with far fewer rows than nodes,
 

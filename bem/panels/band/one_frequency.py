@@ -39,7 +39,7 @@ class BandRun(CompressedRun):
 
     @cached_property
     def solution(self):
-        """`ReducedSolution` of the wanted classes; None if the low-rank basis is not accurate enough
+        """`ReducedSolution` of the wanted classes, or None if the low-rank basis is not accurate enough
 
         raises : FloatingPointError if the solution is not finite, or if the full equations would be too large
         """

@@ -18,8 +18,8 @@ class Clusters:
 
     Of the c clusters, parents come before their children.  The lid has its own root, and so have the hull panels that
     face each of ±x, ±y, ±z: parts of a cluster that extends around an edge see each other edge-on, which cross
-    approximation does not detect.  Each body has its own roots for this reason too: with one root for all bodies, two
-    boxes of 1 000 panels had errors of 1 %.
+    approximation does not detect.  Each body has separate roots too, because bodies also see each other edge-on:
+    with one root for all bodies, two boxes of 1 000 panels had errors of 1 %.
     """
 
     order: np.ndarray  # (panels,) number in the mesh, by place in the tree
@@ -35,7 +35,7 @@ class Clusters:
     def of(cls, corners, normals, sizes, hull, body=None):
         """corners : (panels, 4, 3) m; normals : (panels, 3); sizes : (panels,) m
         hull : number of panels of the hull, which come first; body : index of the body of each of these panels,
-            (hull,); None for one body
+            (hull,), or None for one body
         """
         middles, rows, roots, low = corners.mean(axis=1), [], [], 0
         axis = np.abs(normals).argmax(axis=1)
@@ -56,7 +56,7 @@ class Clusters:
 
     @property
     def leaves(self):
-        """Indices of the clusters without children, in the order of their panels"""
+        """Indices of the clusters without children, ordered as the panels"""
         found = np.flatnonzero(self.children[:, 0] < 0)
         return found[np.argsort(self.first[found])]
 

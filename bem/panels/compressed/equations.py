@@ -20,9 +20,10 @@ SEED = 1_982
 class Solution(NamedTuple):
     """potentials : {class: (columns, n)} in the order of the mesh, φ on the hull and φ' on the lid
     residual : largest residual of the compressed equations, relative to the right-hand sides
-    compression : root mean square of the residual of the full equations, relative to their right-hand sides. It
-        bounds the error of the potentials. It is at least the tolerance of the blocks, because the few tested rows
-        may miss a block with larger errors
+    compression : root mean square of the residual of the full equations, relative to their right-hand sides. This
+        residual bounds the error of the potentials.
+        The value is at least the tolerance of the blocks, because the few tested rows may miss a block with larger
+        errors
     """
 
     potentials: dict

@@ -1,9 +1,9 @@
 """The equations of `bem.panels.influence` at one frequency, as an operator on the nodes, for all symmetry classes.
 
 Blocks are real, because the imaginary part is a sum over few standing waves (`bem.panels.standing_waves`). Real
-blocks need half the operations and memory of complex blocks.  Each block belongs to a mirror image of the sources,
-not to a class: images lie farther from the targets than the panels themselves. All classes use the same blocks, with
-columns multiplied by the signs of the class.
+blocks need half the operations and memory of complex blocks.  Each block belongs to one mirror image of the sources,
+not to a class, because images are farther from the targets than the panels themselves.
+All classes use the same blocks, with columns multiplied by the signs of the class.
 """
 
 from functools import cached_property
@@ -346,7 +346,7 @@ class CompressedEquations:
     def apply(self, columns, exactly=False):
         """A x for x in `Columns`; shape (n, p)
 
-        exactly : whether products are in double precision; False: in the precision of the stored blocks"""
+        exactly : whether products are in double precision; if False, in the precision of the stored blocks"""
         kind, part = (complex, float) if exactly else (np.complex64, np.float32)
         values = np.ascontiguousarray(columns.values, kind)
         # real and imaginary parts side by side: the blocks are real
@@ -380,7 +380,7 @@ class CompressedEquations:
 
     @property
     def bytes(self):
-        """of the blocks"""
+        """Memory of the blocks, bytes"""
         return (
             sum(a.nbytes for *_, a in self.near)
             + sum(a.nbytes for *_, a in self.far.sources)

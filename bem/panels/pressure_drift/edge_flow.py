@@ -5,8 +5,8 @@ The two faces of an edge enclose the angle γ = 2π − π/μ; φ is r^μ on one
     φ(r) = −(1/π) ∫ K φ(ρ) dρ,    K = r sin γ / (r² + ρ² − 2rρ cos γ).
 
 If the panels of both faces have equal size, collocation with φ linear on every panel gives values that are 6 % too
-large at the first node, 1 % too large at the second node, and less wrong beyond. A finer mesh has the same relative
-errors.
+large at the first node, 1 % too large at the second node, and closer to the right values beyond. The relative errors
+of a finer mesh are equal.
 
 If a side stands on a flat bottom with a gap of height s above the bed, and the panels are not small relative to the
 gap, the flow at the edge is the flow out of the gap, by a conformal map,
@@ -73,7 +73,8 @@ def _interpolated_integral(kernel, at, flow, nodes, lengths):
 
 
 class EdgeFlow(NamedTuple):
-    """|φ| on the two faces of edges, and the kernels K(r, ρ) of each face on the other, including images in the bed.
+    """|φ| on the two faces of edges, and the kernels K(r, ρ) from each face to the opposite face, including images in
+    the bed.
 
     mu, gap : arrays that broadcast with the distances; r : distance of the point, m; rho : distance of the source, m
     """

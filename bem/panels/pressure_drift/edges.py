@@ -28,9 +28,9 @@ class Stencils(NamedTuple):
     """Up to three panels in a row for each of n panels, in one direction of the panel; φ is interpolated between
     their nodes.
 
-    For a panel at an edge, and for its neighbour, these are the first three panels from the edge. Elsewhere they are
-    the panel and its two neighbours, including mirror images. Distances are measured from the outer end of the first
-    panel.
+    The stencil of a panel at an edge, and that of its neighbour, are the first three panels from the edge. Other
+    stencils are the panel and its two neighbours, including mirror images.
+    Distances are measured from the outer end of the first panel.
     """
 
     at_edge: np.ndarray  # (n,) whether the row begins at an edge
@@ -109,7 +109,8 @@ class _Adjacency(NamedTuple):
     plane: np.ndarray
 
     def beyond(self, panel, image, side):
-        """Panel beyond a side of panels on mirror images (−1 for none), its image, and its opposite side"""
+        """Neighbour at a side of given panels on given images (−1 for no neighbour), image of the neighbour, and its
+        opposite side"""
         after, plane = self.beside[panel, side], self.plane[panel, side]
         mirrored = (after < 0) & (plane > 0)
         return np.where(mirrored, panel, after), image ^ np.where(mirrored, plane, 0), (side + 2 * mirrored) % 4

@@ -1,7 +1,7 @@
 """First-order flow in each wave at quadrature points of a hull and of its waterline, including mirror images.
 
-The disturbance is interpolated between the nodes. Near an edge, where the interpolation has only powers of r^μ, it is
-interpolated together with the uniform flow of the incident waves relative to the moving edge.
+The disturbance is interpolated between the nodes. Near an edge, where the interpolation has only powers of r^μ, the
+disturbance is interpolated together with the uniform flow of the incident waves relative to the moving edge.
 The velocity along the normal is the velocity of the body.
 """
 

@@ -1,6 +1,6 @@
 """Potential and its gradient at quadrature points of a hull, interpolated from the nodes of panels in a row.
 
-Away from edges φ is the polynomial through the six nodes of a panel and its neighbours in each direction.  At a
+Away from edges φ is, in each direction, the polynomial through the six nodes of a panel and its two neighbours.  At a
 distance r from an edge φ = c₀ + c₁ r^μ + c₂ r^(2μ) + c₃ r^(3μ) …, and |∇φ|² is singular like r^(2μ−2): on the panel
 at the edge these powers are fitted to the nodes of two panels, on the next panel to the nodes of three panels. The
 nodal values near the edge are corrected for their known collocation error (`edge_flow`).
