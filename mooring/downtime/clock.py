@@ -1,7 +1,7 @@
-"""Times of a record in UTC: ISO 8601 with or without an offset, in a zone with or without summer time; or since 1970.
+"""Times of a record in UTC, from ISO 8601 texts with or without an offset or summer time, or from seconds since 1970.
 
-In autumn an hour of local time occurs twice: first in summer time, then in winter time.  In spring an hour does not
-occur.  A record that is marked UTC and has both of these is in local time.
+In autumn an hour of local time occurs twice: first in summer time, then in winter time. In spring an hour is
+missing. A record marked UTC that has both a doubled and a missing hour is in local time.
 """
 
 import datetime
