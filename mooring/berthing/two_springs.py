@@ -69,7 +69,7 @@ class TwoSprings:
 
     @property
     def reaction(self):
-        """N, largest"""
+        """Largest reaction, N"""
         return min(self.plateau, self.speed * math.sqrt(self.stiffness * self.mass))
 
     @property

@@ -105,8 +105,9 @@ def _changes(place, begin, end):
 
 
 def check_rising(time, where):
-    """P is computed once on a ring of headings and interpolated over β by the six nearest (Lagrange), with an error of
-    1e-6 of the largest m_n. Hours are grouped by these six headings, and each group is one product of matrices."""
+    """Raises TableError for times (n,) that do not ascend; the message names the place and a probable cause such as
+    local time.
+    """
     rise = np.diff(time)
     back = np.flatnonzero(rise <= np.timedelta64(0, "s"))
     if not len(back):
