@@ -55,8 +55,7 @@ class Sea:
     def directional(self, headings, omega=None):
         """Shares of the energy per heading, such that Σ share f(heading) is the mean of a response f over directions.
 
-            headings : directions of travel (m,), rad, in any order; f is taken as linear between neighbours, at most 45°
-            apart
+            headings : directions of travel (m,), rad, in any order; f is linear between neighbours, at most 45° apart
             omega : (n,) rad/s, or None
             returns : (m,) for the whole sea, or (n, m) at the frequencies; rows sum to 1.
         Raises ValueError if more than 1 % of the energy travels outside the headings; a smaller share is made up by
