@@ -1,4 +1,4 @@
-"""`hakobune check`: whether a result and its database are unchanged; for a database, its physics."""
+"""`hakobune check`: whether a result or database is unchanged, and whether a database obeys the laws of physics."""
 
 import hashlib
 import json
@@ -25,7 +25,7 @@ def check(path, console, repair=False):
     """Print whether a result is intact, or the checks and findings of a database; 0 if nothing fails, else 1.
 
     repair : mark damaged parts of a database as unsolved first
-    raises : ValueError for a file that is neither
+    raises : ValueError for a file that is neither a result nor a database
     """
     say = partial(console.print, highlight=False, markup=False, soft_wrap=True)
     if is_run(path) and not repair:
@@ -34,7 +34,7 @@ def check(path, console, repair=False):
 
 
 def is_result(path):
-    """Whether a file is the result of a study, by its name or by its content"""
+    """Whether a file is the result of a study, judged by its name or its content"""
     if path.suffix.lower() in TEXT:
         return True
     return not kind_filled_in(path) if is_sealed(path) else schema_of(path).startswith(OURS)
@@ -43,7 +43,7 @@ def is_result(path):
 def check_result(path, say, repair=False):
     """Report the kind of a result and whether it is intact; returns 0 if it is, else 1.
 
-    say : takes each line; repair : raise DatabaseError, results are not repaired
+    say : function that is called with each line; repair : raises DatabaseError, because results cannot be repaired
     raises : ValueError for a missing file, and for one of an unknown version of its schema
     """
     if repair:

@@ -1,8 +1,8 @@
-"""Compile kernels ahead: all of them by small studies in a temporary folder, or those of a running command by a second
-process.
+"""Compiling of kernels ahead of their use: all kernels by small studies in a temporary folder, or those of a running
+command by a second process.
 
-`hakobune doctor --compile` compiles all kernels ahead.  A command whose kernels are missing begins a second process.
-This runs the module and compiles those that the command needs last (`executors.beside`).
+`hakobune doctor --compile` compiles all kernels ahead.  A command whose kernels are missing starts a second process,
+which runs this module and compiles the kernels that the command needs last (`executors.beside`).
 """
 
 import subprocess

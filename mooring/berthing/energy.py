@@ -21,7 +21,9 @@ class BerthingError(ValueError):
 
 
 class Ship(NamedTuple):
-    """length over all, beam, draft : m; mass : kg; gyration : radius in yaw, m; density : of the water, kg/m³"""
+    """length over all, beam, draft : m; mass : kg; gyration : radius of gyration in yaw, m; density : density of the
+    water, kg/m³
+    """
 
     length: float
     beam: float
@@ -32,7 +34,7 @@ class Ship(NamedTuple):
 
     @property
     def block(self):
-        """C_B with the length over all"""
+        """Block coefficient C_B, with the length over all"""
         return self.mass / (self.density * self.length * self.beam * self.draft)
 
 
@@ -54,7 +56,7 @@ def ship(length, beam, draft, *, mass=None, block=None, gyration=None, density=1
 
 
 def virtual_mass_ueda(ship):
-    """C_M = 1 + (π/2)(ρ d² L)/M = 1 + (π/2 C_B) d/B: the semicircle of radius d twice (eq. 3.4, 3.5)"""
+    """C_M = 1 + (π/2)(ρ d² L)/M = 1 + (π/2 C_B) d/B: twice the semicircle of radius d (eq. 3.4, 3.5)"""
     return 1 + math.pi / 2 * ship.density * ship.draft**2 * ship.length / ship.mass
 
 
@@ -69,13 +71,13 @@ def virtual_mass_vasco_costa(ship):
 
 
 def virtual_mass_pianc(ship, depth):
-    """C_M = 1.8 with a gap under the keel up to 0.1 d, 1.5 from 0.5 d on, straight between (PIANC 2002)"""
+    """C_M = 1.8 for an under-keel clearance up to 0.1 d, 1.5 from 0.5 d on, linear in between (PIANC 2002)"""
     gap = (depth - ship.draft) / ship.draft
     return 1.8 - 0.3 * min(1.0, max(0.0, (gap - 0.1) / 0.4))
 
 
 def virtual_masses(ship, depth=None):
-    """{method: C_M}; PIANC's if the depth, m, is given.  Raises BerthingError if the ship is aground."""
+    """{method: C_M}; includes PIANC's if the depth, m, is given. Raises BerthingError if the ship is aground."""
     if depth is not None and not depth > ship.draft:
         raise BerthingError(
             f"the depth is {depth:g} m with a draft of {ship.draft:g} m; allowed: a depth above the draft"
@@ -86,7 +88,9 @@ def virtual_masses(ship, depth=None):
 
 
 def shallow(ship, depth):
-    """A line of text for a ship with less water under its keel than virtual masses are known for; depth : m, or None"""
+    """A finding on a ship whose under-keel clearance is smaller than any with known virtual mass; depth : m, or
+    None
+    """
     gap = None if depth is None else depth - ship.draft
     if gap is not None and gap < LEAST_GAP * ship.draft:
         yield (
@@ -97,19 +101,21 @@ def shallow(ship, depth):
 
 
 def eccentricity(offset, gyration):
-    """C_e = 1/(1 + (l/r)²), l m along the berth from the centre of gravity to the contact (eq. 2.8)"""
+    """C_e = 1/(1 + (l/r)²), with l the distance, m, along the berth from the centre of gravity to the contact (eq.
+    2.8)
+    """
     return 1 / (1 + (offset / gyration) ** 2)
 
 
 def offset_of(coefficient, gyration):
-    """m, l of an eccentricity coefficient"""
+    """Distance l, m, that gives an eccentricity coefficient"""
     if not 0 < coefficient <= 1:
         raise BerthingError(f"the eccentricity coefficient is {coefficient:g}; allowed: above 0, at most 1")
     return gyration * math.sqrt(1 / coefficient - 1)
 
 
 def berthing_energy(ship, speed, virtual_mass, eccentricity, softness=1.0, configuration=1.0):
-    """J, by the module's equation; speed : m/s.  Raises BerthingError."""
+    """Berthing energy, J, by the module's equation; speed : m/s.  Raises BerthingError."""
     if not 0 < speed < math.inf:
         raise BerthingError(f"the speed of the berthing is {speed:g} m/s; allowed: above 0, finite")
     for key, value in (("eccentricity", eccentricity), ("softness", softness), ("configuration", configuration)):

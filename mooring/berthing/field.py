@@ -1,7 +1,8 @@
 """Fifty measured berthings of very large crude carriers at two sea berths, compared with the kinetic-energy method.
 
-Ueda (1981), tables 2.1, 2.2, 2.3 and 2.5 (`tables/field.csv`).  The tables cut speeds to whole cm/s, V ≤ true < V + 1,
-which causes most of the scatter of absorbed over effective energy; weights in tonf with g = 9.8 m/s² and 1.03 tonf/m³.
+Ueda (1981), tables 2.1, 2.2, 2.3 and 2.5 (`tables/field.csv`).  The tables round speeds down to full cm/s (V ≤ true
+< V + 1). This causes most of the scatter of the ratio of absorbed to effective energy. Weights are in tonf, with g =
+9.8 m/s² and 1.03 tonf/m³.
 """
 
 from typing import NamedTuple
@@ -19,7 +20,7 @@ class Contact(NamedTuple):
     """A contact as printed: displacement and virtual mass in ktonf, sizes in m, speed in cm/s, energies in tonf m;
     NaN where missing
 
-    doubt : values that are inconsistent in print: speed, weight, offset, absorbed, draft
+    doubt : names of values that are inconsistent in print: speed, weight, offset, absorbed, draft
     """
 
     ship: str
@@ -39,7 +40,7 @@ class Contact(NamedTuple):
 
     @property
     def vessel(self):
-        """`energy.Ship`, mass in kg"""
+        """The ship as `energy.Ship`, mass in kg"""
         return Ship(self.length, self.beam, self.draft, 1e6 * self.displacement, self.gyration, WATER)
 
 
@@ -54,7 +55,9 @@ def _contact(row):
 
 
 def effective_energies(contact):
-    """{method: tonf m} by the kinetic-energy method with the older virtual mass, as in table 2.5, and with Ueda's"""
+    """{method: energy in tonf m} by the kinetic-energy method with the older virtual mass (as in table 2.5) and with
+    Ueda's
+    """
     ship, share = contact.vessel, eccentricity(contact.offset, contact.gyration)
     methods = {"older": virtual_mass_older, "Ueda 1981": virtual_mass_ueda}
     found = {key: berthing_energy(ship, contact.speed / 100, of(ship), share) for key, of in methods.items()}
@@ -63,7 +66,8 @@ def effective_energies(contact):
 
 class Comparison(NamedTuple):
     """contacts : number of contacts; median, low, high : median and quartiles of absorbed over effective energy;
-    bounded : share of contacts whose absorbed energy lies between the effective energies of V and V + 1 cm/s"""
+    bounded : fraction of contacts whose absorbed energy lies between the effective energies at V and V + 1 cm/s
+    """
 
     contacts: int
     median: float

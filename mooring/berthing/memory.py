@@ -1,18 +1,16 @@
-"""A berthing in time: sway and yaw with the added mass and memory of the water, against fenders anywhere along the
-side.
+"""A berthing in time: a ship with added mass and fluid memory in sway and yaw meets fenders anywhere along its side.
 
     (M + A∞) ν̇ + y = −Σ (1, x_k)ᵀ R_k,    ẋ = a x + b ν,    y = c x,    δ_k = η₂ + x_k η₆ − gap_k
 
-η₂, η₆ sway towards the berth and yaw about the rotation centre, R_k of `mooring.fenders` with its hysteresis; a fender
-is in series with its dolphin (`mooring.fenders.dolphin`).  The memory is that of `bem.time_domain.memory`.  The ship
-has approached at constant speed for a long time: the states of the memory are −a⁻¹ b ν, their force is 0, and the added
-mass of the water is A(0).
-Energy:
+η₂ is the sway towards the berth, η₆ the yaw about the rotation centre, and R_k the reaction by `mooring.fenders`
+with hysteresis. A fender is in series with its dolphin (`mooring.fenders.dolphin`).  The memory is that of
+`bem.time_domain.memory`.  The ship has approached at constant speed for a long time: the states of the memory are
+−a⁻¹ b ν, their force is 0, and the added mass of the water is A(0). Energy:
 
     ½ νᵀ(M + A∞) ν + ½ xᵀP x + Σ ∫R dδ + ∫ ½ |lossᵀx|² dt = energy before contact,
 
-`ledger` is the largest violation of this balance. ∫R dδ is computed from fender curves along the deflections, not from
-the power in the time integration.  C_M = 2 max Σ∫R dδ/(C_e M V²) is the virtual mass for which the kinetic-energy
+`ledger` is the largest violation of this balance. ∫R dδ is computed from the fender curves along the deflections,
+not by integrating the power in time.  C_M = 2 max Σ∫R dδ/(C_e M V²) is the virtual mass for which the kinetic-energy
 method gives the same energy (α² of Ueda 1981, eq. 3.2, for a linear fender).
 """
 
@@ -55,11 +53,12 @@ class BerthingShip:
 
 @dataclass(frozen=True, eq=False)
 class Berthing:
-    """time : (n,) s from first contact; position : (n, 2) m, rad; velocity : (n, 2); deflection, reaction : (n, k) m, N
+    """time : (n,) s from first contact; position : (n, 2), m and rad; velocity : (n, 2); deflection, reaction : (n,
+    k), m and N
 
-    taken, lost : (n,) J, energy absorbed by fenders and energy radiated by waves
-    ledger : balance of the module over the energy before contact; virtual_mass : C_M of the module; energy : J, largest
-    absorbed energy
+    taken, lost : (n,) J, energy absorbed by fenders, and energy radiated as waves
+    ledger : largest violation of the energy balance, over the energy before contact; virtual_mass : C_M of the
+        module; energy : largest absorbed energy, J
     """
 
     time: np.ndarray
@@ -88,7 +87,7 @@ def without_memory(mass, gyration, added_mass):
 def ship_of_database(db, mass, gyration, tolerance=3e-3, center=0.0, first=0):
     """`BerthingShip` of a `bem.database.Database`; mass : kg; gyration : m; center : m.
 
-    first : number of the ship's surge among all motions; the others are held
+    first : number of the ship's surge among all motions; motions of all other bodies are held
     raises : ValueError of `memory_of_database`; BerthingError where mass or gyration are impossible
     """
     from hakobune.bem.time_domain.memory import memory_of_database
@@ -113,11 +112,13 @@ def ship_of_database(db, mass, gyration, tolerance=3e-3, center=0.0, first=0):
 
 
 def berth(ship, fenders, speed, duration=None, steps=2000, yaw_rate=0.0):
-    """`Berthing` of a `BerthingShip` with a steady speed, m/s (and yaw rate, rad/s), from the first contact.
+    """`Berthing` of a `BerthingShip` that arrives with a steady speed, m/s, and yaw rate, rad/s; it starts at the
+    first contact.
 
-    fenders : sequence of (`mooring.fenders.fender.Fender`, x m, gap m); the nearest is met first
-    duration : s, by default until the ship rests against the softest fender, times 1.5; steps : steps of the duration
-    raises : BerthingError without speed or fender; FenderError beyond the table of one, or of too long steps
+    fenders : sequence of (`mooring.fenders.fender.Fender`, x m, gap m); the ship meets the nearest fender first
+    duration : s, by default 1.5 times the time until the ship stops against the softest fender; steps : number of
+        steps
+    raises : BerthingError without speed or fender; FenderError beyond a fender's table, or for steps that are too long
     """
     if not 0 < speed < np.inf:
         raise BerthingError(f"the speed of the berthing is {speed:g} m/s; allowed: above 0, finite")

@@ -3,7 +3,8 @@
     P(speed > v) = exp(−(v/η)^m),    f = (m v^{m−1}/t₀) exp(−v^m/t₀),  t₀ = η^m
 
 (Weibull; Ueda 1981, eq. 4.1, whose printed constants contradict its mean and are not used.)  The speed of a return
-period is exceeded once in so many contacts: 50 ships a year with two contacts each make 1000 contacts in 10 years.
+period is exceeded once in its number of contacts: 50 ships a year with two contacts each make 1000 contacts in 10
+years.
 """
 
 import math
@@ -35,7 +36,7 @@ class Speeds(NamedTuple):
         return math.exp(-((max(speed, 0.0) / self.scale) ** self.shape))
 
     def speed_of(self, contacts):
-        """m/s, exceeded once in `contacts` contacts.  Raises BerthingError."""
+        """Speed, m/s, exceeded once in `contacts` contacts. Raises BerthingError."""
         if not 1 < contacts < math.inf:
             raise BerthingError(
                 f"the speed that is exceeded once in {contacts:g} contacts is requested; allowed: above 1 contact, "

@@ -19,7 +19,7 @@ from .energy import BerthingError
 
 @dataclass(frozen=True)
 class TwoSprings:
-    """mass : kg, C_e M₂; speed : m/s; dolphin, fender : N/m, K₁ (inf: rigid) and K₂; plateau : N, R (inf: none)"""
+    """mass : C_e M₂, kg; speed : m/s; dolphin, fender : K₁ (inf if rigid) and K₂, N/m; plateau : R (inf if none), N"""
 
     mass: float
     speed: float
@@ -50,7 +50,7 @@ class TwoSprings:
 
     @property
     def rest_time(self):
-        """s, of the largest deflection"""
+        """Time t₂ of the largest deflection, s"""
         t1 = self.plateau_time
         if math.isinf(t1):
             return 0.5 * math.pi / self.beta
@@ -69,7 +69,7 @@ class TwoSprings:
 
     @property
     def reaction(self):
-        """N, largest"""
+        """Largest reaction, N"""
         return min(self.plateau, self.speed * math.sqrt(self.stiffness * self.mass))
 
     @property

@@ -4,9 +4,10 @@
     sinker of one line     W = P_max cos α / μ            common sinker     W = max over t of |P_H(t)|/μ + P_U(t)
     pile of one line       Q_a = ψ L_p c / 3,             spacing Q_a / (P_max sin α)
 
-Forces in N/m, weights as submerged.  Kihara, Kitatani & Todoroki (1975), chapter 6, whose 6.7 prints ≤ for ≥ and whose
-greatest leeward tension, printed 24.3, is 14.6 + 3.5 + 7.2 = 25.3 t/m.  A sinker of the paper slides and is not lifted.
-For one line the vertical part of the tension is therefore neglected, unless `sinker` is called with `lifted`.
+Forces in N/m, weights as submerged.  Kihara, Kitatani & Todoroki (1975), chapter 6, whose 6.7 prints ≤ for ≥ and
+whose greatest leeward tension, printed as 24.3, is 14.6 + 3.5 + 7.2 = 25.3 t/m. In the paper a sinker may slide but
+is never lifted. For a sinker of one line the vertical part of the tension is therefore neglected, unless `sinker` is
+called with `lifted`.
 """
 
 import numpy as np
@@ -15,17 +16,19 @@ PILE_SAFETY = 3.0
 
 
 def pretension_needed(front, tide_part):
-    """P₀, N/m, smallest that keeps the seaward line taut; front : P_F at low tide, tide_part : ΔP₀"""
+    """Smallest pretension P₀, N/m, that keeps the seaward line taut; front : P_F at low tide; tide_part : ΔP₀"""
     return _at_least("tension amplitude", front, 0.0, "N/m") + tide_part
 
 
 def goes_slack(pretension, tide_part, amplitude):
-    """Whether a line of `pretension` is slack at low tide in a wave of the given tension amplitude; arrays broadcast"""
+    """Whether a line with a given pretension goes slack at low tide in waves of a given tension amplitude; arrays
+    broadcast
+    """
     return np.asarray(pretension) - tide_part < np.asarray(amplitude)
 
 
 def sinker(tension, angle, friction, lifted=False):
-    """Submerged weight W, N/m, that holds one line; lifted : whether to carry the line's upward pull too"""
+    """Submerged weight W, N/m, that holds one line; lifted : whether it also carries the line's upward pull"""
     weight = tension * np.cos(angle) / _at_least("friction", friction, 1e-3, "")
     return weight + tension * np.sin(angle) if lifted else weight
 
@@ -40,7 +43,7 @@ def common_sinker(horizontal, vertical, friction):
 
 
 def sinker_height(weight, width, unit_weight):
-    """Height of a block, m; weight : N/m submerged, width : m, unit_weight : N/m³ submerged"""
+    """Height of a block, m; weight : submerged weight, N/m; width : m; unit_weight : submerged unit weight, N/m³"""
     return weight / (_at_least("width", width, 1e-3, "m") * _at_least("unit weight", unit_weight, 1e-3, "N/m³"))
 
 
@@ -50,7 +53,7 @@ def pile_capacity(circumference, length, cohesion, safety=PILE_SAFETY):
 
 
 def pile_spacing(capacity, tension, angle):
-    """m between the piles of a row, for the vertical part of `tension`, N/m"""
+    """Distance between the piles of a row, m, for the vertical part of `tension`, N/m"""
     return capacity / (tension * np.sin(angle))
 
 

@@ -2,8 +2,8 @@
 
     heave ρg B_w,    roll about the centre of gravity ρg {B_w³/12 + A (z_B − z₀)},    2P₀ sin α = g (ρA − M₀)
 
-A displaced area about z_B, B_w width at the waterline, z₀ centre of gravity; α and the mode of `OnTautLines` as in
-`taut`, which has the source.
+A displaced area about z_B, B_w width at the waterline, z₀ centre of gravity; α and the mode of `OnTautLines` are
+defined in `taut`, with their source.
 """
 
 from dataclasses import dataclass
@@ -42,9 +42,9 @@ class Buoyant:
 class FloatingBody(Buoyant):
     """A body afloat without lines, per metre.
 
-    mass : kg/m; z0 : centre of gravity, m; inertia : about it, kg m
-    area : displaced, m², about buoyancy_z, m; waterline : its width, m; draft, depth : m
-    density : kg/m³; gravity : m/s².  Raises ValueError for lengths that are no body.
+    mass : kg/m; z0 : height of the centre of gravity, m; inertia : moment of inertia about the centre of gravity, kg m
+    area : displaced area, m², centred at buoyancy_z, m; waterline : width of the waterline, m; draft, depth : m
+    density : kg/m³; gravity : m/s². Raises ValueError for lengths that do not describe a body.
     """
 
     mass: float
@@ -63,8 +63,9 @@ class FloatingBody(Buoyant):
 
 
 class OnTautLines(Buoyant):
-    """Effect of two pairs of taut lines on a body that also has `angle`, `attachment`, `attachment_z`, `line`, like a
-    `TautBody`"""
+    """Effect of two pairs of taut lines on a body that, like a `TautBody`, has `angle`, `attachment`,
+    `attachment_z`, `line`
+    """
 
     @property
     def pretension(self):
@@ -73,13 +74,13 @@ class OnTautLines(Buoyant):
 
     @property
     def mode(self):
-        """Return (ξ, θ) of a unit q: X in m and cos α"""
+        """(ξ, θ) for a unit q: X, m, and cos α"""
         c = np.cos(self.angle)
         return np.array([self.attachment * np.sin(self.angle) + (self.attachment_z - self.z0) * c, c])
 
     @property
     def restoring(self):
-        """Horizontal force and moment about the centre of gravity against unit q, N/m and N"""
+        """Restoring force, N/m, and moment about the centre of gravity, N, for a unit q"""
         s, c, slope = np.sin(self.angle), np.cos(self.angle), self.attachment / self.line
         arm = self.attachment * c + (self.z0 - self.attachment_z) * s
         both = 2 * self.pretension
@@ -91,8 +92,8 @@ class OnTautLines(Buoyant):
         return float(self.mode @ self.restoring)
 
     def line_difference(self, force):
-        """P_B − P_F, shape (…), that gives `force` (…, 2), its horizontal part and its moment; exact where force · mode
-        is 0.
+        """Difference P_B − P_F, shape (…), that gives `force` (…, 2): horizontal force and moment; exact where force
+        · mode is 0.
 
         The moment is divided by the radius: vertical lines have only a moment, lines through the centre only a force.
         """

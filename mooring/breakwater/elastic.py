@@ -2,10 +2,9 @@
 
     K = Σ Jᵀ {(EA/S) u uᵀ + (P₀/S) (1 − u uᵀ)} J + P₀ u·r e_θ e_θᵀ,      δP = −(EA/S) u · J x
 
-with u from a line's end on the body to its anchor, r from the centre of gravity to that end, J the motion of that end.
-The second term is P₀ on a line that rotates. The last term is due to the path of the line's end about the centre of
-gravity.
-EA/S → ∞ is the constraint of `taut`.
+where u is the direction from a line's upper end to its anchor, r the arm from the centre of gravity to the upper
+end, and J the motion of this end. The second term is due to P₀ on a line that rotates. The last term of K is due to
+the path of the upper end about the centre of gravity. EA/S → ∞ is the constraint of `taut`.
 """
 
 from typing import NamedTuple
@@ -16,8 +15,11 @@ from .exact import ROLL, about_gravity, check_section, far_field, moved_to_origi
 
 
 class ElasticMotion(NamedTuple):
-    """Per unit wave amplitude: transmission, reflection, complex m/m; motion : (3,) sway, heave (m/m), roll (rad/m)
-    about the centre of gravity; front, back : amplitudes of tension P_F and P_B, N/m²"""
+    """Complex amplitudes per unit wave amplitude.
+
+    transmission, reflection : m/m; motion : sway, heave (m/m) and roll (rad/m) about the centre of gravity, (3,)
+    front, back : tensions P_F and P_B, N/m²
+    """
 
     transmission: complex
     reflection: complex
@@ -58,8 +60,9 @@ def _lines(body):
 
 
 def stiffness_of(body, axial_stiffness):
-    """Stiffness of water and lines about the centre of gravity, (3, 3), and δP of the front and back lines by motions,
-    (2, 3)"""
+    """Stiffness of water and lines about the centre of gravity, (3, 3), and δP of front and back lines per unit
+    motion, (2, 3)
+    """
     stiffness, stretch = np.diag([0.0, body.heave_stiffness, body.roll_stiffness]), []
     for u, r, moved in _lines(body):
         along, across = u @ moved, np.array([-u[1], u[0]]) @ moved

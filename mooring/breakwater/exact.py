@@ -2,9 +2,9 @@
 
     (−ω²(M + A) − iωB + C) x = F,       K_T = T + Σ xⱼ ηⱼ,       K_R = R + Σ xⱼ ηⱼ⁻
 
-A, B, F, R, T and η, η⁻, the waves radiated to leeward and seaward, come from a `Section`.  On taut lines x = m q and
-the equation is projected on m, the mode of `body.OnTautLines`; the residual is the lines' pull.  Without losses |K_T|²
-+ |K_R|² = 1 for any mooring.
+A, B, F, R, T, and the waves η, η⁻ radiated to leeward and seaward, come from a `Section`. On taut lines x = m q, and
+the equation is projected on m, the mode of `body.OnTautLines`; the remaining force is the pull of the lines.
+Without losses |K_T|² + |K_R|² = 1 for any mooring.
 """
 
 from typing import NamedTuple
@@ -31,7 +31,7 @@ def fixed_exact(section):
 
 
 def free_exact(body, section):
-    """`FreeMotion` of a `FloatingBody`; section : at its draft.  Raises ValueError if it capsizes."""
+    """`FreeMotion` of a `FloatingBody`; section : `Section` at its draft. Raises ValueError if the body capsizes."""
     check_section(body, section)
     if body.roll_stiffness <= 0:
         height = body.roll_stiffness / (body.density * body.gravity * body.area)
@@ -84,7 +84,7 @@ def far_field(section, motion):
 
 
 def check_section(body, section):
-    """Raises ValueError unless a `Section` has the width and draft of the body and the water of the body"""
+    """Raises ValueError unless a `Section` has the body's width and draft, and its water"""
     there = (section.beam, section.draft, section.depth, section.density, section.gravity)
     asked = (body.waterline, body.draft, body.depth, body.density, body.gravity)
     if not np.allclose(there, asked, rtol=1e-12, atol=0):

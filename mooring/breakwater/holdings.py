@@ -1,4 +1,4 @@
-"""A breakwater over frequencies for each holding: fixed, free, on taut lines or on elastic lines."""
+"""Response of a breakwater over frequencies for each holding: fixed, free, on taut lines or on elastic lines."""
 
 from typing import NamedTuple
 
@@ -15,7 +15,7 @@ HOLDINGS = ("fixed", "free", "taut", "elastic")
 
 
 class Response(NamedTuple):
-    """Per unit wave amplitude, (n,) complex by frequency.
+    """Complex amplitudes per unit wave amplitude, (n,) over frequency.
 
     transmission, reflection : m/m; sway, heave : of the centre of gravity, m/m; roll : rad/m
     front, back : amplitudes of tension P_F and P_B, N/m²; nan for a holding without lines, or without results for them
@@ -49,9 +49,9 @@ def fixed_response(body, angle=None):
 def exact_response(holding, sections, body, angle=None, axial_stiffness=None):
     """`Response` by potential theory at the frequencies of `sections`.
 
-    holding : one of HOLDINGS; sections : (n,) `Section` of the body's draft; body : `FloatingBody` where it is free,
-    `TautBody` on lines, None where it is fixed; angle : angle of the lines of a fixed body; axial_stiffness : N per
-    metre
+    holding : one of HOLDINGS; sections : (n,) `Section` at the body's draft
+    body : `FloatingBody` if free, `TautBody` on lines, None if fixed; angle : angle of the lines of a fixed body;
+        axial_stiffness : N per metre
     """
     if holding == "fixed":
         flows = [fixed_exact(section) for section in sections]
@@ -74,8 +74,8 @@ def exact_response(holding, sections, body, angle=None, axial_stiffness=None):
 def response_with_loss(holding, flows, body, coefficient, amplitude, angle=None, axial_stiffness=None):
     """`Response` of a rectangle with head loss under the keel, including motions and tensions.
 
-    flows : (n,) `bem.sections.keel_loss.KeelFlow`; coefficient : C; amplitude : amplitude of the waves, m; others as in
-    `exact_response`.  The resistance κ = (2C/3πω) a |U| is found with the motion that it damps.
+    flows : (n,) `bem.sections.keel_loss.KeelFlow`; coefficient : C; amplitude : amplitude of the waves, m; all other
+        arguments as in `exact_response`. The resistance κ = (2C/3πω) a |U| is found with the motion that it damps.
     """
     from scipy.optimize import brentq
 

@@ -5,7 +5,7 @@
     f_M = (−k z₀ sinh kh + k(d+z₀) sinh k(h−d) − cosh kh + cosh k(h−d)) / (kd kl cosh kh) + l f_B / 3d
 
 l half width, d draft, z₀ < 0 the centre of gravity, n = C_g/C.  The pressure difference between both sides drives the
-water under the body. Of the waves outside only the propagating mode is included, so energy is conserved.
+water under the body. Outside the body only the propagating wave mode is included, so energy is conserved.
 Kihara, Kitatani & Todoroki (1975), eq. 3.1 to 3.13 and 4.7.
 """
 
@@ -19,7 +19,9 @@ EQUAL_AREA = np.sqrt(np.pi) / 4  # half the side of a square over the diameter o
 
 
 class LongWave(NamedTuple):
-    """Pressure of waves on a rectangle, (...,) by frequency: k rad/m, n, f_H, f_B, y_B of the module"""
+    """Quantities of wave pressure on a rectangle, each (...,) over frequency: k, rad/m, and n, f_H, f_B, y_B of the
+    module
+    """
 
     k: np.ndarray
     n: np.ndarray
@@ -29,7 +31,7 @@ class LongWave(NamedTuple):
 
 
 class FixedBody(NamedTuple):
-    """Waves on a fixed body per unit amplitude, (...,) complex by frequency.
+    """Complex amplitudes per unit wave amplitude at a fixed body, (...,) over frequency.
 
     transmission, reflection : m/m; horizontal, vertical : N/m² towards +y and up
     """

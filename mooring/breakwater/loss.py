@@ -2,16 +2,16 @@
 
     ΔH = C |U| U / 2g,     U = Q/s under the keel, linearised  (8/3π) C |Q| Q / (2g s²)
 
-The flow from side to side is the odd part of the waves, O = (K_R − K_T) e^(2ikb) at the sides y = ∓b, with head f_B a
-(1 + O) between them and discharge Q = (ω n / k f_B) (a/2) (1 − O), of the propagating mode as in `long_waves`; O = 1
-before a wall.  The loss is added to its impedance:
+The flow from side to side is the odd part of the waves, O = (K_R − K_T) e^(2ikb) at the sides y = ∓b; before a wall
+O = 1. For the propagating mode, as in `long_waves`, the head between the sides is f_B a (1 + O), and the discharge
+is Q = (ω n / k f_B) (a/2) (1 − O). The loss is added to the impedance of this flow:
 
     Z = (1 + O)/(1 − O),    Z′ = Z + r,    r |Z + 1 + r| = (2C/3πg) (ωn/ks)² a / f_B³
 
-The even part, K_R + K_T, has no flow underneath and is unchanged.  The difference of the tensions of a fixed body grows
-with the head; motions and tensions of a moving one remain those of potential flow, since its odd waves depend on more
-than the head: `bem.sections.keel_loss` has the same loss for rectangles in the exact flow, with motions and tensions.
-The lost power is the power of the head loss, ½ρg Re ΔH Q*. s keel clearance; C by the user.
+The even part, K_R + K_T, has no flow underneath and is unchanged.  The difference of the two tensions of a fixed
+body grows with the head. Motions and tensions of a moving body remain those of potential flow, since its odd waves
+depend on more than the head. For rectangles, `bem.sections.keel_loss` applies this loss in the exact flow, with
+motions and tensions. The lost power is that of the head loss, ½ρg Re ΔH Q*. s is the keel clearance; the user gives C.
 """
 
 from typing import NamedTuple
@@ -25,7 +25,7 @@ LARGEST = 1e4
 
 
 class Keel(NamedTuple):
-    """half : b, m, of the waterline; draft, depth : m; gravity : m/s²"""
+    """half : half width b of the waterline, m; draft, depth : m; gravity : m/s²"""
 
     half: float
     draft: float
@@ -36,7 +36,8 @@ class Keel(NamedTuple):
 def with_loss(response, coefficient, amplitude, omega, keel):
     """`Response` of a symmetric body with head loss in the flow underneath.
 
-    response : by potential theory, (n,); coefficient : C; amplitude : amplitude of the waves, m; omega : (n,) rad/s
+    response : `Response` by potential theory, (n,); coefficient : C; amplitude : amplitude of the waves, m; omega :
+        (n,) rad/s
     keel : `Keel`.  Raises ValueError for a negative coefficient or amplitude.
     """
     if not 0 <= coefficient <= LARGEST or not 0 <= amplitude < np.inf:

@@ -1,11 +1,11 @@
-"""A breakwater whose lines go slack, in regular waves, in time: one metre of the breakwater as a body of
-`mooring.motion`.
+"""Simulation of a breakwater whose lines go slack in regular waves: one metre of it is a body of `mooring.motion`.
 
-Lines are hawsers: straight, T = (EA/S) e of their elongation, zero when slack, wherever the body moves.  The memory of
-the water is that of the section over a band of frequencies; without lines the body floats Δ = 2P₀ sin α / ρgB_w above
-its place, the hydrostatic pressure being linear.  Surge, pitch and yaw are not excited. Peaks grow nearly with the
-square root of EA. The four periods of Table 3.2 of Kihara, Kitatani & Todoroki (1975) with snapping agree to 5 % for EA
-of 1e4 N per metre, which is less than chains have, as if the gauges yielded (`tests/bench/breakwater.py snap`).
+Lines are straight hawsers with T = (EA/S) e, e the elongation, and T = 0 when slack, wherever the body moves. The
+fluid memory is that of the section over a band of frequencies. Without lines the body floats Δ = 2P₀ sin α / ρgB_w
+above its place, because hydrostatic pressure is linear. Surge, pitch and yaw are not excited. Peaks of tension grow
+nearly with the square root of EA. For the four periods with snapping in Table 3.2 of Kihara, Kitatani & Todoroki
+(1975), an EA of 1e4 N per metre agrees to 5 %. Chains have a larger EA; the gauges may have yielded
+(`tests/bench/breakwater.py snap`).
 """
 
 from typing import NamedTuple
@@ -39,9 +39,10 @@ MOST = 0.3  # largest elongation in the table of tensions, over the line length
 
 
 class Snap(NamedTuple):
-    """time : (n,) s, of the last cycles; front, back : tensions (n,) N/m; peaks : (front, back) means of the largest
-    tension of every cycle, N/m; largest : (front, back); slack : (front, back) shares of the time; findings : one line
-    each"""
+    """time : (n,) s, in the last cycles; front, back : tensions, (n,) N/m
+    peaks : (front, back), mean of the largest tensions of all cycles, N/m; largest : (front, back), N/m
+    slack : (front, back), fraction of time; findings : one line each
+    """
 
     time: np.ndarray
     front: np.ndarray
@@ -53,8 +54,7 @@ class Snap(NamedTuple):
 
 
 def frequencies(body, omega):
-    """Frequencies of the sections, rad/s, that `snap` needs in waves of omega, rad/s, which are among them; shape
-    (n,)"""
+    """Frequencies of the sections, rad/s, that `snap` needs in waves of omega, rad/s (included); shape (n,)"""
     most = max(np.sqrt(SHORT * body.gravity / min(body.draft, body.waterline / 2)), 3 * omega)
     return np.union1d(np.linspace(LOWEST * omega, most, COUNT), omega)
 
@@ -63,7 +63,7 @@ def snap(body, sections, axial_stiffness, omega, amplitude, memory="states"):
     """`Snap` of a `TautBody` or `TautRectangle` in regular waves of omega, rad/s, and amplitude, m
 
     sections : `Section` of the moored draft at `frequencies`; axial_stiffness : EA, N per metre of body
-    memory : as in `mooring.motion.weather.Settings`; with "constant" radiation is always that of the waves' frequency
+    memory : as in `mooring.motion.weather.Settings`; "constant" means radiation at the frequency of the waves
     raises : ValueError
     """
     if not 0 < axial_stiffness < np.inf or not 0 <= amplitude < np.inf:

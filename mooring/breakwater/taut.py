@@ -7,9 +7,9 @@ With q the coordinate along which the lines allow motion, for lines at angle α 
     C = 2ρgdl GM cos²α + V/sin α {(l₁ cos α + (d+z₀) sin α)(l₁/S + cos α) cos α + l₁ sin α X/S},
     GM = l²/3d − d/2 − z₀
 
-which hold from α = 0 through 90°, where Q is at infinity, to 180°, since they are eq. 4.1 to 4.5 times cos α. If C < 0
-the upright position is unstable; both theories warn of it. Ito and Chiba's water adds I₁ to I and (F = f_H X − l f_M
-cos α)
+These equations hold from α = 0 through 90°, where Q is at infinity, to 180°, since they are eq. 4.1 to 4.5 times cos
+α. If C < 0 the upright position is unstable; both theories warn of this. Ito and Chiba's water adds I₁ to I and (F =
+f_H X − l f_M cos α)
 
     y = y_B + y_Q,   y_Q = 2ρg kd² F² / (n (ω²J − C)),   a_T = iy a/(1 + iy),   (C − ω²J) q = 2ρgd F (a − a_T)
 
@@ -30,8 +30,9 @@ from .long_waves import long_wave, moment_factor
 class TautRectangle(OnTautLines):
     """A rectangle on two pairs of taut lines, per metre of its length.
 
-    half : l, m; draft : d, moored, m; free_draft : d₀, without lines, m; depth : m
-    z0 : centre of gravity, m; inertia : I about it, kg m; angle : α, rad; attachment : l₁, m; line : S, m
+    half : half width l, m; draft : moored draft d, m; free_draft : draft d₀ without lines, m; depth : m
+    z0 : height of the centre of gravity, m; inertia : I about the centre of gravity, kg m; angle : α, rad;
+        attachment : l₁, m; line : S, m
     density : kg/m³; gravity : m/s².  Raises ValueError for impossible lines or bodies.
     """
 
@@ -63,7 +64,7 @@ class TautRectangle(OnTautLines):
 
     @property
     def area(self):
-        """Displaced on the lines, m²"""
+        """Displaced area on the lines, m²"""
         return 2 * self.half * self.draft
 
     @property
@@ -73,7 +74,7 @@ class TautRectangle(OnTautLines):
 
     @property
     def attachment_z(self):
-        """m; the lines end on the bottom"""
+        """Height of the lines' upper ends, m; the lines end on the bottom of the body"""
         return -self.draft
 
     @property
@@ -93,7 +94,7 @@ class TautRectangle(OnTautLines):
 
 
 class TautMotion(NamedTuple):
-    """Per unit wave amplitude, (...,) complex by frequency.
+    """Complex amplitudes per unit wave amplitude, (...,) over frequency.
 
     transmission, reflection : m/m, referred to the origin; sway : sway of the centre of gravity, m/m; roll : rad/m
     front, back : amplitudes of tension P_F and P_B, N/m²
@@ -127,7 +128,7 @@ def taut_long_wave(body, omega):
 
 
 def warn_if_unstable(body):
-    """Warn that the upright position, for which waves are requested, is unstable."""
+    """Warn that the upright position, for which waves are computed, is unstable."""
     if body.stiffness <= 0:
         warnings.warn(
             f"lines at {np.degrees(body.angle):.4g}°: the upright position is unstable, its stiffness is "

@@ -13,7 +13,9 @@ LEAST_SHARE = 0.999
 
 
 class Cells(NamedTuple):
-    """A sea in frequency cells; omega : (m,) rad/s, in their middle; width : (m,); energy : (m,) of each, m²"""
+    """A sea in frequency cells; omega : middles of the cells, (m,) rad/s; width : (m,) rad/s; energy : energy of
+    each cell, (m,) m²
+    """
 
     omega: np.ndarray
     width: np.ndarray
@@ -30,8 +32,9 @@ class Cells(NamedTuple):
 
 
 def equal_cells(spectrum, count):
-    """`Cells` of nearly equal energy of a `Spectrum`. A share of 0.0004 at each end is left out, since it would leave
-    few cells for the rest of the long tail. The cells together have the significant height of the spectrum."""
+    """`Cells` of nearly equal energy of a `Spectrum`. 0.0004 of the energy at each end is left out, since it would
+    leave few cells for the rest of the long tail. All cells together have the significant height of the spectrum.
+    """
     outside = (1 - LEAST_SHARE) * 0.4
     cells = _between(spectrum, spectrum.quantile(np.linspace(outside, 1 - outside, count + 1)))
     return cells._replace(energy=cells.energy * (spectrum.significant_height / cells.height) ** 2)
@@ -47,5 +50,7 @@ def greatest_of(deviation, waves):
 
 
 def slack_share(margin, deviation):
-    """Share of the cycles in which a line goes slack; margin : tension without waves, deviation : in waves, N/m"""
+    """Fraction of cycles in which a line goes slack; margin : tension without waves; deviation : standard deviation
+    in waves, N/m
+    """
     return float(np.exp(-0.5 * (max(margin, 0.0) / deviation) ** 2)) if deviation > 0 else 0.0

@@ -1,13 +1,13 @@
-"""A breakwater of finite length on its lines: the section of `body` prolonged over L, in six degrees of freedom.
+"""A breakwater of finite length on its lines: the section of `body` extended over the length L, in six degrees of
+freedom.
 
     water   C = ρg {L B_w,  L B_w³/12 + V (z_B − z),  L³ B_w/12 + V (z_B − z)}  of heave, roll, pitch
     lines   K = Σ Jᵀ {(EA/S) u uᵀ + (P₀/S)(1 − u uᵀ)} J  +  P₀ {(u·r) 1 − ½ (u rᵀ + r uᵀ)}  for rotations
 
-J is the motion of a line's upper end at r and u its direction to the anchor, summed over pairs of lines along the body.
-Per metre it is the same as `elastic` in sway, heave and roll.
-Moments are about (0, 0, z) and hold the weight at z₀.  EA/S of
-taut lines is chosen so that the lines are `STIFF` times as stiff as the water; the relative error of this constraint is
-1/`STIFF`.
+J is the motion of a line's upper end at r, and u its direction to the anchor; the sum is over pairs of lines along
+the body. In sway, heave and roll, K per metre equals that of `elastic`. Moments are about (0, 0, z) and include the
+weight at z₀.  EA/S of taut lines is chosen so that the lines are `STIFF` times as stiff as the water; the relative
+error of this constraint is 1/`STIFF`.
 """
 
 import numpy as np
@@ -31,7 +31,7 @@ def inertia(body, length, center):
 
 
 def buoyancy(body, length, center):
-    """Hydrostatic stiffness from the water's pressure and the weight, N/m, N, N m; shape (6, 6)"""
+    """Hydrostatic stiffness due to water pressure and weight, N/m, N, N m; shape (6, 6)"""
     weight, width = body.density * body.gravity, body.waterline
     righting = weight * body.area * length * (body.buoyancy_z - center)
     righting -= body.mass * length * body.gravity * (body.z0 - center)
@@ -43,7 +43,8 @@ def buoyancy(body, length, center):
 
 
 def line_matrix(body, length, center, spacing, axial_stiffness=None):
-    """Stiffness of the lines of a `TautBody` over `length`, m, in pairs about `spacing`, m, apart; shape (6, 6)
+    """Stiffness of the lines of a `TautBody` over `length`, m, in pairs at distances of about `spacing`, m; shape
+    (6, 6)
 
     axial_stiffness : EA, N per metre of body, None for lines that do not stretch
     """
@@ -77,7 +78,7 @@ def springs(body, length, axial_stiffness):
 
 
 def pairs(length, spacing):
-    """x (n,) m of the pairs of lines along the body, and the length of body per pair, m"""
+    """Positions x (n,) m of the pairs of lines along the body, and the length of body for each pair, m"""
     count = max(1, round(length / spacing))
     return (np.arange(count) + 0.5) * length / count - length / 2, length / count
 

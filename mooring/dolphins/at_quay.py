@@ -9,7 +9,9 @@ from .design_spectrum import Dolphins, Strains, beam_of, limit_height, strains
 
 
 class AtQuay(NamedTuple):
-    """count : fenders that the loads press; strains : strains of one fender; limit : m, allowable significant height"""
+    """count : number of fenders that the loads press; strains : strains of one fender; limit : allowable significant
+    height, m
+    """
 
     count: int
     strains: Strains
@@ -19,8 +21,8 @@ class AtQuay(NamedTuple):
 def at_quay(body, fenders, across, conditions, family):
     """`AtQuay` of a body in the sea of its Conditions; None if the loads compress no fender.
 
-    body : `bem.database.reader.Reader`, before a quay if there is one; fenders : sequence of `QuayFender`
-    across : N of wind and current; family : function of height, mean_period= → spectrum
+    body : `bem.database.reader.Reader`, at a quay if there is one; fenders : sequence of `QuayFender`
+    across : force of wind and current across the body, N; family : function of height, mean_period= → spectrum
     raises : DolphinError where the fenders cannot carry the steady load
     """
     sea = conditions.sea

@@ -4,9 +4,9 @@
     dynamic:  σ² = ∫ S |y|² dω,  y the displacement at the mooring point of the body on n springs
     Y_MAX = δ₀ + 3.87 σ,  compared with δ₀/H ≤ 10 % and Y_MAX/H ≤ 35 %
 
-3.87 = √(2 ln 1000) + γ/√(2 ln 1000), the expected largest of 1000 waves.  The spring is given for each fender, or is
-the equivalent spring of its curve and hysteresis about δ₀ with the amplitude √2 σ, found by iteration (`linearised`).
-SR179 report (1982), sections 3.7.1.1 and 3.7.5.
+3.87 = √(2 ln 1000) + γ/√(2 ln 1000) is the expected largest of 1000 waves over σ.  The spring is given for each
+fender, or is the equivalent spring of its curve and hysteresis about δ₀ with the amplitude √2 σ, found by iteration
+(`linearised`). SR179 report (1982), sections 3.7.1.1 and 3.7.5.
 """
 
 import math
@@ -29,8 +29,8 @@ class DolphinError(ValueError):
 class Dolphins(NamedTuple):
     """Fenders on the side towards which the loads push
 
-    fender : one fender with its dolphin; positions : (n, 3) m of each, x, y, z; stiffness : N/m of one, None for the
-    equivalent one of its curve
+    fender : one fender with its dolphin; positions : x, y, z of each fender, (n, 3) m; stiffness : stiffness of one
+        fender, N/m, None for the equivalent stiffness of its curve
     """
 
     fender: object
@@ -39,9 +39,10 @@ class Dolphins(NamedTuple):
 
 
 class Strains(NamedTuple):
-    """static : δ₀ m; sigma : m at the mooring point; largest : Y_MAX m; stiffness : N/m of one fender, loss : N/m
+    """static : δ₀, m; sigma : at the mooring point, m; largest : Y_MAX, m; stiffness, loss : of one fender, N/m
 
-    drift : N; static_strain, strain : over the height; stands : whether both are within limits
+    drift : N; static_strain, strain : deflections over the fender's height; stands : whether both strains are within
+        limits
     """
 
     static: float
@@ -56,9 +57,10 @@ class Strains(NamedTuple):
 
 
 class Beam(NamedTuple):
-    """A body in waves of one direction, read once. omega : (q,) rad/s; inertia : (q, 6, 6) with added mass; damping :
-    (q, 6, 6); stiffness : (6, 6); force : (q, 6) N/m …; drift : (q,) N/m² across the freely floating body; center :
-    (3,) m"""
+    """A body in waves of one direction, read once from a database. omega : (q,) rad/s; inertia : (q, 6, 6) with
+    added mass; damping : (q, 6, 6); stiffness : (6, 6); force : (q, 6) N/m …; drift : (q,) N/m² across the freely
+    floating body; center : (3,) m
+    """
 
     omega: np.ndarray
     inertia: np.ndarray
@@ -100,7 +102,9 @@ def at_fenders(beam, dolphins, stiffness, loss):
 
 
 def deflection_at(fender, force):
-    """m, smallest deflection at which the reaction of a fender is `force`, N.  Raises DolphinError if it never does."""
+    """Smallest deflection, m, at which a fender's reaction is `force`, N. Raises DolphinError if the reaction never
+    reaches it.
+    """
     grid = np.linspace(0.0, fender.limit, 2001)
     above = np.flatnonzero(fender.loading(grid) >= force)
     if not len(above):
@@ -116,8 +120,9 @@ def deflection_at(fender, force):
 
 
 def strains(beam, dolphins, steady, spectrum, times=1.0):
-    """`Strains` of a `Beam` in a sea; steady : N across the body, of wind and current; spectrum : `environment`'s, of
-    `times` its height
+    """`Strains` of a `Beam` in a sea; steady : force of wind and current across the body, N
+
+    spectrum : Spectrum of `mooring.environment`; times : factor on its height
 
     raises : DolphinError where the fenders cannot carry the steady load
     """
@@ -142,9 +147,10 @@ def strains(beam, dolphins, steady, spectrum, times=1.0):
 
 
 def limit_height(beam, dolphins, steady, family, period, highest=10.0):
-    """m, largest significant height with allowable strains; 0 where the steady load alone exceeds them.
+    """Largest significant height, m, with allowable strains; 0 where the steady load alone exceeds the allowable
+    strains.
 
-    family : function of height, mean_period= → spectrum; highest : m, that is looked up to
+    family : function of height, mean_period= → spectrum; highest : upper end of the search, m
     """
 
     unit = family(1.0, mean_period=period)

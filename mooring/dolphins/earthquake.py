@@ -1,4 +1,4 @@
-"""Earthquake at dolphins: ground motion y_g at the roots of the fenders, body and water otherwise at rest.
+"""Earthquake at dolphins: the ground motion y_g acts at the roots of the fenders; body and water are at rest before.
 
     (M + a) η̈ + N η̇ + R(η − y_g) = 0,    with the water's memory in place of a and N where a database gives it
 
@@ -6,13 +6,14 @@ For springs, R = k (η − y_g), in steady motion of the ground
 
     R/(ω² y_g M) = (k/ω²M) |−ω²(M + a) + iωN| / |k − ω²(M + a) + iωN|
 
-stiff fenders → (M + a)/M, soft ones → k/(ω²M) → 0; 1 is the method of the seismic coefficient.  SR179 report (1982),
-section 3.7.4.  A record of acceleration is integrated twice. A straight line is subtracted from the acceleration, so
-that velocity and displacement are 0 at both ends.
+The ratio tends to (M + a)/M for stiff fenders, and to k/(ω²M) → 0 for soft fenders; 1 is the method of the seismic
+coefficient.  SR179 report (1982), section 3.7.4.  A record of acceleration is integrated twice. A straight line is
+subtracted from the acceleration, so that velocity and displacement are 0 at both ends.
 
-In the body's motion against the ground, u = η − y_g, the ground drives as −(M + a) ÿ_g where N is small, so that a
-response spectrum S_a gives R = (M + a) S_a(T, ζ), with period and damping of the equivalent spring at its own u.  A
-spectrum for one damping ratio is converted to another by √(0.10/(0.05 + ζ)), at least 0.55 (EN 1998-1, 3.2.2.2).
+For the motion of the body relative to the ground, u = η − y_g, the driving force is −(M + a) ÿ_g if N is small. A
+response spectrum S_a therefore gives R = (M + a) S_a(T, ζ), with the period and damping of the equivalent spring at
+the amplitude u.  A spectrum is converted from one damping ratio to another by √(0.10/(0.05 + ζ)), at least 0.55 (EN
+1998-1, 3.2.2.2).
 """
 
 from itertools import islice
@@ -39,7 +40,7 @@ class Ground(NamedTuple):
     """time (n,) s, equally spaced; acceleration, velocity, displacement (n,) in m; velocity and displacement are 0 at
     both ends
 
-    base_line : m/s², of the first and the last acceleration, added to a record and straight between them
+    base_line : corrections at the first and the last acceleration, m/s², added to a record and linear in between
     """
 
     time: np.ndarray
@@ -71,7 +72,9 @@ class Floater(NamedTuple):
 
 
 class Fenders(NamedTuple):
-    """fender : one fender with its dolphin; count : on each side; clearance : m from the body at rest, on each side"""
+    """fender : one fender with its dolphin; count : number on each side; clearance : gap to the body at rest on each
+    side, m
+    """
 
     fender: object
     count: int = 1
@@ -79,7 +82,9 @@ class Fenders(NamedTuple):
 
 
 class Course(NamedTuple):
-    """time (n,) s; body (n,) m in space; deflection (n,) m of the fenders pressed; reaction (n,) N on all dolphins"""
+    """time (n,) s; body (n,) m in space; deflection (n,) m of the compressed fenders; reaction (n,) N on all
+    dolphins
+    """
 
     time: np.ndarray
     body: np.ndarray
@@ -105,7 +110,7 @@ def normalised_reaction(omega, mass, added_mass, damping, stiffness):
 
 
 def ground_of_record(time, acceleration, after=0.0):
-    """`Ground` of a record of acceleration, m/s², with corrected base line, followed by `after` s of rest.
+    """`Ground` of an acceleration record, m/s², with corrected base line, followed by `after` s of rest.
 
     raises : EarthquakeError for a record with gaps, or with values that are not numbers
     """
@@ -165,7 +170,9 @@ def _largest(ground, omega, ratio):
 
 
 def both_sides(fenders):
-    """Function of a path u (n,) m of the body relative to the ground → (n,) N from the fenders of both sides"""
+    """Function that gives the force (n,) N of the fenders on both sides along a path u (n,) m of the body relative
+    to the ground
+    """
     fender, count, clearance = fenders
 
     def one_side(depth):
@@ -187,8 +194,8 @@ def by_spectrum(floater, fenders, spectrum, spectrum_ratio=0.05):
     """`Spectral` reaction to a response spectrum, with the stiffness of the equivalent spring at the deflection of this
     reaction.
 
-    spectrum : function of the period, s → m/s² at a damping ratio of spectrum_ratio
-    A body that the motion does not bring across its clearance has no reaction, and period, ratio, acceleration nan.
+    spectrum : function of the period, s → m/s² at the damping ratio spectrum_ratio.
+    A body that does not cross its clearance has no reaction; its period, ratio and acceleration are nan.
     raises : EarthquakeError where fenders are compressed beyond their table, or no deflection satisfies the equation
     """
     fender = fenders.fender
@@ -224,7 +231,7 @@ def by_spectrum(floater, fenders, spectrum, spectrum_ratio=0.05):
 
 
 def natural(floater, stiffness):
-    """rad/s of a body on a spring, with the added mass at that frequency"""
+    """Natural frequency, rad/s, of a body on a spring, with the added mass at this frequency"""
     omega = np.sqrt(stiffness / (floater.mass + floater.added_mass))
     for _ in range(ROUNDS):
         before, omega = omega, np.sqrt(stiffness / (floater.mass + float(floater.water(omega)[0][0])))

@@ -4,8 +4,8 @@ In a steady motion y = y₀ + A cos θ, θ = ωt, the law G has the mean and the
 
     F₀ = (1/2π) ∮ G dθ,    k = (1/πA) ∮ G cos θ dθ,    h = −(1/πA) ∮ G sin θ dθ = ωc,    ∮ G dy = π h A²
 
-(Krylov and Bogoliubov).  An oscillator with them has m ω² = k(A) in free motion: Duffing's is 1.6e-3 off the exact
-period at εA²/k = 0.5, 7.7e-3 at 2, 2.2e-2 with ε alone.
+(Krylov and Bogoliubov).  An oscillator with this equivalent law has m ω² = k(A) in free motion. For Duffing's
+oscillator the period is in error by 1.6e-3 at εA²/k = 0.5, by 7.7e-3 at 2, and by 2.2e-2 with ε alone.
 """
 
 from typing import NamedTuple

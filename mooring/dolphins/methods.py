@@ -18,7 +18,7 @@ SHORT = 1e-3  # relative step of a deflection
 class Quake:
     """A body in one motion, its fenders, and the known data of the ground motion
 
-    ground, spectrum : None where not given; spectrum : function of the period; ratio : its damping
+    ground, spectrum : None where not given; spectrum : function of the period; ratio : damping ratio of the spectrum
     coefficient : coefficient of the rule, or None
     """
 
@@ -40,7 +40,7 @@ class Quake:
 class Method(NamedTuple):
     """Results of a method: period s, damping ratio, acceleration m/s², reaction N, deflection m; nan where undefined
 
-    reason : why the fenders fail
+    reason : reason for a failure of the fenders
     """
 
     name: str
@@ -86,14 +86,16 @@ def failures(quake, rows):
 
 
 def untouched(quake, rows):
-    """A line of text that names the methods, of `Method`s, by which no fender is touched"""
+    """A finding that names those of the `Method`s by which no fender is touched"""
     free = [row.name for row in rows if row.reaction == 0]
     if free:
         yield f"{', '.join(free)}: no fender is touched; the clearance is {quake.fenders.clearance:g} m on each side"
 
 
 def stiffnesses(quake, rows):
-    """{name: (N/m, natural period s)} of all fenders of a side: by the first slope, and by the largest deflection"""
+    """{name: (stiffness N/m, natural period s)} of all fenders on a side: from the initial slope, and from the
+    largest deflection
+    """
     fender, count = quake.fenders.fender, quake.fenders.count
     short = SHORT * fender.limit
     found = {"first slope": count * float(fender.loading.slope(short))}

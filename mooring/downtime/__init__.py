@@ -1,2 +1,1 @@
-"""Hours of a multi-year record in which a berth or an operation cannot be used, and the weather windows between these
-hours."""
+"""Hours of a multi-year record in which a berth or an operation is unusable, and the weather windows between them."""

@@ -1,7 +1,7 @@
-"""Times of a record in UTC: ISO 8601 with or without an offset, in a zone with or without summer time; or since 1970.
+"""Times of a record in UTC, from ISO 8601 texts with or without an offset or summer time, or from seconds since 1970.
 
-In autumn an hour of local time occurs twice: first in summer time, then in winter time.  In spring an hour does not
-occur.  A record that is marked UTC and has both of these is in local time.
+In autumn an hour of local time occurs twice: first in summer time, then in winter time. In spring an hour is
+missing. A record marked UTC that has both a doubled and a missing hour is in local time.
 """
 
 import datetime
@@ -105,8 +105,9 @@ def _changes(place, begin, end):
 
 
 def check_rising(time, where):
-    """P is computed once on a ring of headings and interpolated over β by the six nearest (Lagrange), with an error of
-    1e-6 of the largest m_n. Hours are grouped by these six headings, and each group is one product of matrices."""
+    """Raises TableError for times (n,) that do not ascend; the message names the place and a probable cause such as
+    local time.
+    """
     rise = np.diff(time)
     back = np.flatnonzero(rise <= np.timedelta64(0, "s"))
     if not len(back):

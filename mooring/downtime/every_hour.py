@@ -8,14 +8,14 @@ S of a family of one
 shape scales with its period: S(ω; H, T) = H² τ S₁(ωτ), τ = T/T₁, so that no table over periods is needed.
 
 The frequencies are those of `response.linear.frequencies` for all waves together, with as many between them as the peak
-of a spectrum needs. They are the same for every hour.  Systems of waves add.
+of a spectrum needs. These frequencies serve every hour. Contributions of wave systems add up.
 
 For shapes that depend on the period, such as TMA or spreading after Mitsuyasu, the harmonics over β are tabulated,
 
     m_n = H² Re Σ_k M_k(T) e^{ikβ},    M_k(T) = ∫ ωⁿ S(ω; 1, T) r_k(ω; T) p_k(ω) dω,
 
-p_k and r_k those of |X|² and of the spreading; cos²ˢ(θ/2) has r_k = Π_{j≤k} (s − j + 1)/(s + j).  M_k is interpolated
-between periods 1 % apart by the six nearest.
+where p_k and r_k are the harmonics of |X|² and of the spreading; cos²ˢ(θ/2) has r_k = Π_{j≤k} (s − j + 1)/(s + j).
+M_k is tabulated at periods 1 % apart and interpolated by the six nearest.
 """
 
 from dataclasses import dataclass, replace
@@ -47,7 +47,8 @@ class Shape(NamedTuple):
 
     family : name in `environment.spectra.FAMILIES`, or "tma"; kind : kind of its period, such as "peak_period"
     gamma : peak enhancement, None for a family without it
-    spreading : `environment.spreading.Spreading`, None for long crests; of Mitsuyasu's the peak is that of each hour
+    spreading : `environment.spreading.Spreading`, None for long crests; Mitsuyasu's spreading uses the peak of each
+        hour
     depth : m, for TMA
     """
 
@@ -63,7 +64,7 @@ class Shape(NamedTuple):
         return self.family not in FAMILIES or getattr(self.spreading, "depends_on_frequency", False)
 
     def spectrum(self, period):
-        """The Spectrum of a sea of LOW m"""
+        """The Spectrum of a sea with a significant height of LOW m"""
         more = {} if self.gamma is None else {"gamma": self.gamma}
         return families(self.depth)[self.family](LOW, **{self.kind: period}, **more)
 
@@ -85,7 +86,7 @@ def _unit(family, kind, gamma):
 class Response:
     """Responses (c,) of a body to waves of unit amplitude on a ring of headings.
 
-    names, units : (c,); omega : (q,) rad/s; power : (q, p, c) |X|² at p equal steps of β from 0
+    names, units : (c,); omega : (q,) rad/s; power : |X|² at p equally spaced β from 0, (q, p, c)
     """
 
     names: tuple[str, ...]
@@ -99,7 +100,7 @@ class Response:
         return ring_of(self.power.shape[1])
 
     def spread(self, spreading):
-        """Shares P of mean directions on the ring; shape (q, p, c)"""
+        """Values P for mean directions on the ring; shape (q, p, c)"""
         if spreading is None:
             return self.power
         away = np.mod(self.ring + np.pi, 2 * np.pi) - np.pi
@@ -111,7 +112,7 @@ class Response:
 
 
 def response_of(body, points, wanted):
-    """The Response of a `bem.database.reader.Reader`, `floating`, for the wanted names.
+    """The Response of a `bem.database.reader.Reader`, `floating`, for given names of responses.
 
     points : as in `response.points.transfer_functions`.  Raises ValueError for an unknown name.
     """
@@ -162,7 +163,7 @@ def moments_of_hours(response, shape, waves, orders=(0, 2)):
 
 
 def rule_of(omega, orders):
-    """Weights of the trapezium rule with ωⁿ; shape (o, q)"""
+    """Weights of the trapezium rule times ωⁿ for each order n; shape (o, q)"""
     rule = np.gradient(omega)  # trapezoidal rule, except at its ends
     rule[[0, -1]] *= 0.5
     return np.stack([rule * omega**n for n in orders])

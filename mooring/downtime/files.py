@@ -1,8 +1,8 @@
 """Columns of a hindcast by name, converted to SI from the units of their headers: CSV, netCDF, NDBC, SWAN tables.
 
 A header is a name, or a name with its unit in brackets: `hs [cm]`, `wind (knots)`. In netCDF the unit is an attribute;
-in files of NDBC (`#YY MM DD hh mm WDIR …`) and tables of SWAN (`% Time Hsig …`) it is in a line of its own. The default
-units are m, s, degrees, m/s.
+in files of NDBC (`#YY MM DD hh mm WDIR …`) and tables of SWAN (`% Time Hsig …`) the units are in a separate line.
+The default units are m, s, degrees, m/s.
 """
 
 import csv
@@ -37,8 +37,10 @@ TIMES = "time", "valid_time", "time_index", "ocean_time", "Time"  # alternative 
 def read_columns(path, time, zone, wanted, location=None):
     """Return times (n,), datetime64[s] in UTC; {name: values (n,) in SI, nan for empty fields}; messages on assumptions
 
-    time : name of its column; zone : as in `clock.times`; wanted : {name of a column: its kind, of UNITS or another}
-    location : number of the place in netCDF of several, from 1, the last of its axes fastest
+    time : name of the column of times; zone : as in `clock.times`; wanted : {name of a column: its kind, from UNITS
+        or any other}
+    location : number of the place in a netCDF file of several places, from 1; the count runs fastest along the last
+        axis
     raises : TableError, one line
     """
     path = Path(path)

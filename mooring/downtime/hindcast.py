@@ -1,7 +1,7 @@
 """A multi-year record of weather: waves of one or several systems, wind, current, level, ice, at equal steps with gaps.
 
-A missing value is nan.  Where the sea is frozen a hindcast has no waves: hours with ice and without waves count as
-calm.  Hours missing from the record are excluded from all shares, and end a weather window.
+A missing value is nan.  A hindcast has no waves where the sea is frozen, so hours with ice and without waves count
+as calm.  Missing hours are excluded from all shares, and they end a weather window.
 """
 
 from dataclasses import dataclass, field, replace
@@ -28,7 +28,7 @@ UNEVEN = 1.5  # times as much of one month as of another, from which means over 
 
 
 class WaveHours(NamedTuple):
-    """A system of waves, (n,) each: significant height m, period s, direction rad travelled to in axes of the body"""
+    """A wave system, each (n,): significant height, m; period, s; direction of travel in axes of the body, rad"""
 
     height: np.ndarray
     period: np.ndarray
@@ -37,9 +37,9 @@ class WaveHours(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Hindcast:
-    """time : (n,) datetime64[s], UTC, rising; step : s; waves : WaveHours of each system; columns : {name: (n,)} in SI
-
-    said : lines on gaps, codes, calms, ice, seasons
+    """time : (n,) datetime64[s], UTC, ascending; step : s; waves : WaveHours of each system; columns : {name: (n,)}
+    in SI
+    said : remarks on gaps, codes, calms, ice, seasons
     """
 
     time: np.ndarray
@@ -53,7 +53,7 @@ class Hindcast:
 
     @property
     def hours(self):
-        """h, of a row"""
+        """Time between rows, h"""
         return self.step / 3600
 
     @property
@@ -79,15 +79,15 @@ class Hindcast:
 
     @property
     def slot(self):
-        """Index of each row on equal steps from the first; shape (n,); a gap skips indices"""
+        """Index of each row, counted in steps from the first row; shape (n,); a gap skips indices"""
         return np.round((self.time - self.time[0]).astype(float) / self.step).astype(int)
 
 
 def made(time, waves, columns, where):
     """The Hindcast of columns as read, in SI: gaps, codes of missing values, calms and ice are found and reported.
 
-    where : name of the file.  Raises TableError for times that do not rise or have no common step, and for values that
-    nothing has.
+    where : name of the file.  Raises TableError for times that are not ascending or have no common step, and for
+        impossible values.
     """
     if len(time) < FEWEST:
         raise TableError(

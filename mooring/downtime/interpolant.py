@@ -2,13 +2,14 @@
 
     y = ln used = a + b ln H + f(x) + e,    f ~ GP(0, c² Matérn₅⸝₂(x/ℓ)),    e ~ N(0, σ²)
 
-σ is the scatter of seeds in the same sea, pooled over the states. It is the randomness of the sea and not an error.  An
-hour stops its operation with the probability
+σ is the scatter of seeds in one sea, pooled over the states. It represents the randomness of the sea and is not an
+error. In an hour the operation stops with the probability
 
     P = Φ(μ / √(σ² + s²))
 
-where s is the error of the interpolant in μ.  The effect of that error on the sum of all probabilities is found by
-joint draws of f at the undecided hours.  The process is that of scikit-learn, its lengths by maximum likelihood.
+where s is the error of the interpolated μ. The effect of this error on the sum of all probabilities is found from
+joint draws of f at the undecided hours. The Gaussian process is that of scikit-learn, with lengths ℓ by maximum
+likelihood.
 """
 
 import warnings
@@ -26,7 +27,7 @@ MISSING = "simulated states need scikit-learn; install it by: pip install 'hakob
 
 @dataclass(frozen=True, eq=False)
 class Interpolant:
-    """process : fitted `GaussianProcessRegressor` of the deviation from the trend; trend : a, b; scatter : σ"""
+    """process : `GaussianProcessRegressor` fitted to the deviation from the trend; trend : a, b; scatter : σ"""
 
     process: object
     trend: np.ndarray
@@ -39,11 +40,12 @@ class Interpolant:
         return mean + _trend(height) @ self.trend, error
 
     def chance(self, mean, error):
-        """P (n,) of hours with μ, s"""
+        """Probability P (n,) of hours with μ, s"""
         return ndtr(mean / np.sqrt(self.scatter**2 + error**2 + LEAST**2))
 
     def spread_of_sum(self, x, height, mean, error, free):
-        """Standard deviation of Σ P over hours: due to the interpolant alone, and due to the chance of the sea alone.
+        """Two standard deviations of Σ P over hours: due to the interpolant alone, and due to the randomness of the
+        sea alone.
 
         free : (n,) whether no other limit stops the hour
         """
@@ -91,8 +93,8 @@ def fitted(x, height, used):
 
 
 def where_it_may_change(x, mean, error, scatter, free, count, taken):
-    """Numbers (≤ count,) of the hours at which a further state would change the verdicts most, no two hours near each
-    other
+    """Numbers (at most count) of the hours at which a further state would change the verdicts most; no two are close
+    together
 
     taken : (s, d) features of the existing states
     """

@@ -3,8 +3,8 @@
     hour    x̄ = σ (s + γ_E/s),  s = √(2 ln n),  n = duration / T_zero                     (`response.extremes`)
     year    P(x_y < x) = exp(−Σ_h n_h exp(−x²/2σ_h²)),  h over the hours of the year
 
-One largest value is drawn from the distribution of each year, as a measurement would give it. The randomness of the sea
-is then included in the yearly maxima, and in the interval of the return value (`site.extremes`).
+As in a measurement, each year has one largest value; it is drawn from the distribution of that year. The yearly
+maxima, and the interval of the return value (`site.extremes`), then include the randomness of the sea.
 """
 
 import numpy as np
@@ -28,7 +28,7 @@ def largest_of_hours(m0, m2, duration):
 
 
 def drawn_of_years(m0, m2, year, step):
-    """Complete years (Y,), and one largest value of each (Y, c); m0, m2 : (n, c); year : (n,); step : s"""
+    """Complete years (Y,), and one largest value for each of them (Y, c); m0, m2 : (n, c); year : (n,); step : s"""
     kept, out = whole_years(np.isfinite(m0[:, 0]), year, step), []
     share = np.random.default_rng(SEED).uniform(size=(len(kept), m0.shape[1]))
     for one, u in zip(kept, share, strict=True):
@@ -38,7 +38,7 @@ def drawn_of_years(m0, m2, year, step):
 
 
 def whole_years(known, year, step):
-    """Years with enough rows of step s that are known (n,); shape (Y,)"""
+    """Years with enough known rows (n,) of `step` s; shape (Y,)"""
     years = np.unique(year)
     return years[[known[year == one].sum() * step >= WHOLE * 365.25 * 86400 for one in years]]
 
@@ -62,7 +62,10 @@ def _drawn(m0, m2, step, share):
 
 
 def return_values(maxima, period):
-    """value, low, high, each (c,), of yearly maxima (Y, c) by Gumbel's law; nan of fewer than 5 years, or no motion"""
+    """Return value and its interval: value, low, high, each (c,), from yearly maxima (Y, c) by Gumbel's law.
+
+    nan for fewer than 5 years, or without motion
+    """
     out = np.full((3, maxima.shape[1]), np.nan)
     for i, column in enumerate(maxima.T):
         if len(column) >= 5 and np.ptp(column) > 1e-9 * np.abs(column).max():

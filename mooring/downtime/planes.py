@@ -1,6 +1,6 @@
 """Hours given as densities over frequency and direction, as wave models write them.
 
-A plane of densities is linear between its rows, so that moments of all hours are one product of matrices with
+A plane of densities is linear between its rows. Moments of all hours are therefore one matrix product with
 
     W_ij = ∬ ωⁿ h_i(ω) h_j(θ) |X|² dω dθ,    h_i, h_j the linear hat functions that are 1 at row i and 0 at the others.
 """
@@ -18,9 +18,9 @@ SECTOR = 1.5  # factor on the usual step of directions; no waves travel between 
 
 
 class Planes(NamedTuple):
-    """paths : paths of netCDF, one after the other; counts : hours of each; location : index of the place
+    """paths : paths of successive netCDF files; counts : number of hours in each; location : index of the place
 
-    omega : (f,) rad/s, rising; angle : (d,) rad travelled to, in axes of the body
+    omega : (f,) rad/s, ascending; angle : directions of travel in axes of the body, (d,) rad
     """
 
     paths: tuple
@@ -30,7 +30,7 @@ class Planes(NamedTuple):
     angle: np.ndarray
 
     def density(self):
-        """Density of some hours at a time, m² s/rad²; shape (m, f, d); nan for an hour without a plane"""
+        """Densities of successive groups of hours, m² s/rad²; shape (m, f, d); nan for an hour without a plane"""
         for path in self.paths:
             for _, _, _, density in planes_of(path, self.location):
                 yield density / np.float32(2 * np.pi)
@@ -41,10 +41,10 @@ class Planes(NamedTuple):
 
 
 def read_planes(paths, location, x_axis):
-    """Read times, Planes, and the significant height, m, energy period, s, and mean direction, rad, of their hours,
-    (n,) each.
+    """Times, Planes, and the significant height, m, energy period, s, and mean direction, rad, of each hour, (n,)
+    each.
 
-    x_axis : rad of the compass that the x axis heads.  Raises TableError.
+    x_axis : compass heading of the x axis, rad. Raises TableError.
     """
     moments, counts, found, first = [], [], [], None
     for path in paths:
@@ -75,8 +75,9 @@ def _integrals(omega, angle, density):
 
 
 def moments_of_planes(response, omega, angle, density, orders=(0, 2)):
-    """Spectral moments of planes (n, f, d), m² s/rad², straight between omega (f,), rad/s, and angle (d,), rad; shape
-    (len(orders), n, c)
+    """Spectral moments of planes (n, f, d), m² s/rad²; shape (len(orders), n, c).
+
+    Planes are linear between omega (f,), rad/s, and angle (d,), rad
 
     density : iterable of arrays (m, f, d), n hours in all; nan in an hour without data
     """

@@ -2,15 +2,17 @@
 
     next = argmax over hours of min over chosen states of ‖x − x_s‖
 
-in features scaled to 0 … 1; a direction is a point on a circle of diameter 1.  The first state is the highest sea.  The
-states lie first at the edges of the cloud of hours, then ever closer inside.
+in features scaled to 0 … 1; a direction is a point on a circle of diameter 1.  The first state is the highest sea.
+The first states lie at the edges of the cloud of hours; later states fill its interior ever more densely.
 """
 
 import numpy as np
 
 
 def features(numbers, directions=()):
-    """Numbers [(n,), …] scaled by their ranges, and directions [(n,) rad, …] as points of a circle; shape (n, d)"""
+    """Features of hours, shape (n, d): numbers [(n,), …] scaled by their ranges, directions [(n,) rad, …] as points
+    on a circle
+    """
     columns = []
     for values in numbers:
         least, width = np.min(values), np.ptp(values)

@@ -10,9 +10,9 @@ import numpy as np
 
 
 class Windows(NamedTuple):
-    """first : (w,) number of the row with which a window begins; steps : (w,) number of rows of the window
+    """first : (w,), number of the first row of a window; steps : (w,), number of rows in the window
 
-    whole : (w,) whether known rows, without gaps, precede and follow it: otherwise it may have been longer
+    whole : (w,), whether known rows precede and follow the window without a gap; otherwise it may have been longer
     """
 
     first: np.ndarray
@@ -21,7 +21,9 @@ class Windows(NamedTuple):
 
 
 def windows(usable, known, slot):
-    """Windows of usable (n,), known (n,) rows with numbers slot (n,) of `hindcast.Hindcast.slot`"""
+    """Windows of rows; usable, known : (n,), whether a row is usable, and whether it is known; slot :
+    `hindcast.Hindcast.slot`, (n,)
+    """
     good = usable & known
     follows = np.diff(slot, prepend=slot[0] - 2) == 1
     begins = good & ~(np.roll(good, 1) & follows)
@@ -42,8 +44,8 @@ def in_windows(found, count, steps):
 
 
 def waiting(found, known, slot, steps):
-    """Rows of waiting from each row for a window of `steps` rows; shape (n,); nan where the record does not determine
-    the waiting
+    """Rows of waiting from each row for a window of `steps` rows; shape (n,); nan where the record does not
+    determine the time of waiting
 
     The wait from a row inside a window is 0 if at least `steps` rows of the window remain.
     """

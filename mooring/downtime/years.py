@@ -3,7 +3,8 @@
     p = Σ_y d_y / Σ_y n_y,   p₍y₎ the same without year y,   s² = (Y − 1)/Y Σ_y (p₍y₎ − p̄₍·₎)²,   p ± t s
 
 d_y are the down hours and n_y the known hours of year y; t is from Student's distribution with Y − 1 degrees of freedom
-(delete-one jackknife with years as blocks, Tukey 1958).  Hours of one storm are not independent, years nearly are.
+(delete-one jackknife with years as blocks, Tukey 1958).  Hours of one storm are not independent of each other; years
+nearly are.
 """
 
 import numpy as np
@@ -28,7 +29,8 @@ def _sums(values, place, count):
 
 
 def share_with_interval(down, known, confidence=CONFIDENCE, most=1.0):
-    """p, low, high, each (…), of sums (Y, …) by year; low and high nan with fewer than FEWEST years, p nan of no hours
+    """p, low, high, each (…), from sums (Y, …) by year; low and high are nan with fewer than FEWEST years, p is nan
+    without hours
 
     most : upper limit of p; inf for a mean, such as a waiting time
     """

@@ -1,4 +1,5 @@
-"""Lines between the turbines of a farm: FAST.Farm's primary file, NAME.fstf, which names MoorDyn's and has the places.
+"""Lines between the turbines of a farm: FAST.Farm's primary file, NAME.fstf, which contains the turbines' positions
+and the name of MoorDyn's file.
 
 value   NumTurbines, then WT_X WT_Y WT_Z … in m;   value   SharedMoorFile (OpenFAST documentation, FAST.Farm)
 """

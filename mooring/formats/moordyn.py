@@ -1,9 +1,9 @@
 """MoorDyn input files, read and written: tables of text under headings of dashes.
 
-Columns are found by the names in the table's first line, so files of version 1 and 2 are both read. With unknown names
-the order of version 2 is assumed.  A row has an entry for every column; text after # or ! is a note. All content is
-kept as written, including content that the statics of `mooring.lines` cannot use. `moordyn_system` makes a System of
-it, or reports why not. MoorDyn 2.7 documentation, "Inputs" (moordyn.readthedocs.io).
+Columns are found by the names in the table's first line, so files of version 1 and 2 are both read. If the names are
+unknown, the order of version 2 is assumed. A row has an entry for every column; text after # or ! is a comment. All
+content is kept as written, including content that the statics of `mooring.lines` cannot use. `moordyn_system` makes
+a System of the file, or reports why it cannot. MoorDyn 2.7 documentation, "Inputs" (moordyn.readthedocs.io).
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ class MoorDynFile:
         return f"<MoorDynFile {len(self.lines)} lines, {len(self.points)} points, {len(self.bodies)} bodies>"
 
     def option(self, *names, default=None):
-        """The value of the first given option among some names, in any case."""
+        """The value of the first option that the file gives among some names; upper and lower case are equal."""
         given = {name.lower(): value for name, value in self.options.items()}
         return next((given[name.lower()] for name in names if name.lower() in given), default)
 

@@ -1,10 +1,10 @@
 """Lines of a MoorDyn file out of the water: parts above the surface have their weight in air.
 
-A line that cannot reach the water has a type with the weight in air. If its length is L and its ends are at z_a and
+A line that cannot reach the water gets a type with its weight in air. If its length is L and its ends are at z_a and
 z_b, none of its points is lower than (z_a + z_b − L)/2.
 A free point at one end is at most L below the other end.  Other lines with an end above the water have their weight in
-air for the parts above the water (`mooring.lines.system.surfacing`). Lines that float or have a table of stiffness keep
-their weight in water there, and a warning reports this.
+air for the parts above the water (`mooring.lines.system.surfacing`). Lines that float or have a table of stiffness
+keep their weight in water above the water too; a warning reports this.
 """
 
 from dataclasses import replace
@@ -20,8 +20,9 @@ DIPS = 1e-3  # part of the length that may enter the water while a line still co
 
 
 def in_air(lines, points, bodies, water):
-    """The lines, with a type with weight in air for lines that cannot reach the water; and the names of these dry
-    lines"""
+    """The lines, where lines that cannot reach the water have a type with the weight in air; and the names of these
+    dry lines
+    """
     lowest = _lowest(lines, points, bodies)
     dry = [_is_dry(line, lowest) for line in lines] if water.density > 0 else [False] * len(lines)
     wet = {line.type.name for line, out in zip(lines, dry, strict=True) if not out and isinstance(line, UniformLine)}
@@ -68,7 +69,7 @@ def _lowest(lines, points, bodies):
 
 
 def weighed_differently(system):
-    """Names of lines with their weight in water above the surface too, unlike in MoorDyn"""
+    """Names of lines that, unlike in MoorDyn, have their weight in water also above the surface"""
     above = heights(system.points, system.bodies) if system.density > 0 else {}
     high = {name for name, z in above.items() if z > OUT}
     return [
@@ -82,10 +83,10 @@ def weighed_differently(system):
 
 
 def out_of_water(lines, points, bodies, dry, water):
-    """The lines, and a message. A line with a given end above the water has its weight in air; the message names the
-    lines that do not.
+    """The lines, and a message. A line with a given end above the water has its weight in air above the water; the
+    message names lines for which this is not possible.
 
-    dry : names of `in_air`
+    dry : names of the dry lines from `in_air`
     """
     high = {name for name, z in heights(points, bodies).items() if z > OUT} if water.density > 0 else set()
     made, left = [], []

@@ -1,8 +1,8 @@
 """Contents of a MoorDyn file that lines at rest on a flat bed in still water do not support: one text for each kind.
 
-Settings of a run in time (step, scheme, relaxation, outputs, stiffness and damping of the bed, drag, added mass, axial
-damping) have no effect at rest and are not named. Bending stiffness is named for moving lines.  MoorDyn 2.7
-documentation, "Inputs" and "Features".
+Settings of a run in time (step, scheme, relaxation, outputs, stiffness and damping of the bed, drag, added mass,
+axial damping) have no effect at rest and are not reported. Bending stiffness is reported for moving lines.  MoorDyn
+2.7 documentation, "Inputs" and "Features".
 """
 
 from math import isfinite
@@ -28,7 +28,9 @@ UNDERSTOOD = " wtrdpth depth waterdepth wtrdnsty rho rhow wtrdens g gravity grav
 
 
 def left_out(file, moves=False):
-    """[text] for each kind of content of a MoorDynFile that its System does not support; moves : for moving lines"""
+    """[text, …], one for each kind of content of a MoorDynFile that its System does not support; moves : whether
+    lines move
+    """
     said = [*_of_types(file, moves), *_of_options(file)]
     joints = [row.id for row in file.rods if (row.xa, row.ya, row.za) == (row.xb, row.yb, row.zb)]
     bent = [row.name for row in file.rod_types if file.rods and file.lines]

@@ -1,15 +1,15 @@
 """Line types of a MoorDyn file whose tension is a table over strain, and Syrope polyester ropes at rest.
 
-A new polyester rope follows its original working curve under slow loading.  Once its mean tension has reached T_max it
-keeps a stretch: below T_max it follows a working curve from (ε₀, 0) to (ε_max, T_max), ε_max on the original curve,
-with ξ = (ε − ε₀) / (ε_max − ε₀):
+A new polyester rope follows its original working curve under slow loading.  A rope whose mean tension has reached
+T_max keeps a stretch ε₀. Below T_max it follows a working curve from (ε₀, 0) to (ε_max, T_max), a point on the
+original curve, with ξ = (ε − ε₀) / (ε_max − ε₀):
 
     LINEAR T_max ξ,    QUADRATIC T_max ξ (k₂ ξ + 1 − k₂),    EXP T_max (e^{k₂ ξ} − 1) / (e^{k₂} − 1)
 
-ε₀ = k₁ ε_max, or for a LINEAR k₁ of 1 or more, ε_max − T_max / k₁.  Above T_max the original curve applies.  At rest
-the tension is therefore one rising curve over strain, independent of the path below T_max. The fast stiffness EA_Dc +
-EA_D_Lm T applies only in motion.  A rope with a stretch ε₀ is computed as a rope of (1 + ε₀) times the length.
-MoorDyn 2.7
+ε₀ = k₁ ε_max; for LINEAR with k₁ of 1 or more, ε₀ = ε_max − T_max / k₁.  Above T_max the original curve applies.  At
+rest the tension is therefore one rising curve over strain, independent of the path below T_max. The fast stiffness
+EA_Dc + EA_D_Lm T applies only in motion.  A rope with the stretch ε₀ is computed as a rope whose length is (1 + ε₀)
+times larger. MoorDyn 2.7
 documentation, "Inputs", Nonlinear Stiffness and Syrope Model for Polyester Lines; Wei, Bingham and Shao, "Extended
 Moordyn Solver and Validation Report" (2026).
 """
@@ -31,7 +31,9 @@ FORMS = ("linear", "quadratic", "exp")
 
 
 class WorkingCurves(NamedTuple):
-    """original : (n, 2) strain and tension, N, rising from 0, 0; form : one of FORMS; k1, k2 : of the working curves"""
+    """original : (n, 2), strain and tension, N, ascending from (0, 0); form : one of FORMS; k1, k2 : constants of
+    the working curves
+    """
 
     original: np.ndarray
     form: str
@@ -79,7 +81,7 @@ def is_syrope(row):
 def curve_of_line(row, kind, syrope, path):
     """Strain and tension, N, at rest, of a LineRow whose LineTypeRow `kind` is tabulated; shape (k, 2).
 
-    syrope : {id of a line: N, the largest mean tension before}
+    syrope : {id of a line: largest earlier mean tension, N}
     raises : FormatError
     """
     name, folder = kind.EA.split("|")[0], Path(path).parent
@@ -95,7 +97,7 @@ def curve_of_line(row, kind, syrope, path):
 
 
 def segment_of_curve(kind, length, curve):
-    """The Segment of a LineType with an elongation curve (k, 2); length : m, of the new rope."""
+    """The Segment of a LineType with an elongation curve (k, 2); length : length of the new rope, m."""
     kept = 1 + float(curve[0, 0])
     table = tuple(zip((curve[:, 0] + 1) / kept - 1, curve[:, 1], strict=True))
     return Segment(length * kept, kind.weight / kept, table, kind.diameter, kind.breaking_load, kind.name)

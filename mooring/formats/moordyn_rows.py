@@ -1,4 +1,4 @@
-"""Contents of the tables of a MoorDyn file: one row type for each section, and the names of its columns.
+"""Row types of the tables of a MoorDyn file, one for each section, with the names of its columns.
 
 MoorDyn 2.7 documentation, "Inputs" (moordyn.readthedocs.io).  Values keep MoorDyn's units.
 """
@@ -70,8 +70,9 @@ class BodyRow(NamedTuple):
 def early_body(words):
     """Entries in the order of BodyRow, from the order in draft versions of v2, which MoorPy still writes
 
-    BodyID X0 Y0 Z0 r0 p0 y0 Xcg Ycg Zcg M V IX IY IZ, then CdA and Ca of one or three numbers. The attachment follows
-    the number, as in 1Coupled; a number alone is a floating body.  Other rows are returned unchanged.
+    BodyID X0 Y0 Z0 r0 p0 y0 Xcg Ycg Zcg M V IX IY IZ, then CdA and Ca of one or three numbers. The attachment
+    follows the body's number, as in 1Coupled; a number alone means a floating body.  Other rows are returned
+    unchanged.
     """
     drag = {17: 1, 19: 3, 21: 3}.get(len(words))
     if drag is None:
@@ -111,7 +112,7 @@ class PointRow(NamedTuple):
 
 
 class LineRow(NamedTuple):
-    """a, b : points (or ends of rods) at the anchor's and at the fairlead's end; length : m, unstretched"""
+    """a, b : points (or ends of rods) at the anchor and at the fairlead; length : unstretched length, m"""
 
     id: str
     type: str
@@ -131,7 +132,9 @@ class FailureRow(NamedTuple):
 
 
 class Section(NamedTuple):
-    """Heading, row type (None where a section is no table), columns as written, further names of columns → field"""
+    """Heading, row type (None for a section that is not a table), columns as written, {further name of a column:
+    field}
+    """
 
     title: str
     words: tuple[str, ...]  # any of these in the heading

@@ -1,12 +1,12 @@
 """A MoorDyn file as a System of lines at rest.
 
-Coupled points and bodies are fixed at their given places: a run in time would move them with the vessel. The points
-belong to one body named "vessel" at the origin, those of bodies 1, 2 … to "body 1" …; other names are the ids of the
-file.  Ends of a fixed rod are points "R1A", "R1B". A free rod without length is one free point "R1"; a free rod with a
-length is a body "rod 1" that floats or sinks as a whole.
-A free body has its weight at its CG, and its whole buoyancy at its
-origin.  Submerged weight is (mass − ρ π/4 d²) g; for lines above the water it is mass g (`moordyn_dry`). Content that
-statics cannot represent is refused by name, or omitted with a warning for each kind.
+Coupled points and bodies, which a run in time would move with the vessel, are fixed at their given positions.
+Coupled points belong to one body named "vessel" at the origin; points of bodies 1, 2 … belong to "body 1" …. All
+other names are the ids of the file.  Ends of a fixed rod are points "R1A", "R1B". A free rod without length is one
+free point "R1"; a free rod with a length is a body "rod 1" that floats or sinks as a whole. A free body has its
+weight at its CG and its full buoyancy at its origin. The submerged weight of a line is (mass − ρ π/4 d²) g; above
+the water its weight is mass g (`moordyn_dry`). Content that statics cannot represent is refused by name, or omitted
+with a warning for each kind.
 """
 
 from __future__ import annotations
@@ -54,9 +54,9 @@ class _Water(NamedTuple):
 def system_of_moordyn(file: MoorDynFile, path="MoorDyn file", depth=None, moves=False, turbines=None) -> System:
     """The System of a MoorDynFile.
 
-    turbines : {number: (x, y, z)} m, places of the turbines of a farm, whose points are Turbine1 …
-    depth : m, for a file without depth or with a bathymetry; by default that of its lowest point, with a warning
-    moves : whether its lines are to be simulated in time; their weight above the water is then that in air
+    turbines : {number: (x, y, z)}, positions of a farm's turbines, m, whose points are named Turbine1 …
+    depth : m, for a file without depth or with a bathymetry; by default the depth of its lowest point, with a warning
+    moves : whether the lines will be simulated in time; above the water they then have their weight in air
     warns : for each kind of omitted content
     raises : FormatError for unsupported content, ValueError for impossible values
     """

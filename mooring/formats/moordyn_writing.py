@@ -4,13 +4,12 @@ An axial wave of the shortest segment, l long, has the angular frequency and the
 
     ω = 2 √(EA/m) / l,    σ = 4 BA / (m l²) = 2 ζ ω,
 
-a node at the bed ω² = k d/m and σ = c d/m with the bed's kBot and cBot, a bent one ω = 4 √(EI/m) / l².  A free point
-has half the mass of the segments at it and its own mass. With ω² ≤ 2 Σ(EA/l) / (½ Σ m l + M) the point is not faster
-than the fastest of its lines.
-MoorDyn's scheme, Runge–Kutta of second order, is stable for a decaying motion up to σ dt = 2; an
-undamped one grows by (ω dt)⁴/8 a step.  dtM is the least of 0.2/ω and 1/σ, rounded down.  Masses are masses in air;
-added mass, which only slows the nodes down, is not included. MoorDyn 2.7 documentation, "Inputs" (names of options) and
-"Troubleshooting" (time step).
+a node at the bed has ω² = k d/m and σ = c d/m with the bed's kBot and cBot, and a node of a bent line ω = 4 √(EI/m)
+/ l². A free point has its own mass and half the mass of the segments at the point. With ω² ≤ 2 Σ(EA/l) / (½ Σ m l +
+M) the point is not faster than the fastest of its lines. MoorDyn's scheme, Runge–Kutta of second order, is stable
+for a decaying motion up to σ dt = 2; an undamped motion grows by (ω dt)⁴/8 in each step. dtM is the smaller of 0.2/ω
+and 1/σ, rounded down.  Masses are masses in air; added mass, which only slows the nodes down, is not included.
+MoorDyn 2.7 documentation, "Inputs" (names of options) and "Troubleshooting" (time step).
 """
 
 from __future__ import annotations
@@ -50,8 +49,8 @@ RELAXED = {"ICgenDynamic": "1"}
 def moordyn_of_system(system: System, source: MoorDynFile | None = None) -> MoorDynFile:
     """The MoorDynFile of a System, for a dynamic run.
 
-    source : the file that it was read from, whose settings of a run in time are kept
-    Bodies are written as Coupled, fixed in place: MoorDyn receives no hydrostatics and loads of theirs.
+    source : the file that the System was read from, whose settings of a run in time are kept.
+    Bodies are written as Coupled and fixed in place: MoorDyn receives neither their hydrostatics nor their loads.
     raises : FormatError for a type without mass or diameter, friction that differs between lines, or a line with
         segments
     """
@@ -142,7 +141,7 @@ def _positive(name, text):
 
 
 def stable_step(system, longest, bed_stiffness, bed_damping):
-    """s, at most the longest; bed_stiffness, bed_damping : Pa/m and Pa s/m"""
+    """Stable time step, s, at most LONGEST; bed_stiffness, bed_damping : Pa/m and Pa s/m"""
     fastest, decay = [0.2 / longest], []
     for line in system.lines:
         kind, felt = line.type, line.type.dynamics or LineDynamics()

@@ -1,9 +1,9 @@
 """MoorPy's YAML, also inside a RAFT design (`mooring:`, `array_mooring:`) and windIO, as a System of lines.
 
 Keys: water_depth (depth), water_density (rho_water, rho), line_types, points, lines; mass_density is mass per metre, so
-the submerged weight is (mass_density − ρ π/4 diameter²) g.  Points of type fixed are anchors. Points of type vessel and
-fairlead belong to one body "vessel" at the origin, those of body1 … to "body 1" …; free and connection are free points.
-anchor_types and costs are ignored.  NREL/MoorPy 1.3, `System.parseYAML`.
+the submerged weight is (mass_density − ρ π/4 diameter²) g.  Points of type fixed are anchors. Points of type vessel
+and fairlead belong to one body "vessel" at the origin; points of type body1 … belong to "body 1" …. Points of type
+free and connection are free. anchor_types and costs are ignored.  NREL/MoorPy 1.3, `System.parseYAML`.
 """
 
 from __future__ import annotations

@@ -4,9 +4,10 @@
     vessel (in its axes, from InitialPosition and Orientation); sections of LineType and Length from end A
     submerged weight of a type: (MassPerUnitLength + contents − ρ π/4 OD²) g
 
-Keys stand one by one with places in brackets, Length[1]: 660, or several with rows, "LineType, Length: [[chain, 660]]".
-Before OrcaFlex 11 the ends are EndAConnection, EndAX.  Vessels are held in heave, roll and pitch.  Drag, added mass and
-bending are not read. Content that would change the rest of the lines and cannot be represented is refused by name.
+A key may stand alone with its place in brackets, Length[1]: 660; or several keys stand together with rows,
+"LineType, Length: [[chain, 660]]". Before OrcaFlex 11 the keys of ends are EndAConnection, EndAX.  Vessels are held
+in heave, roll and pitch.  Drag, added mass and bending are not read. Content that would change the lines at rest but
+cannot be represented is refused by name.
 """
 
 from __future__ import annotations
@@ -68,7 +69,7 @@ def system_of_orcaflex(data, path="YAML file", depth=None) -> System:
 
 
 def column(row, key):
-    """Values of a key in a table of OrcaFlex, at all its places; [] for a missing key"""
+    """Values of a key at all places of an OrcaFlex table; [] for a missing key"""
     for names, values in row.items():
         parts = [part.strip() for part in str(names).split(",")]
         if key in parts and isinstance(values, list) and values and isinstance(values[0], list):

@@ -5,12 +5,12 @@
     components.floating_platform   joints: location [x, y, z], or [r, θ, z] where cylindrical; members: joint1, joint2,
                                    axial_joints, each at a share `grid` of the way
 
-Version 2 has θ in degrees, and version 1 has it in radians; but files of version 1 may be called version 2. The angles
-are therefore taken as radians if none of them is above 2π.
+θ is in degrees in version 2 and in radians in version 1, but files of version 1 may be called version 2. Angles are
+therefore taken as radians if none of them is above 2π.
 
-A chain given by its diameter d alone is the chain that WISDEM makes of it, and a warning says so. d is the diameter of
-the bar, as in the turbines of IEA Wind (0.185 and 0.225 m); windIO's schema of turbines, version 2, asks for the
-diameter of the same volume, 1.8 d.  No bar is thicker than `THICKEST`.
+For a chain given only by its diameter d, mass and stiffness follow WISDEM, and a warning says so. d is the diameter
+of the bar, as in the turbines of IEA Wind (0.185 and 0.225 m). windIO's turbine schema, version 2, asks instead for
+the diameter of equal volume, 1.8 d. No bar is thicker than `THICKEST`.
 
     m = 19.9e3 d² kg/m,    EA = 8.54e10 d² N        studless chain, `wisdem/floatingse/mooring.py`
 """
@@ -33,7 +33,7 @@ def is_windio(data):
 
 
 def raft_of_windio(data, path):
-    """Nested dictionaries as a RAFT design has them.  Raises FormatError naming the part."""
+    """Nested dictionaries in the form of a RAFT design. Raises FormatError naming the part."""
     mooring, platform = data["components"]["mooring"], data["components"].get("floating_platform")
     try:
         places = _joints(platform if isinstance(platform, dict) else {})

@@ -3,10 +3,11 @@
     D(λ) = λ² M + λ Z(λ) + C,      Z(iω) = iω A(ω) + B(ω),      λ = −β₁/2 + i √(Ω² − β₁²/4)
     det(D + z eᵢeᵢᵀ) = 0,          z = −1 / (D⁻¹)ᵢᵢ = λ b + k
 
-A body released in roll turns about an axis of its own, with the sway that its coupling with roll makes, and radiates
-much less (a barge: a third) than in roll about the origin.  b is the linear damping, and k the stiffness, that motion i
-of the database needs besides its waves to decay as recorded: β₁ = B1/M and Ω are those of `decay`.  Z is continued from
-the real frequency Ω by the first term of its series, which holds the energy of the waves near the body (½ω dA/dω).
+A body released in roll also sways, because sway is coupled with roll. It turns about a different axis, and radiates
+much less (a barge one third) than in roll about the origin. b and k are the linear damping and the stiffness that
+motion i of the database needs, in addition to its waves, to decay as recorded; β₁ = B1/M and Ω are those of `decay`.
+Z is continued from the real frequency Ω by the first term of its series, which contains the energy of the waves near
+the body (½ω dA/dω).
 """
 
 from typing import NamedTuple
@@ -17,8 +18,11 @@ STEP = 0.01  # relative half step of the derivatives in frequency
 
 
 class Coupled(NamedTuple):
-    """Of a motion in its decay, SI: mass with added mass; waves, their damping of it; rest, all other linear damping;
-    natural, rad/s, the natural frequency without the stiffness k, nan without restoring"""
+    """Values of a motion in its decay, SI. mass : mass with added mass; waves : damping by waves; rest : all other
+    linear damping
+
+    natural : natural frequency without the stiffness k, rad/s, nan without restoring
+    """
 
     mass: float
     waves: float
@@ -27,7 +31,7 @@ class Coupled(NamedTuple):
 
 
 def coupled(body, mode, omega, rate):
-    """`Coupled` of motion `mode` of a `Reader` with inertia, that decays with Ω `omega`, rad/s, and β₁ `rate`, 1/s.
+    """`Coupled` of motion `mode` of a `Reader` with inertia; omega, rate : Ω, rad/s, and β₁, 1/s, of its decay.
 
     Raises BetweenError for an Ω outside the stored frequencies.
     """

@@ -4,8 +4,8 @@
     ẍ + β₁ ẋ + β₂ ẋ|ẋ| + Ω² (x − x₀) = 0,    β = B/M_v,    a ≈ (π/2) β₁/ω,  b ≈ (4/3) β₂
     ẍ + β₁ ẋ + β₃ ẋ³ + Ω² (x − x₀) = 0                                      the same with a cube in place of the square
 
-(Shiraishi et al., eq. 3, whose δX is negative as printed; that its swings are half cycles follows from their sizes.) β
-and Ω are those whose solution fits the record best.
+(Shiraishi et al., eq. 3, whose δX is negative as printed; the sizes of its swings show that they are half cycles.) β
+and Ω are chosen so that the solution fits the record best.
 """
 
 from itertools import pairwise
@@ -25,7 +25,8 @@ class Decay(NamedTuple):
     """a : 1, b : 1/m, linear_only : a with b = 0; linear, quadratic : β₁ 1/s, β₂ 1/m; omega : Ω rad/s; mean : x₀ m
 
     with_cubic : β₁ 1/s, β₃ s/m², and the remaining deviation with both
-    extremes : (n,) m, absolute; fitted : (q,) m, the solution; off : deviation from the record over the record's own
+    extremes : absolute values, (n,) m; fitted : the solution, (q,) m; off : deviation from the record over the
+        record's standard deviation
     """
 
     a: float

@@ -12,8 +12,7 @@ B₂.
 
 Noise without memory on the force perturbs B₁ and B₂ by the covariance of least squares, s² (MᵀM)⁻¹, with M the columns
 of the fit and s its residual. No unbiased estimate has a smaller covariance (Cramér and Rao).
-Noise on the motion shifts its phase by δφ.
-This moves a part A ω δφ of the inertia into B₁.
+Noise on the motion shifts its phase by δφ, which adds a part A ω δφ of the inertia to B₁.
 """
 
 from typing import NamedTuple
@@ -26,9 +25,9 @@ from .record import RecordError, Sine, checked, sine_of
 class Forced(NamedTuple):
     """added_mass : kg; linear, quadratic : B₁ N s/m, B₂ N s²/m²; by_harmonics : B₁ and B₂ by the formulas of the paper
 
-    motion : `record.Sine`; off : deviation from the force over the force's own
+    motion : `record.Sine`; off : deviation from the force over the force's standard deviation
     error : standard errors of B₁ and B₂ by noise without memory
-    with_cubic : B₁ N s/m, B₃ N s³/m³, and the deviation that remains with them
+    with_cubic : B₁, N s/m, B₃, N s³/m³, and the remaining deviation with both
     """
 
     added_mass: float
@@ -51,7 +50,7 @@ class Forced(NamedTuple):
         return self.linear + self.motion.omega * self.motion.amplitude * self.quadratic
 
     def fitted(self, time):
-        """N at times of the record, s, about its mean"""
+        """Fitted force, N, about its mean, at times of the record, s"""
         basis = _basis(self.motion, np.asarray(time) - time[0])
         return basis[:, :3] @ (self.added_mass, self.linear, self.quadratic)
 

@@ -23,7 +23,9 @@ class Sine(NamedTuple):
 
 
 def checked(time, *columns):
-    """Times from 0 s and columns as arrays.  Raises RecordError for gaps, values that are no numbers, too few rows."""
+    """Times from 0 s and columns as arrays.  Raises RecordError for gaps, for values that are not numbers, and for
+    too few rows.
+    """
     t = np.asarray(time, float)
     columns = [np.asarray(column, float) for column in columns]
     if len(t) < FEWEST or any(column.shape != t.shape for column in columns):

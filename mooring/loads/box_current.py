@@ -10,12 +10,13 @@ where C_x(0°), C_y(90°) over B/d and H/d are interpolated along their crest (s
 three depths at which all angles were tested.  Water deeper than the tank is treated as water of the tank's depth. The
 moment is not tabulated; the report's text gives the lever 0.09 (sin 2χ)^1.2 of the length for L/B = 2.
 
-A square has the mean of both sides of L/B = 1.2, so that it has no side of its own; boxes up to 1.2 are in between.
+A square has the mean coefficients of both sides of L/B = 1.2, because its sides are equal; boxes with L/B below 1.2
+are in between.
 
 Beyond the tests coefficients are extrapolated, and a note says so. Longer boxes, and smaller or larger B/d, have the
-coefficients of the nearest proportion;
-L/B < 2 with an untested B/d has the trend of L/B = 2 over B/d; and in water shallower than
-the tests C_y increases as for ships (UFC 4-159-03, Design: Moorings, 2005, eq. 11), to 3.2 abeam when aground:
+coefficients of the nearest tested proportion. L/B < 2 with an untested B/d follows the trend of L/B = 2 over B/d. In
+water shallower than in the tests, C_y increases as for ships (UFC 4-159-03, Design: Moorings, 2005, eq. 11), to 3.2
+abeam when aground:
 
     C = C₁ + (3.2 − C₁) ((d/H)² − (d/H₁)²) / (1 − (d/H₁)²),    C₁ of the shallowest test H₁
 """
@@ -44,9 +45,10 @@ GROUNDED = 3.2  # C_y abeam of grounded ships
 def box_table(length, beam, draft, depth):
     """DragTable of a box, sizes in m.
 
-    Its `notes` name uncertain values: printed ones that break the trend of their neighbours, proportions beyond or
-    between those tested, and the moment of anything but L/B = 2, where the lever is taken 0.09 (L/B − 1) (sin 2χ)^1.2,
-    at most that of L/B = 2: 0 for a square, which has no long side; its turning tests give 0.058 at 1.5 and 0.091 at 2.
+    Its `notes` name uncertain values: printed values that break the trend of their neighbours, proportions beyond or
+    between the tested ones, and the moment for L/B other than 2. The lever is then 0.09 (L/B − 1) (sin 2χ)^1.2, at
+    most that of L/B = 2; it is 0 for a square, which has no long side. Turning tests give 0.058 at L/B = 1.5 and
+    0.091 at 2.
     raises : ValueError beyond the limits REACH, where the user must give coefficients
     """
     check_positive(length=length, beam=beam, draft=draft)
@@ -76,7 +78,7 @@ def box_table(length, beam, draft, depth):
 def current_force(speed, direction, length, beam, draft, density=1025.0, table=None, depth=np.inf):
     """Forces F_x, F_y, N, and moment M_z, N m, about the middle of the box; shape (…, 3).
 
-    speed : (…) m/s; direction : (…) rad, the current flows to
+    speed : (…) m/s; direction : direction of flow, (…) rad
     table : DragTable; by default `box_table` at the water depth `depth`, m, whose notes become warnings
     """
     check_positive(length=length, beam=beam, draft=draft)

@@ -1,4 +1,4 @@
-"""Steady force of a stream, air or water, on a box, from coefficients for the first quadrant of directions.
+"""Steady force of a stream of air or water on a box, from coefficients for the first quadrant of directions.
 
     F_x = ± C_x q A_x,   F_y = ± C_y q A_y,   M_z = − sign(F_x F_y) (a/L) L √(F_x² + F_y²),   q = ½ ρ U²
 
@@ -20,7 +20,7 @@ from .smooth import smooth
 class DragTable:
     """Coefficients against the angle between stream and x axis, rad from 0 to π/2, each (n,).
 
-    notes : warnings on the origin of the numbers, one line each
+    notes : remarks on the origin of the coefficients, one line each
     """
 
     angle: np.ndarray
@@ -71,7 +71,7 @@ def box_drag(direction, pressure, area_x, area_y, length, table):
     3).
 
     direction : (…) rad, relative to the x axis of the box; pressure : (…) ½ρU² in Pa
-    area_x, area_y : m², of the ends and of the sides; length : m
+    area_x, area_y : areas of an end and of a side, m²; length : m
     """
     along, across = np.cos(direction), np.sin(direction)
     x, y, lever = np.moveaxis(table.curve(np.arctan2(abs(across), abs(along))), -1, 0)
@@ -82,7 +82,7 @@ def box_drag(direction, pressure, area_x, area_y, length, table):
 
 
 def about(load, middle, center):
-    """The same F_x, F_y, M_z (…, 3) with the moment about `center` instead of `middle`, both (x, y, …) m."""
+    """Forces F_x, F_y, M_z (…, 3) with the moment about `center` in place of `middle`, both (x, y, …) m."""
     arm = np.asarray(middle, float)[:2] - np.asarray(center, float)[:2]
     moment = arm[0] * load[..., 1] - arm[1] * load[..., 0]
     return load + moment[..., None] * np.array([0.0, 0.0, 1.0])
@@ -96,7 +96,9 @@ def check_positive(**sizes):
 
 
 def stream_pressure(stream, speed, density):
-    """½ρU² in Pa, of the shape of `speed` in m/s; ValueError for a negative speed of the named `stream`."""
+    """Pressure ½ρU², Pa, in the shape of `speed`, m/s. Raises ValueError for a negative speed; stream : its name in
+    the message.
+    """
     check_positive(density=density)
     speed = np.asarray(speed, float)
     wrong = ~((speed >= 0) & (speed < np.inf))

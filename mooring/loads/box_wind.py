@@ -1,9 +1,9 @@
 """Steady wind force on the part of a box above water.
 
-SR179 report (1982), table 3.6.1.1 and eq. 3.6.6: C_x on B(D−d), C_y on L(D−d), lever a/L.  The report gives the
-direction χ from which the wind comes, 0 from ahead. Here it is the direction in which the wind blows; no acute angle
-changes.
-Superstructures add their front and side areas a_f, a_s to those of the box (chapter 4, section 5.2).
+SR179 report (1982), table 3.6.1.1 and eq. 3.6.6: C_x on B(D−d), C_y on L(D−d), lever a/L.  The report's direction χ
+is that from which the wind comes, 0 from ahead. Here the direction is that towards which the wind blows; acute
+angles to the axes are equal for both. Superstructures add their front and side areas a_f, a_s to those of the box
+(chapter 4, section 5.2).
 """
 
 import numpy as np
@@ -25,8 +25,8 @@ def wind_force(
 ):
     """Forces F_x, F_y, N, and moment M_z, N m, about the middle of the box; shape (…, 3).
 
-    speed : (…) m/s; direction : (…) rad, the wind blows to; freeboard : D − d, m
-    front_area, side_area : m², of superstructures seen from ahead and from abeam
+    speed : (…) m/s; direction : direction towards which the wind blows, (…) rad; freeboard : D − d, m
+    front_area, side_area : areas of superstructures seen from ahead and from abeam, m²
     raises : ValueError for impossible sizes, speeds and densities
     """
     check_positive(length=length, beam=beam, freeboard=freeboard)

@@ -3,8 +3,8 @@
     F_x = C_x q A_x,   F_y = C_y q A_y,   M_z = C_n q A_n L,   q = ½ρU²
 
 Signs are those of the axes (x forward, y port, M_z turning the bow to port) and of the direction in which the stream
-goes. The angle of OCIMF, Mooring Equipment Guidelines (2nd edition, 1997), counted anticlockwise from the stern, is the
-same.  OCIMF writes q as ρ V²/7600 in kN for V in knots, which takes a knot as 0.5130 m/s.
+goes. It equals the angle of OCIMF, Mooring Equipment Guidelines (2nd edition, 1997), which is counted anticlockwise
+from the stern.  OCIMF writes q as ρ V²/7600 in kN for V in knots, which takes a knot as 0.5130 m/s.
 """
 
 import csv
@@ -26,10 +26,10 @@ COLUMNS = (("angle", "CX", "CY", "CN"), ("angle", "CX", "CYA", "CYF"))
 
 @dataclass(frozen=True, eq=False)
 class HullCoefficients:
-    """angle (n,) rad from 0 to π or to 2π, x, y, n (n,) coefficients; their reference areas m² and length m.
+    """angle : (n,) rad, from 0 to π or 2π; x, y, n : coefficients, (n,); reference areas, m², and length, m.
 
     With angles up to π, the hull is symmetric port and starboard: C_x even in the angle, C_y and C_n odd.
-    height : m above still water of the point of action, None if unknown
+    height : height of the point of action above still water, m, None if unknown
     notes : on the origin of the numbers, one line each
     """
 
@@ -76,8 +76,10 @@ def hull_coefficients(angle, x, y, n, *, area_x, area_y, length, area_n=None, he
 
 
 def hull_force(coefficients, speed, direction, density):
-    """Forces F_x, F_y, N, and moment M_z, N m, amidships; shape (…, 3); speed (…), m/s; direction (…), rad, travelled
-    to; density kg/m³"""
+    """Forces F_x, F_y, N, and moment M_z, N m, amidships; shape (…, 3).
+
+    speed : (…) m/s; direction : direction of flow, (…) rad; density : kg/m³
+    """
     pressure = stream_pressure("stream", speed, density)
     c = coefficients
     scale = np.array([c.area_x, c.area_y, c.area_n * c.length])
@@ -85,7 +87,8 @@ def hull_force(coefficients, speed, direction, density):
 
 
 def shallow_coefficient(deep, draft, depth, exponent=2.0, grounded=3.2):
-    """Broadside current coefficient on L T of a ship in water of `depth` m, from the coefficient in deep water.
+    """Broadside current coefficient of a ship, referred to L T, in water of `depth` m, from the coefficient in deep
+    water.
 
         C = C₀ + (C₁ − C₀) (T/d)^K    UFC 4-159-03, Design: Moorings (2005), eq. 11
 

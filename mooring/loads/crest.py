@@ -1,17 +1,17 @@
 """A coefficient over breadth/draft b = B/d and depth/draft h = H/d with a crest, interpolated along the crest.
 
-The current force on a box is largest on a line b = r(h) of the b-h plane: in ever shallower water at fixed b it rises,
-passes the crest and falls.  Linear interpolation between two columns of h would cut the crest off.  Here each column is
-a curve over b with the crest among its points. Between columns, points at the same fraction u of the way from the edge
-of the tests to the crest are joined:
+The current force on a box is largest on a line b = r(h) of the b-h plane: at fixed b, in ever shallower water, the
+force rises, passes the crest and falls.  Linear interpolation between two columns of h would cut the crest off.
+Here each column is a curve over b with the crest among its points. Between columns, points at the same fraction u of
+the way from the edge of the tests to the crest are joined:
 
     deep side     u = (b − b₀) / (r − b₀),    shallow side   u = (b₁ − b) / (b₁ − r)
     f = F(u, h) + (13u¹² − 12u¹³) (f_crest(h) − F(1, h))
 
-F connects the columns, and the second term adds crests that were measured between columns.  Over h the curves run in
-d/H. Every given
-value is returned exactly; value and both slopes are continuous, also across the crest, where ∂f/∂b = 0. The deepest
-values belong to a tank `tank` beams deep, d/H = 1/(tank b); a deeper sea has the same values.
+F connects the columns, and the second term adds crests that were measured between columns.  The curves over h are
+interpolated in d/H. Every given value is returned exactly. The value and both slopes are continuous, also across the
+crest, where ∂f/∂b = 0. The deepest values belong to a tank that is `tank` beams deep, d/H = 1/(tank b); deeper water
+has these values too.
 """
 
 from collections import defaultdict

@@ -2,11 +2,10 @@
 
     f = ½ρ C_D D |w| w + ρ (V + A) a − ρ A a_b,   w = u − u_b,   V + A = C_M × reference volume
 
-per metre, all vectors normal to the axis: u velocity of the water, waves and current together, a its acceleration, u_b,
-a_b velocity and acceleration of the member, V the displaced volume and A the volume of the added mass, per metre.
-SR179 report (1982), chapter 4,
-section 5.3 (there for a member at rest). The drag uses one velocity for waves and current together, since |w| w is not
-additive.
+is the force per metre; all vectors are normal to the axis. u is the velocity of the water, waves and current
+together, and a its acceleration; u_b, a_b are velocity and acceleration of the member. V is the displaced volume,
+and A the volume of the added mass, per metre. SR179 report (1982), chapter 4, section 5.3 (there for a member at
+rest). The drag uses one velocity for waves and current together, since |w| w is not additive.
 """
 
 from functools import cache
@@ -16,7 +15,9 @@ import numpy as np
 
 
 class Section(NamedTuple):
-    """width : D in m, across the flow; C_D on it; displaced, added : V and A in m² (m³ per metre)"""
+    """width : D across the flow, m; C_D : drag coefficient, referred to D; displaced, added : V and A, m² (m³ per
+    metre)
+    """
 
     width: float
     C_D: float
@@ -41,8 +42,8 @@ def plate(width, C_D, C_M=1.0):
 
 
 def force_per_metre(section, axis, velocity, acceleration, own_velocity=0.0, own_acceleration=0.0, density=1025.0):
-    """Force per metre, N/m, on a member along `axis` (3,), from velocity, m/s, and acceleration, m/s², of the water (…,
-    3); shape (…, 3).
+    """Force per metre, N/m, on a member along `axis` (3,); shape (…, 3); velocity, acceleration : of the water, (…,
+    3).
 
     own_velocity, own_acceleration : (…, 3) of the member
     """
@@ -54,8 +55,9 @@ def force_per_metre(section, axis, velocity, acceleration, own_velocity=0.0, own
 
 
 def member_force(section, start, end, flow, density=1025.0, points=8):
-    """Force and moment, N and N m, about the origin on a straight member at rest from `start` to `end`, (3,), m, wholly
-    in the water; shape (6,).
+    """Force and moment about the origin, N and N m, on a straight member at rest; shape (6,).
+
+    start, end : ends of the member, (3,) m; it is fully in the water
 
     flow : function of positions (n, 3) m that returns velocity and acceleration of the water, two (n, 3)
     points : points of Gauss quadrature; 8 are exact for polynomials of degree 15 along the member

@@ -3,15 +3,15 @@
     F = |U|² c(α),    E₄ = −E₂ Z,    E₅ = E₁ Z,    E₃ = 0            SR179 report (1982), eq. 3.7.1.8
 
 Z : height of the centre of pressure above the point that moments are about.  Wind on a box acts at half the exposed
-height, on superstructures at their middle.  The report gives a current no heeling moment (eq. 3.7.1.10), as if it acted
-at the centre of gravity. A uniform current has equal pressure over the draft and acts at half the draft.
+    height; wind on superstructures acts at their middle. In the report a current has no heeling moment (eq.
+    3.7.1.10), as if it acted at the centre of gravity. Here a uniform current has equal pressure over the draft and
+    acts at half the draft.
 
 A round hull, for which the report has no tests, is a vertical cylinder: F = ½ρ C_D D d U² along the stream, without a
-moment.  In a current C_D is ROUGH, an upper bound. A smooth cylinder has 0.65, short cylinders less than long ones
-(Gonçalves et al., OMAE 2013), and columns of OC4 0.56 to 0.68 (NREL/TP-5000-60601).
-Water at rest only damps the motion, where such a large value is unsafe.
-STILL is therefore low.  Between them C_D follows the ratio of the speed V of the current to the speed v of the hull. A
-current that carries the wake away counts as steady:
+moment.  In a current C_D is ROUGH, an upper bound. A smooth cylinder has a C_D of 0.65, short cylinders less than
+long cylinders (Gonçalves et al., OMAE 2013); columns of OC4 have 0.56 to 0.68 (NREL/TP-5000-60601). Water at rest
+only damps the motion; a large C_D would then be unsafe, so STILL is low. Between STILL and ROUGH, C_D follows the
+ratio of the speed V of the current to the speed v of the hull. A current that carries the wake away counts as steady:
 
     C_D = STILL + (ROUGH − STILL) x² (3 − 2x),    x = min(1, V/(STEADY v))
 
@@ -41,11 +41,12 @@ STILL = 0.5  # the same cylinder in an oscillation below a third of its diameter
 
 @dataclass(frozen=True, eq=False)
 class StreamOnHull:
-    """Force of a stream over the angle to which the stream travels, rad from the bow.
+    """Force of a stream over its direction of flow, rad from the bow.
 
-    unit : (…) rad → (…, 3) N s²/m², N s²/m², N s² amidships, at 1 m/s; height : (2,) m above still water, of F_x, F_y
-    notes : on the origin of the numbers, one line each
-    still : share of the coefficients that is left where the stream is at rest and the hull moves
+    unit : (…) rad → (…, 3), N s²/m², N s²/m², N s², force amidships at 1 m/s; height : heights of F_x and F_y above
+        still water, (2,) m
+    notes : remarks on the origin of the coefficients, one line each
+    still : fraction of the coefficients that applies where the stream is at rest and the hull moves
     """
 
     unit: Callable
@@ -54,25 +55,30 @@ class StreamOnHull:
     still: float = 1.0
 
     def about(self, angle, center):
-        """Force and moment, N s²/m² and N s², of 1 m/s about `center` (3,), m; shape (…, 6); the origin of `center` is
-        the middle of the hull in still water"""
+        """Force and moment at 1 m/s about `center` (3,) m, N s²/m² and N s²; shape (…, 6); center is measured from
+        midship at still water
+        """
         return heeling(about(self.unit(angle), (0.0, 0.0), center), self.height, center[2])
 
     def share(self, speed, own):
-        """Share of the coefficients in a stream of `speed` for speeds `own` of the hull, both m/s; 1 for a hull at
-        rest"""
+        """Fraction of the coefficients that applies in a stream of `speed` for speeds `own` of the hull, m/s; 1 for
+        a hull at rest
+        """
         return drag_share(self.still, speed, own)
 
 
 def drag_share(still, speed, own):
-    """Share of C_D, `still` in water at rest, in a stream of `speed` for speeds `own` of the hull, m/s"""
+    """Fraction of C_D that applies in a stream of `speed` for speeds `own` of the hull, m/s; `still` in water at
+    rest
+    """
     x = np.minimum(1.0, speed / np.maximum(STEADY * np.asarray(own, float), np.finfo(float).tiny))
     return np.where(np.asarray(own) == 0, 1.0, still + (1.0 - still) * x * x * (3.0 - 2.0 * x))
 
 
 def heeling(load, height, up=0.0):
     """Load (…, 6) about a point `up` m high, from a load (…, 3), N, N, N m, whose forces along and across act at
-    heights (2,), m"""
+    heights (2,) m
+    """
     x, y, turn = np.moveaxis(load, -1, 0)
     return np.stack([x, y, 0 * x, (up - height[1]) * y, (height[0] - up) * x, turn], axis=-1)
 
@@ -113,7 +119,7 @@ def current_on(current, hull, density, depth):
 
 
 class RoundDrag(NamedTuple):
-    """C : C_D of a vertical cylinder in a stream of any direction; notes : on the origin of the number"""
+    """C : C_D of a vertical cylinder in a stream of any direction; notes : remarks on the origin of the coefficient"""
 
     C: float
     notes: tuple[str, ...]
@@ -151,8 +157,8 @@ def _first(*values):
 
 
 def silhouettes(hull):
-    """Areas and heights of their middles above still water, ((A_f, z), (A_s, z)), m² and m: a box with superstructures
-    from ahead and from abeam
+    """Exposed areas from ahead and from abeam, and heights of their middles above still water, ((A_f, z), (A_s, z)),
+    m² and m
 
     Superstructures without a given height stand on the deck, over the whole hull.
     raises : ValueError for a hull with unknown freeboard
@@ -168,7 +174,8 @@ def silhouettes(hull):
 
 
 def turning_drag(water, length):
-    """N₂ of yaw, N m s²: cross flow on a hull of `length` m that turns at rest; water : StreamOnHull of the current
+    """N₂ of yaw, N m s², due to cross flow on a hull of `length` m that turns on the spot; water : StreamOnHull of
+    the current
 
     M = −¼ ρ C_y(90°) d (L/2)⁴ r|r|      SR179 report (1982), guideline 3.6.5 (its "+" between factors is a product)
     """

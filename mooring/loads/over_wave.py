@@ -1,4 +1,4 @@
-"""Forces on straight members over one regular wave, each on its part below the instantaneous surface."""
+"""Forces on straight members over one regular wave; the force acts on the part below the instantaneous surface."""
 
 from typing import NamedTuple
 
@@ -36,7 +36,8 @@ def over_wave(member, wave, phases, density):
 def wet_part(start, end, wave, phase):
     """Two ends (3,) m of the part of a straight member below the surface, None if the member is dry.
 
-    A member is cut once; the method does not apply to a member in the surface that is longer than half a wave.
+    A member is cut at most once, so the method does not apply to a member in the surface that is longer than half a
+    wave.
     """
     from scipy.optimize import brentq
 

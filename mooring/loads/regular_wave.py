@@ -2,9 +2,9 @@
 
     η = a cos(k·x − ωt),    u = aω cosh ks / sinh kh · k̂ cos(k·x − ωt),    w = aω sinh ks / sinh kh · sin(k·x − ωt)
 
-of linear theory, s = z + h.  Above and below still water they are Wheeler's (1970): those at s h/(h + η), so that the
-water at the crest moves as at z = 0 in linear theory.  The current profile is stretched in the same way; the current
-does not change the wave length.
+of linear theory, s = z + h. They are stretched after Wheeler (1970): velocities at s are those of linear theory at s
+h/(h + η), so that the water at the crest moves as at z = 0.  The current profile is stretched in the same way; the
+current does not change the wave length.
 """
 
 from dataclasses import dataclass
@@ -20,7 +20,9 @@ GRAVITY = 9.80665
 
 @dataclass(frozen=True)
 class RegularWave:
-    """amplitude m, omega rad/s, towards `direction` rad, in `depth` m of water with a CurrentProfile or None"""
+    """amplitude : m; omega : rad/s; direction : direction of travel, rad; depth : m; current : CurrentProfile or
+    None
+    """
 
     amplitude: float
     omega: float
@@ -48,7 +50,7 @@ class RegularWave:
 
     @property
     def met_period(self):
-        """s from crest to crest at a fixed place, past which the current at the surface carries the wave
+        """Time from crest to crest, s, at a fixed place past which the current at the surface carries the wave
 
         The value is inf if the current holds the wave in place, and below 0 if the current carries the wave back.
         """
@@ -56,7 +58,7 @@ class RegularWave:
         return 2 * np.pi / met if met else np.inf
 
     def elevation(self, places, phase):
-        """η (n,) m at places (n, 2 or 3) m, crest at the origin at phase ωt = 0 rad"""
+        """Elevation η (n,) m at places (n, 2 or 3) m; the crest is at the origin at phase ωt = 0 rad"""
         return self.amplitude * np.cos(self._turn(places, phase))
 
     def flow(self, places, phase):

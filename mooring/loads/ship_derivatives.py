@@ -10,7 +10,7 @@ hull design using linear theory", Transactions of RINA 125 (1983), with T the dr
     Y'_v̇ = −π(T/L)² (1 + 0.16 C_B B/T − 5.1 (B/L)²)
     N'_ṙ = −π(T/L)² (1/12 + 0.017 C_B B/T − 0.33 B/L)
 
-about midship, x forward and y to starboard or to port: all eight keep their sign.  Deep water.
+about midship, in deep water, x forward. y may point to starboard or port, since no derivative changes its sign.
 
 Steady current on a full ship as a tanker, UFC 4-159-03, Design: Moorings (2005), eq. 10 to 21, on L T, for a current
 that flows to the angle α from the bow, in water of depth h:
@@ -73,10 +73,9 @@ def clarke(length, beam, draft, block) -> ShipDerivatives:
 
 
 def by_yaw_rate(derivatives: ShipDerivatives, length, density, added_surge, angles):
-    """Forces over V (rL), N, by the yaw rate, against the angle, rad from the bow, that the water flows to; shape (n,
-    3)
+    """Forces due to the yaw rate over V (rL), N, against the direction of flow, rad from the bow; shape (n, 3)
 
-    added_surge : kg, whose part −m_x u r of Y_r is already in the equation of motion
+    added_surge : m_x, kg; its part −m_x u r of Y_r is already in the equation of motion
     """
     ahead = -np.cos(angles)
     half = 0.5 * density * length**2

@@ -1,9 +1,9 @@
 """Curves through tabulated points: cubic between the points, slope continuous.
 
-`smooth` does not overshoot: its slopes are those of Fritsch and Butland (1984), the weighted harmonic mean of the
-neighbouring secants, 0 where these differ in sign.  `parabolic` uses the slope of the parabola through a point and its
-neighbours; it may overshoot, but is linear in the values, so that a surface joined by it has no kinks where the order
-of neighbouring values changes.
+`smooth` does not overshoot: its slopes are those of Fritsch and Butland (1984): the weighted harmonic mean of the
+neighbouring secants, or 0 where the secants differ in sign. `parabolic` uses the slope of the parabola through a
+point and its neighbours. `parabolic` may overshoot but is linear in the values, so a surface of such curves has no
+kinks where the order of neighbouring values changes.
 """
 
 import numpy as np

@@ -14,12 +14,13 @@ discontinuous there.  A box with symmetry fore and aft and port and starboard ha
     (C_x, C_y, C_m)(β + 180°, r') = (−C_x, −C_y, C_m)(β, r')
     (C_x, C_y, C_m)(−β, −r') = (C_x, −C_y, −C_m)(β, r')
 
-so that each term A βⁿ r'ᵏ is even or odd about β = 90°.  The term is used as printed up to 60°. From there a parabola
-continues its value and slope to 90°, where an odd term is 0 and an even term has zero slope.  Slopes are continuous at
-all angles. For H/d = 1.2 C_x falls to −0.02 near 80°. A₀ of C_y and C_m, 0 for such a box, is omitted.
+so that each term A βⁿ r'ᵏ is even or odd about β = 90°.  Up to 60° a term is used as printed. From 60° to 90° a
+parabola continues its value and slope so that an odd term is 0 at 90° and an even term has zero slope there. Slopes
+are continuous at all angles. For H/d = 1.2, C_x falls to −0.02 near 80°. A₀ of C_y and C_m is 0 for such a box and
+is omitted.
 
-Beyond the end of the tests, |r'| = 0.5, force and moment are those at 0.5: a kink in r', but extrapolated polynomials
-of r'⁴ would soon drive the box instead of damping it.
+Beyond the end of the tests, |r'| = 0.5, force and moment are those at 0.5. This makes a kink in r', but extrapolated
+polynomials of r'⁴ would soon drive the box instead of damping it.
 """
 
 from dataclasses import dataclass
@@ -40,7 +41,9 @@ DEEP = 8.0  # H/d above which the tests with other L/B are used
 
 
 class OutsideTests(ValueError):
-    """Proportions that the tests do not cover; proportions : "L/B", "B/d" or "H/d" of each, limits : in words"""
+    """Error for proportions that the tests do not cover; proportions : those outside, "L/B", "B/d" or "H/d"; limits
+    : in words
+    """
 
     def __init__(self, proportions, limits):
         super().__init__(f"{limits}; give a TurningCoefficients of your own")
@@ -108,7 +111,7 @@ def turning_coefficients(length_over_beam, beam_over_draft, depth_over_draft):
     """TurningCoefficients of a box.
 
     L/B = 2 was tested for B/d = 10 and 20 (linear between them) and H/d = 1.2, 1.5, 3 and 8 (curves over d/H; deeper
-    water counts as 8); L/B from 1 to 3 for B/d = 10 in deep water, H/d about 20.
+    water counts as 8). L/B from 1 to 3 was tested for B/d = 10 in deep water, H/d about 20.
     raises : ValueError outside these tests, where the user must give coefficients
     """
     slender, wide, relative = length_over_beam, beam_over_draft, depth_over_draft
@@ -131,7 +134,7 @@ def turning_force(coefficients, u, v, r, length, draft, mass_x, mass_y, density=
     """Forces F_x, F_y, N, and moment M_z, N m, of the water on the box, about its middle; shape (…, 3).
 
     u, v : (…) m/s, velocity relative to the water along and across the box; r : (…) rad/s yaw rate
-    mass_x, mass_y : kg, mass with added mass of slow surge and sway, whose inertia in the turn is part of the tests
+    mass_x, mass_y : mass with added mass in slow surge and sway, kg; the tests include their inertia in the turn
     """
     check_positive(length=length, draft=draft, mass_x=mass_x, mass_y=mass_y, density=density)
     u, v, r = np.broadcast_arrays(*(np.asarray(value, float) for value in (u, v, r)))

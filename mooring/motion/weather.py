@@ -20,15 +20,15 @@ class Weather:
     """All loads on a body except its lines; None or empty for an absent load.
 
     seas : tuple of `mooring.environment.sea.Sea`, long- or short-crested
-    regular : waves of one height, period and direction (`mooring.studies.conditions.Waves`), in place of seas
+    regular : regular waves (`mooring.studies.conditions.Waves`), in place of seas
     wind, current : `mooring.studies.conditions.Wind` and `Current`; gusts : `mooring.environment.gusts.GustSpectrum`
     forces : tuple of `mooring.motion.given_forces.GivenForce`
-    beside_newman : from `mooring.response.pair_levels.beside_newman` for each sea, None where Newman's approximation
-        suffices: forces of wave pairs of one sea, on the body at its position and heading at rest
+    beside_newman : for each sea, forces of wave pairs from `mooring.response.pair_levels.beside_newman`, on the body
+        at its position and heading at rest; None where Newman's approximation suffices
     on_hull : `mooring.motion.tables.hull_water.OnHull`, with its current, in place of the hull and current of a box
-    components : `mooring.environment.sea.Components` instead of seas, the same for every seed, such as those of a
-        measured record; time is counted from the begin of the ramp, frequencies are those in the water
-    carrier : `mooring.on_current.waves.Carrier` that carries the waves, by default that of the current
+    components : `mooring.environment.sea.Components` in place of seas, equal for every seed, for example of a
+        measured record. Time is counted from the start of the ramp; frequencies are those in the moving water
+    carrier : `mooring.on_current.waves.Carrier` of the waves, by default the Carrier of `current`
     """
 
     seas: tuple = ()
@@ -44,9 +44,10 @@ class Weather:
 
     @property
     def waves(self):
-        """All waves in the form for frequency-domain studies: a Sea, `Systems`, regular `Waves`; None for none
+        """All waves as one object for frequency-domain studies: a Sea, `Systems` or regular `Waves`; None without
+            waves.
 
-        For components it is the ISSC spectrum of their energy, mean frequency and mean direction.
+        Components are replaced by an ISSC spectrum with their energy, mean frequency and mean direction.
         """
         if self.seas:
             return self.seas[0] if len(self.seas) == 1 else Systems(self.seas)
@@ -78,23 +79,23 @@ class Weather:
 class Settings:
     """Settings of a run.
 
-    duration : s of the statistics; ramp : s before it, in which every load grows from zero
-    wave_ramp : (s, s) from the start, begin of the waves and duration of their growth, None for the ramp of all loads
-    step : s between samples that are kept; tolerance : tolerance of the motions, relative to their standard deviations
+    duration : duration of the statistics, s; ramp : time before the duration, in which every load grows from zero, s
+    wave_ramp : start of the waves, and duration of their growth, (s, s); None for the ramp of all loads
+    step : time between stored samples, s; tolerance : tolerance of the motions, relative to their standard deviations
     components : number of wave components of each sea, None to choose it by duration and bandwidth
     slow_drift : "newman", "half-waves" (the report's), "mean" or "none"
     wave_drift_damping : whether slow velocities change the drift
     memory : "states", or "constant" for added mass and damping at one frequency (the report's variant)
-    constant_period : s, of that frequency, None for the mean one of the waves
-    dynamic_lines : names of lines with their own motion, "all", "none", or "auto" for all if a trial shows the need;
-        the others have their static shape
-    dynamic_elements : number of elements of each of these
-    dynamic_water : the water around these, "still", or "sea" for that of the waves and the current
-    lines_lost : (name, s) of lines that break, counted from the end of the ramp
-    fixed_step : s, integrate with this step and without control of the error; None to control it
-    estimate_error : whether the error is estimated with a second run at a tenth of the tolerance, and a third at a
-        hundredth where the second differs by more than a third of the tolerance
-    offset, velocity : (6,) m, rad and m/s, rad/s from the equilibrium at the start
+    constant_period : period of that frequency, s, None for the mean period of the waves
+    dynamic_lines : names of dynamic lines, "all", "none", or "auto" for all if a trial shows the need; all other
+        lines have their static shape
+    dynamic_elements : number of elements of each dynamic line
+    dynamic_water : water around dynamic lines: "still", or "sea" for waves and current
+    lines_lost : (name, time of the break from the end of the ramp, s) of lines that break
+    fixed_step : step of integration without control of the error, s; None to control the error
+    estimate_error : whether a second run at a tenth of the tolerance estimates the error; if the two differ by more
+        than a third of the tolerance, a third run at a hundredth follows
+    offset, velocity : initial displacement from the equilibrium, and initial velocity, (6,), m, rad and m/s, rad/s
     """
 
     duration: float

@@ -23,11 +23,11 @@ STEPS = 8  # spline steps of added mass and damping between stored frequencies
 
 @dataclass(frozen=True, eq=False)
 class OnCurrent(Reader):
-    """A `Reader` whose `motions` are the motions on the current of a `Carrier`; all other quantities, including drift,
-    are the quantities in still water.
+    """A `Reader` whose `motions` are those on the current of a `Carrier`; all other quantities, including drift, are
+    in still water.
 
-    omega of its functions is the frequency in which waves are given, absolute or intrinsic (`waves.Carrier`). Forces,
-    drift and far field use the intrinsic frequency.
+    The argument omega of its functions is the frequency by which waves are given, absolute or intrinsic
+    (`waves.Carrier`). Forces, drift and far field use the intrinsic frequency.
     """
 
     carrier: Carrier | None = None
@@ -61,11 +61,11 @@ class OnCurrent(Reader):
         return not {*RADIATION, "excitation_force"} <= set(self.between.quantities)
 
     def drift(self, omega, headings=None, fixed=False):
-        """Drift in still water for waves of the same length, as `Reader.drift`; shape (q, p, 3)"""
+        """Drift in still water for waves of equal length, as `Reader.drift`; shape (q, p, 3)"""
         return self.waves_of("drift", omega, headings, fixed=fixed)
 
     def waves_of(self, name, omega, headings, **words):
-        """`forces` or `drift` (q, p, …) in still water for waves of the same length"""
+        """Values `forces` or `drift` (q, p, …) in still water for waves of equal length"""
         of = getattr(self.still, name)
         if not self.carrier.absolute:
             return of(omega, headings, **words)
@@ -79,8 +79,9 @@ class OnCurrent(Reader):
         return (self.motions(omega, headings) if name == "rao" else value), error
 
     def resonant(self, headings):
-        """Given frequencies and those that resolve the resonances of the body in waves towards headings (p,), rad,
-        rad/s; shape (q,)"""
+        """The given frequencies, and further frequencies that resolve the body's resonances in waves towards
+        headings (p,) rad; rad/s, (q,)
+        """
         met = about(self.still, resonances(self.still))
         low, high = self.between.span
         rows = [met]

@@ -4,10 +4,10 @@
 
 V is the current. σ is the intrinsic frequency, in the moving water; ω is the absolute frequency, at which a buoy or a
 moored body at rest meets the waves.
-The wave length depends on σ.  Wave models (SWAN, WAVEWATCH III) give spectra over σ,
-"intrinsic"; a moored buoy and a record at a place measure over ω, "absolute".  "still" neglects the current.  The
-direction of a wave is that of k, at right angles to its crests, and its energy travels with C_g + V. Waves whose energy
-would come from downstream of the body do not exist there: the current blocks them.
+The wave length depends on σ.  Wave models (SWAN, WAVEWATCH III) give spectra over σ, "intrinsic"; a moored buoy or a
+record at a place gives them over ω, "absolute". "still" neglects the current. The direction of a wave is that of k,
+at right angles to its crests; its energy travels with C_g + V. Waves whose energy would come from downstream of the
+body do not exist, because the current blocks them.
 """
 
 from typing import NamedTuple
@@ -26,14 +26,15 @@ FINE = 4001  # number of frequencies between which the absolute one is inverted,
 class Carrier(NamedTuple):
     """A current that carries waves.
 
-    velocity : (x, y) m/s; absolute : whether wave frequencies are given for a fixed place, else in the water
+    velocity : (x, y) m/s; absolute : whether wave frequencies are given for a fixed place; otherwise in the moving
+        water
     """
 
     velocity: tuple[float, float]
     absolute: bool = False
 
     def along(self, heading):
-        """m/s of the current along waves towards `heading` rad"""
+        """Component of the current along waves towards `heading` rad, m/s"""
         return self.velocity[0] * np.cos(heading) + self.velocity[1] * np.sin(heading)
 
     def met(self, omega, heading, depth, gravity):
@@ -103,7 +104,8 @@ def intrinsic_frequency(omega, along, depth, gravity):
 
 
 def check_blocked(carrier, sea, depth, gravity):
-    """Messages on waves of a sea that the current blocks, and on waves for which its first order is insufficient.
+    """Messages on waves of a sea that the current blocks, and on waves for which the first-order effect of the
+    current is not enough.
 
     sea : `environment.sea.Sea` or `seas.systems.Systems`, or a regular wave (`studies.conditions.Waves`)
     raises : ValueError where the current blocks more than a twentieth of the energy

@@ -8,8 +8,9 @@ The largest force of each kind is the force by Wang (1975) in deep water, times 
     yaw   1 + 0.48 e^(3.87 T/d) e^(−0.08 (G/B − 2)²)
 
 T/d of the moored ship, G the gap between the sides, B the mean beam (Kriebel 2005, Mooring Loads Due to Parallel
-Passing Ships, eq. 10).  At a vertical quay the forces are 1.4, 0.4 and 0.5 times as large (Swiegers 2011).  C are the
-peaks of `slender.wang`; peaks of the printed curves may be given instead.  The course over ξ is Wang's, scaled.
+Passing Ships, eq. 10).  At a vertical quay the forces are 1.4, 0.4 and 0.5 times as large (Swiegers 2011).  C are
+the peaks of `slender.wang`; peaks of the printed curves may be given in their place. The variation over ξ is Wang's,
+scaled.
 """
 
 import math
@@ -27,8 +28,10 @@ NEAREST, LENGTHS = 0.1, (0.5, 2.0)  # range of distance/L₁ and of L₂/L₁ of
 
 
 def depth_factors(draft, depth, gap, beam):
-    """Factors of surge, sway and yaw for the depth; shape (3,).  draft : m, of the moored ship; gap : m between sides;
-    beam : m, mean of both ships"""
+    """Factors of surge, sway and yaw for the depth; shape (3,).
+
+    draft : draft of the moored ship, m; gap : distance between the sides, m; beam : mean beam of both ships, m
+    """
     if not 0 < draft < depth or not gap > 0:
         raise ValueError(
             f"draft is {draft:g} m, water depth {depth:g} m and gap {gap:g} m; allowed: a depth above the "
@@ -38,7 +41,7 @@ def depth_factors(draft, depth, gap, beam):
 
 
 def scale(moored, passing, track, density=1025.0):
-    """Forces, N, N, N m, by which the coefficients of surge, sway and yaw are multiplied; shape (3,)"""
+    """Forces, N, N, N m, that multiply the coefficients of surge, sway and yaw; shape (3,)"""
     unit = density * track.through_water**2 * moored.area * passing.area / passing.length**2
     return np.array([unit, unit, unit * moored.length])
 

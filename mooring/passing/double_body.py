@@ -1,12 +1,13 @@
 """Forces of a passing ship by panels: both hulls under a rigid lid, in water of any depth, with or without a wall.
 
-With the surface as a lid the energy of the water is ½ Σ aᵢⱼ q̇ᵢ q̇ⱼ, with a the added mass of both hulls at zero
-frequency in their positions. Lagrange's equations (Lamb, art. 137) give the force on the moored hull, which is at rest:
+With the surface as a lid the energy of the water is ½ Σ aᵢⱼ q̇ᵢ q̇ⱼ, where a is the added mass of both hulls at zero
+frequency and at their present positions. Lagrange's equations (Lamb, art. 137) give the force on the moored hull,
+which is at rest:
 
     Fⱼ = −d/dt (a_js U) + ½ U² ∂a_ss/∂qⱼ,     s the surge of the passing ship, d/dt = U d/dξ
 
-The first part is the force of the unsteady pressure, the second part the force of the squares of the flow. The second
-part is smaller by an order of the ship's slenderness. It is computed for surge, sway and yaw only, and at fewer places.
+The first part is the force of the unsteady pressure, the second part that of the squared velocities. The second part
+is smaller by an order of the ship's slenderness. It is computed only for surge, sway and yaw, and at fewer places.
 """
 
 from collections.abc import Callable, Iterable
@@ -29,8 +30,7 @@ PASSING_SURGE = 6
 
 
 def added_mass(hulls, place, heading, depth, wall=None, density=1025.0):
-    """Added mass of both hulls at zero frequency, kg, kg m, kg m², forces and motions about the middle of each; shape
-    (12, 12).
+    """Added mass of both hulls at zero frequency, kg, kg m, kg m², about the middle of each hull; shape (12, 12).
 
     hulls : PanelMesh of the moored ship and of the passing ship, each with its middle at the origin
     place : (2,) m of the passing ship
@@ -47,8 +47,9 @@ def added_mass(hulls, place, heading, depth, wall=None, density=1025.0):
 def double_body(hulls, track, stagger, depth, *, wall=None, density=1025.0, each: Callable[..., Iterable] = map):
     """`Passage` by panels.
 
-    hulls : as in `added_mass`, whole; track : Track; stagger : (n,) m, n ≥ 7, solved places; splines between them
-    each : as `map`, over the independent places, for a display of progress
+    hulls : as in `added_mass`, with both sides; track : Track; stagger : solved places, (n,) m, n ≥ 7, with splines
+        between
+    each : function like `map` over the independent places, for a display of progress
     raises : ValueError for too few places; FloatingPointError
     """
     stagger = np.asarray(stagger, float)
@@ -78,6 +79,6 @@ def double_body(hulls, track, stagger, depth, *, wall=None, density=1025.0, each
 
 
 def largest_section(hull):
-    """m², largest cross section of a whole hull, normal to x"""
+    """Largest cross-section, normal to x, of a hull with both sides, m²"""
     along = hull.normals[:, 0] * hull.areas
     return float(along[along > 0].sum())

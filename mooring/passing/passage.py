@@ -1,7 +1,7 @@
-"""A ship that passes a moored one on a parallel track, and the resulting forces as a table over time.
+"""A ship that passes a moored ship on a parallel track, and the resulting forces as a table over time.
 
-Axes are those of the moored ship: x to the bow, y to port, from its middle in the water surface.  ξ is the distance by
-which the middle of the passing ship is ahead of the middle of the moored ship, η the distance to port.
+Axes are those of the moored ship: x to the bow, y to port, with the origin amidships in the water surface.  ξ is the
+distance by which the middle of the passing ship is ahead of the middle of the moored ship, η the distance to port.
 """
 
 import math
@@ -23,8 +23,8 @@ ROUNDING = 1e-6  # force over the larger of surge and sway below which it is zer
 class Track:
     """Track and speed of the passing ship.
 
-    distance : m, from the centre line of the moored ship to that of the passing ship, positive to port
-    speed : m/s over the ground, > 0; opposite : whether the ship goes towards the stern of the moored ship
+    distance : distance of the passing ship's centre line from that of the moored ship, m, positive to port
+    speed : m/s over the ground, > 0; opposite : whether the passing ship heads towards the stern of the moored ship
     current : m/s over the ground, positive towards the bow of the moored ship
     """
 
@@ -51,7 +51,7 @@ class Track:
 
     @property
     def through_water(self):
-        """m/s of the passing ship through the water"""
+        """Speed of the passing ship through the water, m/s"""
         return self.speed - self.way * self.current
 
     def froude(self, depth):
@@ -62,8 +62,8 @@ class Track:
 def along_track(track, moored, passing, lengths, fine=1):
     """Places ξ up to `lengths` mean lengths of the ships before and behind; shape (n,).
 
-    moored, passing : m, lengths of the ships; fine : factor on the number of places
-    The places are at most an eighth of the shorter ship and a quarter of the distance apart.
+    moored, passing : lengths of the ships, m; fine : factor on the number of places.
+    The places are at most an eighth of the shorter ship's length and a quarter of `distance` apart.
     """
     reach = lengths * 0.5 * (moored + passing)
     step = min(0.125 * min(moored, passing), 0.25 * abs(track.distance)) / fine
@@ -75,9 +75,9 @@ class Passage:
     """Forces of a passage.
 
     track : Track; stagger : (n,) m, ξ, rising
-    changing : (n, 6) N, N m, force of the unsteady pressure; steady : (n, 6) force of the squares of the flow, 0 by the
-    slender methods
-    Moments are about the middle of the moored ship, or about the place `about`.
+    changing : force of the unsteady pressure, (n, 6), N and N m; steady : force of the squared velocities, (n, 6), 0
+        by slender methods.
+    Moments are about the middle of the moored ship, or about the point given to `about`.
     """
 
     track: Track
@@ -91,7 +91,7 @@ class Passage:
         return self.changing + self.steady
 
     def about(self, place):
-        """The same with moments about a place (3,), m, instead of the middle of the moored ship"""
+        """The Passage with moments about a point (3,) m in place of the middle of the moored ship"""
         place, middle = np.asarray(place, float), np.zeros(3)
         parts = {name: moved(getattr(self, name), middle, place) for name in ("changing", "steady")}
         return replace(self, **parts)
@@ -106,6 +106,6 @@ class Passage:
 
     @property
     def left(self):
-        """Largest surge or sway force at the ends of the track, over the largest of the whole passage"""
+        """Largest surge or sway force at the ends of the track, over the largest force of the passage"""
         plane = np.abs(self.force[:, :2])
         return float(np.max(plane[[0, -1]] / np.maximum(plane.max(axis=0), ROUNDING * plane.max())))

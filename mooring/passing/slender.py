@@ -1,8 +1,9 @@
 """Forces of a passing ship by slender bodies (Wang 1975, Journal of the Waterways, Harbors and Coastal Engineering
 Division 101).
 
-The surface is a rigid lid.  The passing ship is a line of sources, with the slope of its section area S₂ as strength.
-Each section of the moored ship is in the flow at its place; its added mass is ρS₁, the added mass of a circle, so that
+The surface is a rigid lid.  The passing ship is a line of sources, whose strength is the slope of its section area
+S₂. Each section of the moored ship is exposed to the flow at its place, and has the added mass ρS₁ of a circle, so
+that
 
     φ = −U/(2π) ∫ S₂′ Σₙ 1/rₙ dx₂,   rₙ² = (x₂ + ξ − x₁)² + η² + (2nh)²
     Fx = ρ ∫ S₁ dφₓ/dt dx₁,   Fy = 2ρ ∫ S₁ dφ_y/dt dx₁,   Mz = 2ρ ∫ x₁ S₁ dφ_y/dt dx₁,   d/dt = U d/dξ

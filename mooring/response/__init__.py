@@ -1,4 +1,4 @@
-"""Linear response of a floating body in irregular waves, drift of the body, and the statistics of both.
+"""Linear response and drift of a floating body in irregular waves, and their statistics.
 
 `body` reads a database once; `linear` gives transfer functions and response spectra, `points` responses at points of
 the body, `drift`, `slow_drift` and `wave_drift_damping` the forces of second order; `extremes`, `return_period` and

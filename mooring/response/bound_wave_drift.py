@@ -2,14 +2,15 @@
 
     F(t) = Re Σᵢ Σⱼ aᵢ āⱼ T_ij exp{−i(ωᵢ − ωⱼ)t},        T_ij = √(DᵢDⱼ) + s_ij D(Ω, κ),    Ω = ωᵢ − ωⱼ, κ = kᵢ − kⱼ
 
-with the mean drift D of single waves (`slow_drift`), the bound wave s of a pair (`bem.second_order.bound_waves`) and
-the force of a wave of unit amplitude that is not free (`bem.second_order.long_wave_forces`).  This is the third part of
-the force by Pinkster (1980), with the diffraction of the bound wave at its own wavenumber. The other parts, forces on
-body and surface by products of first-order waves, are approximated by Newman's term.  On a fixed cylinder whose radius
-is half the depth the sum is within 8 % of the whole from ka = 0.2 and 0.4 on, Newman's term alone 4 % of it there.
+with the mean drift Dᵢ of single waves (`slow_drift`), the bound wave s of a pair (`bem.second_order.bound_waves`),
+and the force D(Ω, κ) of a wave of unit amplitude that is not free (`bem.second_order.long_wave_forces`).  This is
+the third part of the force by Pinkster (1980), with the diffraction of the bound wave at its own wavenumber. The
+other parts, forces on body and surface by products of first-order waves, are approximated by Newman's term.  On a
+fixed cylinder whose radius is half the depth, the sum is within 8 % of the full force from ka = 0.2 and 0.4 on;
+Newman's term alone is 4 % of it there.
 
-Long-crested waves only: all travel in one direction, and Ω/κ lies between their group velocities.  On a grid over Ω and
-Ω/κ the force is a polynomial, whose last coefficients are the estimated error.
+The method is for long-crested waves: all travel in one direction, and Ω/κ lies between their group velocities.  On a
+grid over Ω and Ω/κ the force is a polynomial, whose last coefficients are the estimated error.
 """
 
 from dataclasses import dataclass
@@ -41,9 +42,9 @@ STOKES = 40.0  # Ursell number H λ²/h³ up to which waves are a sum of first a
 
 @dataclass(frozen=True, eq=False)
 class BoundWaveForces:
-    """D(Ω, Ω/κ) in waves of one direction as Chebyshev polynomials.
+    """Force D(Ω, Ω/κ) in waves of one direction, as Chebyshev polynomials.
 
-    direction : rad, relative to the body; highest : rad/s; speeds : (2,) m/s, smallest and largest Ω/κ
+    direction : rad, relative to the body; highest : highest Ω, rad/s; speeds : smallest and largest Ω/κ, (2,) m/s
     coefficients : (f, s, 6) complex, over Ω from 0 to `end` and over Ω/κ; depth, gravity : m, m/s²
     end : rad/s, of the grid, by default `highest`
     """
@@ -59,14 +60,15 @@ class BoundWaveForces:
 
     @property
     def error(self):
-        """Size of the last coefficients, as shares of the largest force; shape (6,)"""
+        """Size of the last coefficients over the largest force; shape (6,)"""
         size = np.abs(self.coefficients)
         last = size[-2:].sum(axis=(0, 1)) + size[:, -2:].sum(axis=(0, 1))
         return last / np.maximum(size.sum(axis=(0, 1)), 1e-300)
 
     def of_components(self, components, drift=None):
-        """Transfer functions T of all pairs of wave `components`, all of one direction; shape (n, n, 6); half of the
-        pairs follow from T_ji = conj T_ij"""
+        """Transfer functions T of all pairs of wave `components` of one direction; shape (n, n, 6); T_ji = conj
+        T_ij
+        """
         omega = np.asarray(components.omega, float)
         T = np.zeros((len(omega), len(omega), 6), complex)
         apart = omega[:, None] - omega
@@ -102,8 +104,9 @@ class BoundWaveForces:
 
 
 def slow_share(x):
-    """1 below SLOW[0]/SLOW[1] of the highest difference frequency, 0 from the highest difference frequency on, with a
-    continuous slope between"""
+    """Weight that is 1 below SLOW[0]/SLOW[1] of the highest difference frequency and 0 from this frequency on, with
+    continuous slope
+    """
     s = np.clip((1 - np.abs(x)) / (1 - SLOW[0] / SLOW[1]), 0.0, 1.0)
     return s * s * (3 - 2 * s)
 
@@ -146,7 +149,7 @@ def bound_wave_forces(problem, band, mean, direction) -> BoundWaveForces:
 def problem_of(db):
     """The `PanelProblem` of a database's bodies on their panels, without damping lids.
 
-    raises : ValueError for bodies beside a wall; DatabaseError for those that bend
+    raises : ValueError for bodies beside a wall; DatabaseError for flexible bodies
     """
     import tomllib
 
@@ -176,10 +179,11 @@ def problem_of(db):
 def record(forces, components, duration, drift=None, met=None):
     """Times (n,) s from 0 and the force (n, 6) of pairs in a record of waves, about its mean.
 
-    forces : `BoundWaveForces` or of `pair_levels`; components : `mooring.environment.sea.Components`, of the directions
-        that the forces know; drift : (n, 3) mean drift of each, of which Newman's rule already makes a force
-    met : (n,) rad/s at which the body meets them on a current, None in still water
-    The matrix T_ij is Hermitian: the force is a sum of squares |Σ aᵢ u_i exp{i(εᵢ − ωᵢt)}|², one for every eigenvalue.
+    forces : `BoundWaveForces` or of `pair_levels`; components : `mooring.environment.sea.Components`, in directions
+        for which the forces are known; drift : mean drift of each component, (n, 3), already included by Newman's rule
+    met : frequencies at which the body meets the components on a current, (n,) rad/s, None in still water.
+    The matrix T_ij is Hermitian, so the force is a sum of squares |Σ aᵢ u_i exp{i(εᵢ − ωᵢt)}|², one for every
+    eigenvalue.
     """
     omega = np.asarray(components.omega if met is None else met, float)
     count = int(np.ceil(duration * forces.highest / (2 * np.pi) * SAMPLES)) + 2
@@ -202,7 +206,7 @@ def record(forces, components, duration, drift=None, met=None):
 
 
 def left_out(body, sea, way='qtf = "auto" in a response study or a simulation includes those in the database'):
-    """Effect of neglected bound waves, as messages: none from kh = SHALLOW on or for small effects.
+    """Messages on the effect of neglected bound waves; none from kh = SHALLOW on, and none for small effects.
 
     body : `bem.database.reader.Reader` with drift and inertia; sea : its mean direction represents all waves
     way : remedy, in words
@@ -229,11 +233,12 @@ def left_out(body, sea, way='qtf = "auto" in a response study or a simulation in
 
 
 def bound_to_newman(body, sea):
-    """Slow force of bound waves over the slow force by Newman's approximation, estimated as root mean squares of surge
-    and sway over the `differences` of the body; None if drift or inertia are unknown.
+    """Estimated slow force of bound waves over that by Newman's approximation; None if drift or inertia are unknown.
 
-    On boxes of 60 and 100 m in 12 to 20 m of water, head and beam seas, kh of the peak from 0.3 to 2, it is 0.95 to 1.3
-    times the solved value (`tests/bench/bound_to_newman.py`).  Arguments as in `left_out`
+    Both are root mean squares of surge and sway over the `differences` of the body.
+
+    On boxes of 60 and 100 m in 12 to 20 m of water, head and beam seas, kh of the peak from 0.3 to 2, the estimate
+    is 0.95 to 1.3 times the solved value (`tests/bench/bound_to_newman.py`). Arguments are as in `left_out`
     """
     found = _slow_forces(body, sea)
     return None if found is None else found[0] / max(found[1], 1e-300)
@@ -258,7 +263,9 @@ def _slow_forces(body, sea):
 
 
 def ursell(body, sea):
-    """Hλ²/h³ of the significant height and mean frequency of a sea, beyond STOKES no sum of first and second order"""
+    """Number Hλ²/h³ from the significant height and mean frequency of a sea; beyond STOKES, first plus second order
+    does not apply
+    """
     return sea.spectrum.significant_height * (2 * np.pi / depth_in_waves(body, sea)) ** 2 / body.depth
 
 
@@ -269,10 +276,11 @@ def depth_in_waves(body, sea):
 
 
 def estimated_forces(body, one, two, direction, highest):
-    """Transfer functions T of bound waves in surge and sway without a solution; shape (…, 6): a long wave exerts the
-    force of its slope.
+    """Estimated transfer functions T of bound waves in surge and sway, shape (…, 6): a long wave exerts the force of
+    its slope.
 
-    D = iκ ρg (∇ + A/ρ) (cos β, sin β) f,   f = sinc(κa cos β) sinc(κb sin β), its mean over a plan of 2a by 2b
+    D = iκ ρg (∇ + A/ρ) (cos β, sin β) f, f = sinc(κa cos β) sinc(κb sin β), the mean of the slope over a plan of 2a
+    by 2b
 
     A is the added mass at the lowest known frequency. body : `bem.database.reader.Reader` with its inertia
     highest : rad/s, highest difference frequency, as in `BoundWaveForces`

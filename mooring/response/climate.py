@@ -26,10 +26,10 @@ UNIT = 0.01  # m, height of the sea of each column: so low that no sea is too st
 
 @dataclass(frozen=True, eq=False)
 class Climate:
-    """Responses (c,) in sea states (s,): height m, period s, direction rad, probability.
+    """Responses (c,) in sea states (s,), each with height, m, period, s, direction, rad, and probability.
 
     m0, m2 : (s, c); drift : (s, 3) mean drift N, N, N m, or None without drift in the database
-    missed : share of the waves that is missed at points, as `points.Transfer.missed`
+    missed : fraction of the waves that is missing at points, as in `points.Transfer.missed`
     """
 
     names: tuple[str, ...]
@@ -57,8 +57,7 @@ class Climate:
 
     @property
     def excited(self):
-        """Whether a response is larger than rounding errors of the other responses; shape (c,); True for unknown
-        ones"""
+        """Whether a response exceeds the rounding errors of all other responses; shape (c,); True if unknown"""
         largest = dict.fromkeys(self.units, 0.0)
         for unit, m0 in zip(self.units, self.m0.T, strict=True):
             largest[unit] = np.fmax.reduce(m0, initial=largest[unit])
@@ -85,7 +84,7 @@ def climate(body, scatter, family, directions_and_shares=((0.0, 1.0),), spreadin
     """A `bem.database.reader.Reader`, `floating`, in all cells of a Scatter.
 
     family : one of `environment.spectra.FAMILIES`, called with height and period of the kind of the table, and `shape`
-    directions_and_shares : pairs of rad travelled to and share of time; each with the same table
+    directions_and_shares : pairs (direction of travel, rad, share of time); the table applies to each
     spreading : None, or a function of the spectrum that returns its Spreading
     raises : ValueError for shares that do not sum to 1, BetweenError outside the stored headings
     """

@@ -2,9 +2,10 @@
 
     D(ω, β) = F / ζ²,    F̄ = 2 ∫ Σ_β w_β D(ω, β) S(ω) dω
 
-D in N per m² of wave amplitude squared (moment N m/m²), in surge, sway and yaw.  The SR179 report (1982) has two
-coefficients for it: R_w = F / (½ρgLζ²) in 3.6.10 and 3.7.1.1, and C_R of the guideline (3.3) with the depth factor
-outside, R_w = C_R (1 + 2kh/sinh 2kh).  The sum of 3.6.9 contains R_w once; the printed square would count it twice.
+D is the drift in surge, sway and yaw, in N per m² of squared wave amplitude (moment N m/m²).  The SR179 report
+(1982) has two coefficients for D: R_w = F / (½ρgLζ²) in 3.6.10 and 3.7.1.1; and C_R of the guideline (3.3), without
+the depth factor: R_w = C_R (1 + 2kh/sinh 2kh).  The sum of 3.6.9 contains R_w once; the printed square would count
+it twice.
 
 D comes from `bem.database.reader.Reader`, which resolves the resonances of the motions between stored waves.
 """
@@ -23,9 +24,9 @@ def drift_slopes(body, omega, heading, fixed=False):
     """Drift and its derivatives ∂D/∂ω and ∂D/∂β per rad; each of shape (q, p, 3); omega rising, close enough to
     differentiate.
 
-    fixed : True for the fixed body, False for the floating one
-    Where headings (p,) are steps of the circle of at most 5°, D is known all round. ∂D/∂β is then the derivative of its
-    Fourier series, up to the 2kR harmonics of D; else ∂D/∂β is a difference quotient.
+    fixed : True for the fixed body, False for the floating body.
+    If the headings (p,) cover the circle in steps of at most 5°, ∂D/∂β is the derivative of the Fourier series of D,
+    up to its 2kR harmonics. Otherwise ∂D/∂β is a difference quotient.
     """
     heading = np.atleast_1d(heading)
     found = _round_the_circle(body, omega, heading, fixed) or _by_differences(body, omega, heading, fixed)
@@ -64,11 +65,10 @@ def mean_in_sea(omega, drift, density, weights=(1.0,)):
 
 
 def mean_in_sea_beyond(body, spectrum, ends, weights=(1.0,)):
-    """The part of the mean force in waves below and above the stored band, with D beyond the band equal to its value at
-    the end; shape (2, 3), or (2, p, 3).
+    """Mean force in waves below and above the stored band, with D held at its end values; shape (2, 3), or (2, p, 3).
 
-    In short waves D tends to the drift under total reflection, a constant. In long waves it falls, and the value at the
-    end is an upper bound.  weights : (p,) or (2, p)
+    In short waves D tends to a constant, the drift under total reflection. In long waves D falls, so the value at
+    the end of the band is an upper bound.  weights : (p,) or (2, p)
     """
     low, high = body.omega[0], body.omega[-1]
     energy = np.array([spectrum.moment(0, 0.0, low), spectrum.moment(0, high, np.inf)])

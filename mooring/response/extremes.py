@@ -9,7 +9,7 @@ distribution, ε = 1 the normal one.  SR179 report (1982), eqs 3.5.1.3 to 3.5.1.
 
     X̄_1/3 = C(ε) σ,    X_max = σ {s + γ_E/s},  s = √(2 ln(n√(1−ε²))),  n = duration / T_pp,  γ_E = 0.5772
 
-n√(1−ε²) is the number of zero crossings, so X_max needs no fourth moment.  Amplitudes throughout, not heights.
+n√(1−ε²) is the number of zero crossings, so X_max needs no fourth moment.  All values are amplitudes, not heights.
 """
 
 import numpy as np
@@ -40,7 +40,8 @@ def exceedance(eta, epsilon):
 
 
 def mean_of_highest(share, epsilon):
-    """Mean of the highest `share` of all maxima in standard deviations: C(ε) for a third, E[max of all] for 1.
+    """Mean of the highest fraction `share` of all maxima, in standard deviations: C(ε) for a third, the mean of all
+    maxima for 1.
 
     η₀ + (1/p) ∫ Q dη above η₀, where Q(η₀) = p.
     """
@@ -87,7 +88,7 @@ def maximum_not_exceeded(sigma, duration, zero_crossing, probability):
 
 
 def record_peaks(record):
-    """Largest value between each upward crossing of the mean and the next, less the mean: (n,)
+    """Largest value between successive upward crossings of the mean, less the mean; shape (n,)
 
     `mooring.site.extremes.fit_extremes` fits Weibull's law to them.
     """

@@ -44,8 +44,9 @@ def _solve_to(spectrum, end, share):
 
 
 def missed_response(body, spectrum, transfer, weights):
-    """Variance m₀ of responses to the waves beyond the stored frequencies; transfer functions there equal the last
-    stored ones; shape (c,)"""
+    """Variance m₀ of responses to waves beyond the stored frequencies, with the last stored transfer functions;
+    shape (c,)
+    """
     ends = over_headings(np.abs(transfer.value[[0, -1]]) ** 2, weights if weights.ndim == 1 else weights[[0, -1]])
     return np.array(energy_outside(body.omega, spectrum)) @ ends * spectrum.moment(0)
 
@@ -68,7 +69,7 @@ def waves_missed(transfer):
 
 
 def named_shares(names, share):
-    """Words on the responses whose share (c,) exceeds MISSED, the largest first; empty if there are none"""
+    """Words on responses whose share (c,) exceeds MISSED, with the largest first; empty if there are none"""
     return some([f"{names[i]} {100 * share[i]:.1f} %" for i in np.argsort(-share) if share[i] > MISSED])
 
 
@@ -77,9 +78,10 @@ class Errors(NamedTuple):
 
     motions : (n,) relative errors of standard deviations; drift : (2,) relative errors of the mean drift force and
     moment; damping : relative error of wave drift damping.
-    Errors of drift are None without drift. The moment counts as at least LEVER times the radius times the force. words
-    : (n,) names of the motions
-    at : rad/s of the largest error of motions, drift and damping; gap : rad, between the headings around the waves
+    Errors of drift are None without drift. For its relative error, the moment counts as at least LEVER times the
+    radius times the force. words : names of the motions, (n,)
+    at : frequencies of the largest errors of motions, drift and damping, rad/s; gap : between the headings around
+        the waves, rad
     """
 
     motions: np.ndarray
@@ -105,8 +107,8 @@ def errors_between(body, sea, omega, m0, drift, damping):
 
     The estimated errors of `Reader.at` are added as if all had one sign. The error of σ is four times ∫|X|δX S dω over
     ∫|X|² S dω. The error of the mean force is 2∫ δD S dω, and the error of its moment is one and a half times as much.
-    With factors of three and one, six and seven of a hundred seas on headings 30° apart have larger errors than stated,
-    mostly long crests close to an axis of the hull.
+    With factors three and one instead, six and seven of a hundred seas on headings 30° apart have larger errors than
+    stated; most of them are long-crested, close to an axis of the hull.
 
     Over a gap γ between headings δD oscillates once. Its slope is δD 2π/γ, and wave drift damping has the error (2 +
     2π/γ) δD
@@ -159,7 +161,7 @@ def between_waves(body, errors):
 
 
 def drift_outside(body, spectrum, inside, beyond):
-    """Part of the mean drift from waves beyond the stored band, with the drift coefficient at the end of the band"""
+    """Part of the mean drift due to waves beyond the stored band, with the drift coefficient at the end of the band"""
     total = np.abs(inside) + np.abs(beyond).sum(axis=0)
     share = np.abs(beyond).sum(axis=0)[:2].max() / max(total[:2].max(), 1e-300)
     if share > MISSED:
@@ -172,8 +174,7 @@ def drift_outside(body, spectrum, inside, beyond):
 
 
 def drift_of_each(body, slow):
-    """Difference in `SlowForces` between the sum of the drift of several bodies and the drift of all together by the
-    far field"""
+    """Difference between the summed drift of several bodies and the far-field drift of all of them, in `SlowForces`"""
     if slow.of_each is None:
         if body.bodies:
             yield "drift of each body is left out: the database has none, or the waves travel on a current"
@@ -195,8 +196,9 @@ def drift_of_each(body, slow):
 
 
 def current_along_waves(carrier, heading, weights, damping):
-    """A line on a current across the waves, whose effect on drift is unknown if the slope of drift over the headings is
-    unknown"""
+    """A remark on a current across the waves, whose effect on drift is unknown without the slope of drift over
+    headings
+    """
     if carrier is None or damping is not None:
         return  # `damping` is of the slope over the headings
     share = np.mean(np.atleast_2d(weights), axis=0)
@@ -210,7 +212,7 @@ def current_along_waves(carrier, heading, weights, damping):
 
 
 def some(named, most=6):
-    """`named` as a list in words: at most `most` names, then only the number of further names"""
+    """The names `named` as a list in words: at most `most` names, then the number of further names"""
     rest = f" and {len(named) - most} more" if len(named) > most else ""
     return ", ".join(named[:most]) + rest
 

@@ -40,11 +40,12 @@ def frequencies(body, density=None, headings=None):
     """Frequencies from the lowest to the highest stored one, close enough together for every resonance in this range,
     rad/s; shape (q,).
 
-    body : `bem.database.reader.Reader`; density : function of omega (q,), the waves that matter; None for all alike
-    headings : (p,) rad of the waves, for a body on a current, whose resonances depend on the heading
-    Steps between stored frequencies, and places about resonances (`bem.database.resonances`), are halved, first all and
-    then where the error is large, until ∫ |X|² S dω of every mode and stored heading is accurate to 1e-3 of the largest
-    of its mode.  Raises ValueError where a million steps are not enough: a mode without damping.
+    body : `bem.database.reader.Reader`; density : function of omega (q,) that weights the waves; None for equal
+        weights
+    headings : wave headings (p,) rad, for a body on a current, whose resonances depend on the heading.
+    Steps between stored frequencies and around resonances (`bem.database.resonances`) are halved, first everywhere,
+    then where the error is large. This ends when ∫ |X|² S dω of every mode and stored heading is accurate to 1e-3 of
+    the largest of its mode. Raises ValueError where a million steps are not enough, as for a mode without damping.
     """
     coarse = int(np.clip(np.ceil(COARSE / max(len(body.omega) - 1, 1)), 1, 4))
     carried = carrier_of_body(body) is not None
@@ -121,8 +122,9 @@ def response_spectrum(transfer, density, weights=(1.0,)):
 
 
 def moments_met(omega, met, transfer, density, weights=(1.0,)) -> Moments:
-    """Moments of responses (q, p, …) per m to waves that the body meets at `met` (q, p) rad/s; the rest as in
-    `response_spectrum`"""
+    """Moments of responses (q, p, …) per m to waves that the body meets at `met` (q, p) rad/s; all else as in
+    `response_spectrum`
+    """
     power = np.abs(transfer) ** 2
     column = np.reshape(met, met.shape + (1,) * (power.ndim - 2))
     rows = (over_headings(power * column**n, weights) for n in (0, 1, 2, 4))

@@ -4,8 +4,9 @@
     Q(x) = N(x) / N(0)                    share of all maxima above x
     P(largest in a time t < x) = exp(−t N(x))
 
-p_s is the share of time of state s (height, period, direction), σ_s = √m₀ and ν_s = 1/T_zero those of the response in
-it.  Maxima are those of a narrow spectrum. For wide spectra Q is then conservative, and N is exact for high x.
+p_s is the share of time of the state s (height, period, direction); σ_s = √m₀ and ν_s = 1/T_zero are those of the
+response in this state. Maxima are those of a narrow spectrum. For wide spectra Q is then conservative; N is exact
+for high x.
 """
 
 from typing import NamedTuple
@@ -30,7 +31,9 @@ class LongTerm(NamedTuple):
         return np.sum(np.where(self.sigma > 0, self.probability * self.rate, 0.0) * np.exp(-0.5 * (x / sigma) ** 2), -1)
 
     def level(self, time):
-        """Value exceeded once on average in `time` s.  Raises ValueError if no state exceeds any value so rarely."""
+        """Value exceeded once on average in `time` s. Raises ValueError if all states together have no crossings
+        that rare.
+        """
         from scipy.optimize import brentq
 
         cycles = self.crossing_rate(0.0) * time

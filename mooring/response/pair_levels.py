@@ -1,4 +1,5 @@
-"""The slow force of wave pairs by levels of its quadratic transfer function T, each more expensive and more complete.
+"""The slow force of wave pairs by levels of its quadratic transfer function T; each level is more complete and more
+expensive.
 
 newman      √(DᵢDⱼ) of the mean drift: needs no data beyond those of every study (`slow_drift`)
 bound-wave  and the long wave bound to the pair, diffracted (`bound_wave_drift`): a second for a sea
@@ -9,7 +10,7 @@ auto        newman where bound long waves are estimated to push with less than E
             whichever is stored, else bound-wave below kh = SHALLOW and newman from it on, where squares at their
             difference frequency take away most of what the bound wave adds to newman
 
-The addition to Newman's force is T minus Newman's, for pairs at their difference frequency.
+The addition to Newman's force is T minus Newman's T, for pairs at their difference frequency.
 """
 
 from __future__ import annotations
@@ -47,7 +48,8 @@ LEAST_SHARE = 1e-3  # headings with less than this fraction of the largest energ
 
 @dataclass(frozen=True, eq=False)
 class PairForces:
-    """T of stored pairs minus Newman's, for waves in one direction; or for pairs of waves in two directions.
+    """Transfer function T of stored pairs minus Newman's T, for waves in one direction, or for pairs of waves in two
+    directions.
 
     between : `BetweenPairs` of these headings; omega : (q,) rad/s; drift : (q, 3) N/m², N m/m² at omega
     second : (q, 3) drift towards the heading of the second wave, None for one direction
@@ -82,7 +84,7 @@ class PairForces:
         return T * self.share(one, two)[:, None]
 
     def share(self, one, two):
-        """Share of T that is used; shape (…,): zero if one frequency, or the difference, is beyond the stored pairs"""
+        """Weight of T, shape (…,): zero if a frequency or the difference is beyond the stored pairs"""
         low, high = self.between.omega[[0, -1]]
         known = (np.minimum(one, two) >= low) & (np.maximum(one, two) <= high)
         return known * slow_share((one - two) / self.highest)
@@ -116,7 +118,8 @@ class SpreadPairForces:
         return max(pair.highest for pair in self.pairs.values())
 
     def of_components(self, components, drift):
-        """T of all pairs of wave `components` minus Newman's value from their mean drift (n, 3); shape (n, n, 6)
+        """Transfer function T of all pairs of wave `components` minus Newman's T from their mean drift (n, 3); shape
+        (n, n, 6)
 
         T is linear between headings; outside the headings of the pairs the nearest heading is used
         """
@@ -161,12 +164,13 @@ def between_headings(headings, directions):
 
 
 def beside_newman(db, sea, level, spread=False):
-    """Terms of a level beyond Newman's approximation: function of two frequencies, or None; and lines of remarks.
+    """Terms of a level beyond Newman's approximation, as a function of two frequencies, or None; and remarks.
 
     spread : whether `SpreadPairForces` are acceptable, in a sea of several directions
-    raises : ValueError for other seas of several directions and pairs that are not stored
+    raises : ValueError for any other sea of several directions, and for pairs that are not stored
 
-    A remark on a neglected part of the force begins with "left out", and has its size and a command that computes it.
+    A remark on a neglected part of the force begins with "left out"; it gives the size of the part and a command to
+    compute it.
     """
     if level == "newman":
         return None, ()
@@ -275,8 +279,9 @@ def _surface_left_out(db, sea, level):
 
 
 def stored_pairs(db, sea, level="body", spread=False, body=None):
-    """`PairForces` of an opened database at a level, "auto" the highest that is stored; `SpreadPairForces` in a sea of
-    several directions where `spread` allows them.
+    """`PairForces` of an open database at a level; "auto" is the highest stored level.
+
+    In a sea of several directions `SpreadPairForces`, where `spread` allows them.
 
     body : number of one of several bodies
     raises : ValueError, with a message of one line, for what is not stored in it

@@ -1,21 +1,22 @@
-"""Responses at a point of a body: displacement, velocity, acceleration, and the water below it.
+"""Responses at a point of a body: displacement, velocity, acceleration, and the water below the point.
 
     d = X₁₋₃ + X₄₋₆ × (p − p₀),    v = −iωd,    a = −ω²d,    r = ζ − d_z
     f_x = a_x − gX₅,    f_y = a_y + gX₄,    u = h + tide + p_z − sinkage + d_z
 
-ζ is the incident wave and, if the database has Kochin functions, the scattered and radiated waves
-(`bem.wave_field.around`), except local waves within a depth or a wave length of the hull; beside a wall, without Kochin
-functions, the incident wave and its reflection, exp(2ikw sinβ) times the wave towards −β, wall at y = w.  A point
-inside the hull, the convex hull of its waterline in plan, has the elevation at the nearest waterline point.
+ζ contains the incident wave and, if the database has Kochin functions, the scattered and radiated waves
+(`bem.wave_field.around`), except local waves within a depth or a wave length of the hull. Beside a wall at y = w,
+without Kochin functions, ζ contains the incident wave and its reflection, exp(2ikw sinβ) times the wave towards −β.
+A point inside the hull, the convex hull of its waterline in plan, has the elevation at the nearest waterline point.
 
-All per unit wave amplitude, in axes that do not turn with the body; a contains no gravity.  f is the acceleration on
-cargo and on an accelerometer along the deck, with the part of gravity due to roll and pitch.  u is the water under a
-point of the bottom; over a plan it is least at a corner of its hull, since d_z is linear in x and y.  r is the height
-of the water above its mark on the body: at a wall that reflects short waves ζ is doubled.
+All values are per unit wave amplitude, in axes that do not turn with the body; a contains no gravity. f is the
+acceleration felt by cargo or an accelerometer along the deck, including the part of gravity due to roll and pitch. u
+is the water under a point of the bottom; over a plan area u is least at a corner of its convex hull, since d_z is
+linear in x and y. r is the height of the water above the still waterline on the body. At a wall that reflects short
+waves, ζ is doubled.
 
-With several bodies each point belongs to one body, in its coordinates and along its axes. There is no ζ, since the far
-field does not describe the water between hulls.  A `Pair` is the displacement of the second of two points relative to
-the first, along the axes of the body of the first.
+With several bodies each point belongs to one body and is given in its coordinates. There is no ζ, since the far
+field does not describe the water between hulls. A `Pair` is the displacement of its second point relative to its
+first point, along the axes of the first point's body.
 """
 
 from typing import NamedTuple
@@ -33,9 +34,9 @@ MOST = 12
 
 
 class Point(NamedTuple):
-    """name; position (3,) m at rest; clearance m, height above still water of the part to be kept dry, or None
+    """name; position : at rest, (3,) m; clearance : height above still water of the part to be kept dry, m, or None
 
-    body : name of one of several bodies, in whose coordinates the point is
+    body : name of the body in whose coordinates the point is given, where there are several bodies
     """
 
     name: str
@@ -52,8 +53,9 @@ class Pair(NamedTuple):
 
 
 class KeelPoint(NamedTuple):
-    """name; position (3,) m at rest, of the bottom of the body; gap m, water under the point at rest; body : as in
-    Point"""
+    """name; position : point of the body's bottom at rest, (3,) m; gap : water under the point at rest, m; body : as
+    in Point
+    """
 
     name: str
     position: tuple[float, float, float]
@@ -62,7 +64,7 @@ class KeelPoint(NamedTuple):
 
 
 class Station(NamedTuple):
-    """name; x m of a section of the beam of a flexible body; body : as in Point"""
+    """name; x : position of a section of a flexible body's beam, m; body : as in Point"""
 
     name: str
     x: float
@@ -73,8 +75,8 @@ class Transfer(NamedTuple):
     """Transfer functions per m of wave amplitude.
 
     names, units : (c,); omega : (q,) rad/s; heading : (p,) rad; value : (q, p, c) complex
-    missed : share of the far field missing in the waves at points; None for incident waves alone
-    met : (q, p) rad/s at which a body on a current meets these waves, None in still water
+    missed : fraction of the far field that is missing in the waves at points; None for incident waves alone
+    met : frequencies at which a body on a current meets these waves, (q, p) rad/s, None in still water
     """
 
     names: tuple[str, ...]
@@ -87,12 +89,14 @@ class Transfer(NamedTuple):
 
 
 def transfer_functions(body, omega, heading, points=(), water=True) -> Transfer:
-    """All responses of a body, or several: its motions, and for every Point displacement, velocity, acceleration along
-    x, y, z, acceleration along the deck with gravity, and for one body the relative elevation of the water; for every
-    KeelPoint its vertical displacement; for every Station deflection and loads of the beam; for every Pair displacement
-    and velocity; for every link the force and moment exerted by its first body on the second, along axes of the first.
+    """All responses of one or several bodies: first the motions, then those of points, stations, pairs and links.
 
-    omega : (q,) rad/s; heading : (p,) rad; water : whether the elevation is wanted, the most expensive part
+    For every Point: displacement, velocity and acceleration along x, y, z; acceleration along the deck with gravity;
+    for a single body also the relative elevation of the water. For every KeelPoint: its vertical displacement. For
+    every Station: deflection and loads of the beam. For every Pair: displacement and velocity. For every link: force
+    and moment of its first body on the second, in axes of the first.
+
+    omega : (q,) rad/s; heading : (p,) rad; water : whether to compute the elevation, the most expensive part
     raises : BetweenError outside the database
     """
     heading = np.atleast_1d(heading)
@@ -169,8 +173,8 @@ def keel_name(point):
 def of_point(body, motion, point):
     """Displacement (q, p, 3) of a Point or KeelPoint, and the motions (q, p, 6) of its body, along the body's axes
 
-    body : `bem.database.reader.Reader`; motion : (q, p, n) of all of it
-    For a flexible body both include the shapes, and the rotations are those at the point.
+    body : `bem.database.reader.Reader`; motion : all its motions, (q, p, n).
+    For a flexible body both results include the shapes, and the rotations are those at the point.
     """
     one = None
     if body.bodies:
@@ -217,8 +221,9 @@ def middles(body):
 
 
 def apart(body, motion, first, second):
-    """Displacement of the point `second` of one body from the point `first` of another, along the axes of the body of
-    the first; shape (q, p, 3)"""
+    """Displacement of the point `second` relative to `first`, a point of another body, in axes of first's body;
+    shape (q, p, 3)
+    """
     here, there = (of_point(body, motion, point)[0] for point in (first, second))
     turn = body.body_named(first.body).axes.T @ body.body_named(second.body).axes
     return there @ turn.T - here
@@ -242,14 +247,16 @@ def acceleration(omega, displaced):
 
 
 def felt_acceleration(omega, displaced, motion, gravity):
-    """Acceleration felt along x and y of the deck, gravity included, m/s² per metre of wave amplitude; shape (q, p, 2);
-    displaced (q, p, 3), motion (q, p, 6)"""
+    """Acceleration felt along x and y of the deck, with gravity, m/s² per metre of wave amplitude; shape (q, p, 2).
+
+    displaced : (q, p, 3); motion : (q, p, 6)
+    """
     turned = gravity * np.stack([-motion[..., 4], motion[..., 3]], axis=-1)
     return acceleration(omega, displaced)[..., :2] + turned
 
 
 def elevations(body, omega, heading, motion, places):
-    """ζ (q, p, n) per unit amplitude at the origin of the water at places (n, 2) m, and `Transfer.missed`.
+    """Elevation ζ (q, p, n) of the water at places (n, 2) m, per unit amplitude at the origin, and `Transfer.missed`.
 
     omega : (q,) rad/s; heading : (p,) rad; motion : (q, p, 6) of the body, a `bem.database.reader.Reader`
     raises : BetweenError outside the database
@@ -281,9 +288,10 @@ def _column(omega, values):
 
 
 def corners_of_bottom(points):
-    """Corners of the convex hull of the deepest part in plan of points (p, 3) of a hull, m; shape (n, 3), at most 12.
+    """Corners, m, shape (n, 3), at most 12, of the convex hull in plan of the deepest part of a body with points (p,
+    3).
 
-    The vertical displacement of a rigid body is linear in x and y, so that it is largest at one of them.
+    The vertical displacement of a rigid body is linear in x and y, so it is largest at one of these corners.
     """
     points = np.asarray(points, float)
     draft = -points[:, 2].min()

@@ -9,7 +9,7 @@ import numpy as np
 
 
 def return_period(life, probability):
-    """R in years of the value that is not exceeded in `life` years with `probability`; both broadcast."""
+    """Return period R, years, of the value that is not exceeded in `life` years with `probability`; both broadcast."""
     life, q = np.asarray(life, float), np.asarray(probability, float)
     _check(np.all(life > 0), f"service life is {life} years; allowed: above 0")
     _check(np.all((q > 0) & (q < 1)), f"probability is {q}; allowed: between 0 and 1")
@@ -17,7 +17,7 @@ def return_period(life, probability):
 
 
 def probability_not_exceeded(life, period):
-    """q with which the value of return period `period` years is not exceeded in `life` years."""
+    """Probability q that the value with a return period of `period` years is not exceeded in `life` years."""
     life, R = np.asarray(life, float), np.asarray(period, float)
     _check(np.all(life > 0), f"service life is {life} years; allowed: above 0")
     _check(np.all(R > 1), f"return period is {R} years; allowed: above 1")

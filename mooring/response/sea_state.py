@@ -30,15 +30,17 @@ TINY = 1e-6  # standard deviations below this fraction of the largest with the s
 class SlowForces:
     """Second-order forces in one sea state: N, N, N m.
 
-    drift : (3,) mean; beyond : (2, 3) its parts from waves below and above the stored band, D constant beyond its ends
-    difference : (d,) rad/s; spectrum : (d, 3) of the slow drift force, N² s/rad, D constant above the stored band
-    of_pairs : (d, 6) the same for all modes at a level above Newman's approximation, `level` its name; None if not
-    requested
+    drift : mean drift, (3,); beyond : its parts due to waves below and above the stored band, (2, 3), with D
+        constant beyond the ends
+    difference : (d,) rad/s; spectrum : spectrum of the slow drift force, (d, 3) N² s/rad, with D constant above the
+        stored band
+    of_pairs : spectrum for all modes at a level above Newman's approximation, (d, 6), None if not requested; level :
+        name of the level
     damping : (3, 2) N s/m, N s: wave drift damping for velocities along x and y, from waves within the stored band;
     None where drift has no slope over the headings, because the direction has no stored neighbours
-    by_current : (3,) of the mean drift, what the current adds, None in still water
-    of_each : (bodies, 3) mean drift of each of several bodies about its own point in its own axes, None if unknown
-    for these motions; `drift` is that of all about the origin
+    by_current : addition of the current to the mean drift, (3,), None in still water
+    of_each : mean drift of each of several bodies about its rotation centre, in its axes, (bodies, 3), None if
+        unknown for these motions; `drift` is the drift of all bodies about the origin
     """
 
     drift: np.ndarray
@@ -53,12 +55,12 @@ class SlowForces:
 
     @property
     def sigma_of_pairs(self):
-        """Standard deviation of the slow force by pairs in all motions, as `sigma`; shape (6,)"""
+        """Standard deviation of the slow force of wave pairs in all motions, as in `sigma`; shape (6,)"""
         return np.sqrt(np.trapezoid(self.of_pairs, self.difference, axis=0))
 
     @property
     def sigma(self):
-        """Standard deviation of the slow drift force, over differences up to the last; shape (3,)"""
+        """Standard deviation of the slow drift force, integrated up to the last difference frequency; shape (3,)"""
         return np.sqrt(np.trapezoid(self.spectrum, self.difference, axis=0))
 
 
@@ -68,7 +70,7 @@ class SeaState:
 
     duration : s; spectrum : (q, c) at omega (q,), unit² s/rad; moments : Moments of it, each (c,)
     slow : SlowForces, None without drift in the database; errors : `findings.Errors` between stored waves
-    missed : share of the waves that is missed at points, as `points.Transfer.missed`
+    missed : fraction of the waves that is missing at points, as in `points.Transfer.missed`
     """
 
     sea: object
@@ -100,7 +102,7 @@ class SeaState:
 
     @property
     def peak_period(self):
-        """Mean between maxima, s; shape (c,)"""
+        """Mean period between maxima, s; shape (c,)"""
         return _ratio(self.moments.m2, self.moments.m4)
 
     @property
@@ -123,9 +125,8 @@ class SeaState:
         return self._each(lambda m, T: maximum_not_exceeded(np.sqrt(m.m0), self.duration, T, probability))
 
     def air_gaps(self):
-        """{name of point: (clearance, air gap left by the expected largest rise, probability that water reaches it)}
-
-        m, m, 1; of points with a clearance.
+        """{name of a point with a clearance: (clearance, m, air gap left by the expected largest rise, m,
+        probability of contact)}.
         """
         return {
             point.name: self._left(relative_name(point), point.clearance)
@@ -140,7 +141,7 @@ class SeaState:
         }
 
     def reached(self, name, level):
-        """Probability that a response rises (or drops) to a level in `duration`, for independent crossings
+        """Probability that a response rises (or falls) to a level in `duration`, for independent crossings
 
         Conservative: below 3.5 deviations crossings occur in groups; at 3 the probability is a tenth too high.
         """
@@ -209,8 +210,9 @@ def linear_response(sea, transfer, weights):
 
 
 def mean_drift(body, sea, omega, drift, weights):
-    """Mean drift, N, N, N m, by waves within the stored band, shape (3,), and by waves below and above it, shape (2,
-    3); drift (q, p, 3) at omega"""
+    """Mean drift, N, N, N m, by waves within the stored band (3,), and below and above it (2, 3); drift : at omega,
+    (q, p, 3)
+    """
     ends = weights if weights.ndim == 1 else weights[[0, -1]]
     inside = drifts.mean_in_sea(omega, drift, sea.spectrum.density(omega), weights)
     return inside, drifts.mean_in_sea_beyond(body, sea.spectrum, drift[[0, -1]], ends)
@@ -262,10 +264,10 @@ def drift_of_each(body, sea, omega, heading, weights):
 
 
 def drift_on_current(body, omega, heading):
-    """D (q, p, 3) on the current of the body, if there is one, B (q, p, 3, 2), and whether B includes the change of D
-    over headings
+    """Drift D (q, p, 3) on the body's current, if any; B (q, p, 3, 2); and whether B includes the change of D over
+    headings.
 
-    B is None in still water if unknown
+    In still water B is None if unknown
     """
     try:
         value, coefficients = drift_and_damping(body, omega, heading)

@@ -1,4 +1,4 @@
-"""Headings of a sea with their shares of its energy, and the energy outside the stored frequencies.
+"""Headings of a sea with shares of its energy, and the energy outside the stored frequencies.
 
     ∫ D(θ) f(θ) dθ ≈ Σ_i w_i f(β_i),    w_i ∝ D(β_i − β₀),    β_i = i Δβ
 
@@ -65,11 +65,12 @@ def _of_one(sea, omega, step):
 
 
 def heading_step(body, sea, omega):
-    """Degrees between directions at which motions, mean drift and its positive and negative parts converge to 1e-3.
+    """Step between directions, degrees, at which motions, mean drift, and the drift's positive and negative parts
+    converge to 1e-3.
 
-    body : `bem.database.reader.Reader`, or an object with its motions and computed drift
-    Steps are halved until all these values, integrated over the spectrum, change by less than that.
-    Warns if 0.3° are not enough.
+    body : `bem.database.reader.Reader`, or an object with its motions and computed drift.
+    The step is halved until all these values, integrated over the spectrum, change by less than 1e-3. Warns if 0.3°
+    is not enough.
     """
     if is_long_crested(sea):
         return STEP

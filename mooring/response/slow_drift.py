@@ -1,16 +1,17 @@
 """Slowly varying drift force in irregular waves: Newman's approximation, and half wave by half wave.
 
-Newman (1974) approximates the transfer function of a pair of waves by the mean drift of each, here with the root:
+Newman (1974) approximates the transfer function of a pair of waves by the mean drift of each wave, here with the
+square root:
 
     F(t) = Σᵢ Σⱼ aᵢ aⱼ T_ij cos{(ωᵢ − ωⱼ)t − (εᵢ − εⱼ)},    T_ij = sign √(DᵢDⱼ) where Dᵢ and Dⱼ have one sign, else 0
-
-which is one sum over the components, |Σ aᵢ √Dᵢ exp(iεᵢ − iωᵢt)|², for D > 0, minus one of √−Dᵢ for D < 0. It contains
-no sum frequencies and its mean is Σ aᵢ² Dᵢ = 2∫SD dω.  Every component has its own direction, and the same T serves
-pairs of one heading and of two headings. Each wave of a pair enters separately, so a force that changes sign over the
-headings varies although its mean may be zero.  The approximation holds for small ωᵢ − ωⱼ. It neglects the force of the
-bound long wave, which increases with the difference and in shallow water.  The body is fixed at its mean place and
-heading: wave phases and D do not follow its slow motion (for its effect on damping see `wave_drift_damping`). Over
-differences Δω the spectrum of the force is, after Pinkster (1980),
+    which is one sum over the components, |Σ aᵢ √Dᵢ exp(iεᵢ − iωᵢt)|², for D > 0, minus one of √−Dᵢ for D < 0. It
+    contains
+no sum frequencies and its mean is Σ aᵢ² Dᵢ = 2∫SD dω.  Every component has its own direction; this T serves pairs of
+one heading and of two headings. Each wave of a pair enters separately, so a force that changes sign over the
+headings varies in time although its mean may be zero.  The approximation holds for small ωᵢ − ωⱼ. It neglects the
+force of the bound long wave, which increases with the difference and in shallow water.  The body is fixed at its
+mean place and heading: wave phases and D do not follow its slow motion (for its effect on damping see
+`wave_drift_damping`). Over differences Δω the spectrum of the force is, after Pinkster (1980),
 
     S_F(Δω) = 8 ∫ S(ω) S(ω + Δω) Σ_a Σ_b w_a w_b T²(ω, β_a; ω + Δω, β_b) dω
 
@@ -19,12 +20,12 @@ sum over all pairs is ⟨D⁺⟩⟨D⁺⟩ + ⟨D⁻⟩⟨D⁻⟩ of the means o
 
 Half wave by half wave (Remery and Hermans 1971, Hsu and Blenkarn 1970; SR179 report (1982), eq. 3.7.1.5): between two
 zero crossings Δt apart the force is constant, D(ω) ζ² with ω = π/Δt and ζ the largest elevation between them.  In a
-narrow spectrum the mean of this force is 2∫SD dω.  In a broad spectrum it is not: ζ² of the extremes is 12 % more than
-twice the energy (ISSC; 8 to 10 % for JONSWAP), and half waves have other frequencies than their energy.
-For a box of 100 × 50 × 10 m in
-20 m of water, whose drift has a peak at 10 s, the mean deviates from the integral by +16, +27, +2 % in head seas and by
-+19, +17, −7 % at 60° (ISSC, T01 8, 10, 12 s), and by +15, +24 % (JONSWAP, Tp 11 s), means of four records of three
-hours. `half_waves(…, amplitude="energy")` removes the first part.
+narrow spectrum the mean of this force is 2∫SD dω.  In a broad spectrum the mean differs: ζ² of the extremes is 12 %
+more than twice the energy (ISSC; 8 to 10 % for JONSWAP), and the frequencies of half waves differ from those of the
+energy. For a box of 100 × 50 × 10 m in 20 m of water, whose drift has a peak at 10 s, the mean deviates from the
+integral by +16, +27, +2 % in head seas and by +19, +17, −7 % at 60° (ISSC, T01 8, 10, 12 s), and by +15, +24 %
+(JONSWAP, Tp 11 s), means of four records of three hours. `half_waves(…, amplitude="energy")` removes the first of
+these two effects.
 """
 
 from typing import NamedTuple
@@ -60,8 +61,7 @@ def component_drift(body, components, hold=False):
     """Mean drift D of every wave component at its own frequency and direction, N/m² and N m/m²; shape (n, 3).
 
     components : omega, amplitude, phase, direction, each (n,)
-    hold : whether all components beyond the stored band use the end values; else only components with up to 1 % of the
-    energy do
+    hold : whether all components beyond the stored band use the end values; if not, only up to 1 % of the energy may
     raises : BetweenError
     """
     omega, direction = np.asarray(components.omega, float), np.asarray(components.direction, float)
@@ -89,8 +89,8 @@ def outside_band(body, components):
 def newman(components, drift, t):
     """Record of the drift force at times t (s,), s, N, N, N m; shape (s, 3).
 
-    components : omega, amplitude, phase (lag), each (n,); drift : (n, 3) from `component_drift`
-    Equally spaced times cost two small matrix products instead of n s cosines.
+    components : omega, amplitude, phase (lag), each (n,); drift : (n, 3) from `component_drift`.
+    Equally spaced times need two small matrix products in place of n s cosines.
     """
     wave = np.asarray(components.amplitude) * np.exp(1j * np.asarray(components.phase))
     drift = np.asarray(drift, float)
@@ -104,9 +104,12 @@ def newman(components, drift, t):
 
 
 def differences(body):
-    """Differences, rad/s, of the spectrum of the slow force; shape (d,): to 0.2 for a hull of 100 m, by Froude's law
-    for others, and to three times the natural frequency of surge, sway and yaw for a moored body; not of several, which
-    fenders hold to each other far more"""
+    """Difference frequencies of the slow force's spectrum, rad/s; shape (d,).
+
+    They reach 0.2 for a hull of 100 m, and follow Froude's law for any other length. For a single moored body they
+    reach three times its natural frequencies of surge, sway and yaw; several bodies, which fenders hold far more
+    stiffly to each other, are excepted
+    """
     high = SLOWEST[0] * np.sqrt(SLOWEST[1] / body.between.length * body.gravity / 9.80665)
     for mode in (0, 1, 5):
         if body.stiffness[mode, mode] > 0 and not body.bodies:
@@ -133,8 +136,8 @@ def force_spectrum(spectrum, omega, drift, difference):
     shape (d, 3).
 
     spectrum : object with `density`; omega : (q,) rising, close enough for D
-    drift : (q, 3) of long-crested waves, or (q, 2, 3) `signed_means` of short-crested waves.  Waves beyond omega are
-    left out.
+    drift : (q, 3) for long-crested waves, or `signed_means` (q, 2, 3) for short-crested waves. Waves beyond omega
+        are left out.
     """
     omega, drift = np.asarray(omega, float), np.asarray(drift, float)
     parts = signed_means(drift[:, None]) if drift.ndim == 2 else drift
@@ -143,8 +146,9 @@ def force_spectrum(spectrum, omega, drift, difference):
 
 
 def signed_pairs(drift):
-    """Products √(D_a D_b) of the parts of drift (q, p, 3) of either sign, in the order ++, +−, −+, −−; shape (q, p, 4,
-    3, 3)"""
+    """Products √(D_a D_b) of the positive and negative parts of drift (q, p, 3), in the order ++, +−, −+, −−; shape
+    (q, p, 4, 3, 3)
+    """
     roots = np.moveaxis(np.sqrt(signed(drift)), 2, 0)
     return np.stack([np.einsum("qpa,qpb->qpab", a, b) for a in roots for b in roots], axis=2)
 
@@ -157,8 +161,8 @@ class _Met(NamedTuple):
 
 
 def slow_parts(body, spectrum, omega, heading, parts, weights):
-    """Spectrum, frequencies (g,) and means over the headings (g, …) of drift parts (q, p, …), as `force_spectrum` and
-    `cross_spectrum` take them.
+    """Spectrum, frequencies (g,) and heading means (g, …) of drift parts (q, p, …), for `force_spectrum` and
+    `cross_spectrum`.
 
     On a current two waves beat at the difference of the frequencies at which the body meets them, for any headings.
     Parts are therefore summed, with the energy, over the headings at equal met frequencies.
@@ -186,8 +190,9 @@ def slow_parts(body, spectrum, omega, heading, parts, weights):
 def cross_spectrum(spectrum, omega, products, difference):
     """Cross spectral densities of slow forces; shape (d, 3, 3); products : `signed_pairs` at omega, mean over headings
 
-    In phase: T_ij of two forces in one pair of waves have no lag by Newman's rule.  Its diagonal is `force_spectrum`.
-    The products of n forces at several places are complex, with the phases at these places; shape (d, n, n).
+    The forces are in phase: by Newman's rule, T_ij of two forces in one pair of waves have no lag. The diagonal is
+    `force_spectrum`. Products of n forces at several places are complex, with the phases at these places; shape (d,
+    n, n).
     """
     omega, shape = np.asarray(omega, float), products.shape[1:]
     found = _over_pairs(spectrum, omega, products.reshape(len(omega), -1), difference).reshape(-1, *shape)
@@ -207,12 +212,12 @@ def _over_pairs(spectrum, omega, values, difference):
 
 
 def force_spectrum_with(bound, spectrum, omega, drift, difference, met=None):
-    """Spectral density of the slow force of long-crested waves, as `force_spectrum`, with the force of their bound
-    waves: 8 ∫ S S |T|² dω; shape (d, 6)
+    """Spectral density of the slow force of long-crested waves including bound waves: 8 ∫ S S |T|² dω; shape (d, 6)
 
-    bound : T of them as a function of two frequencies, `bound_wave_drift.BoundWaveForces`; drift : (q, 3), in surge,
-    sway and yaw, for Newman's part; met : frequency at which a body on a current meets waves, a function of the wave
-    frequency, whose differences are then used; None in still water
+    bound : T of bound waves as a function of two frequencies, `bound_wave_drift.BoundWaveForces`
+    drift : in surge, sway and yaw, for Newman's part, (q, 3)
+    met : function of the wave frequency: frequency at which a body on a current meets waves, whose differences are
+        used; None in still water
     """
     omega, drift = np.asarray(omega, float), np.asarray(drift, float)
     density = np.asarray(spectrum.density(omega))
@@ -232,7 +237,7 @@ def force_spectrum_with(bound, spectrum, omega, drift, difference, met=None):
 
 
 def held_beyond(omega, drift, spectrum):
-    """omega and drift (q, …) with rows up to 99.9 % of the energy of the waves, where D keeps its last value."""
+    """Arrays omega and drift (q, …), extended to 99.9 % of the energy of the waves; D keeps its last value there."""
     last = float(spectrum.quantile(0.999))
     if last <= omega[-1]:
         return omega, drift
@@ -243,7 +248,7 @@ def held_beyond(omega, drift, spectrum):
 def half_waves(elevation, step, amplitude="extreme") -> HalfWaves:
     """Half waves of a record of wave elevation (s,) m sampled every `step` s, from its first zero crossing to its last.
 
-    amplitude : "extreme", the largest elevation as in the report; "energy", √2 times the root mean square
+    amplitude : "extreme", the largest elevation as in the report; "energy", √2 times the root mean square.
     Crossings are interpolated linearly between samples, extremes by parabolas through three of them. Raises ValueError
     with fewer than 3 crossings, or fewer than 8 samples per half wave on average.
     """
@@ -271,8 +276,8 @@ def half_waves(elevation, step, amplitude="extreme") -> HalfWaves:
 def half_wave_drift(waves, omega, drift, t):
     """Record of the drift force at times t (s,), s, N, N, N m; shape (s, 3); zero outside the half waves.
 
-    waves : from `half_waves`; omega : (q,) rad/s, drift : (q, 3) mean drift there.  Beyond omega D keeps its end
-    values: half waves scatter far more in frequency than the spectrum.
+    waves : from `half_waves`; omega : (q,) rad/s; drift : mean drift at omega, (q, 3). Beyond omega D keeps its end
+        values, because half waves scatter far more in frequency than the spectrum.
     """
     force = np.stack([np.interp(waves.omega, omega, column) for column in np.transpose(drift)], axis=-1)
     force *= waves.amplitude[:, None] ** 2

@@ -1,13 +1,12 @@
 """Viscous damping in irregular waves by equivalent linearisation.
 
-A law of `bem.viscous` gives the linear damping that dissipates the same energy in a regular motion of amplitude a at ω.
-In irregular motion with standard deviations σ and σ_v it is evaluated at ω = σ_v/σ and a = 1.88 σ, which for quadratic
-drag N₂ gives √(8/π) σ_v N₂: the least mean square difference for a Gaussian motion (Borgman 1969).  Motion and damping
-depend on each other and are found by the secant rule.
+A law of `bem.viscous` gives the linear damping that dissipates equal energy in a regular motion of amplitude a at ω.
+For irregular motion with standard deviations σ and σ_v the law is evaluated at ω = σ_v/σ and a = 1.88 σ. For
+quadratic drag N₂ this gives √(8/π) σ_v N₂, the smallest mean square difference for a Gaussian motion (Borgman 1969).
+ Motion and damping depend on each other and are found by the secant rule.
 
 Every study uses the laws of a database's scene through this module: in a sea (`in_sea`), in regular waves
-(`in_regular_waves`, the damping with the same dissipation per cycle), and in time (`in_time`, where a drag remains
-quadratic).
+(`in_regular_waves`, with equal dissipation per cycle), and in time (`in_time`, where a drag remains quadratic).
 """
 
 from dataclasses import replace
@@ -30,8 +29,8 @@ RESTORED = [2, 3, 4]  # heave, roll, pitch
 class InTime(NamedTuple):
     """A body's viscous damping in time, in addition to radiation
 
-    quadratic : (n,) N₂ of laws that are a drag; damping : (n, n) of the other laws, linearised in the waves
-    body : `bem.database.reader.Reader`, floating, with the drift of the body damped in these waves
+    quadratic : N₂ of laws that are a drag, (n,); damping : damping of all other laws, linearised in the waves, (n, n)
+    body : `bem.database.reader.Reader`, floating, with the drift of the body as damped in these waves
     """
 
     quadratic: np.ndarray
@@ -45,7 +44,7 @@ def laws_of(reader):
 
 
 def in_sea(reader, sea, laws=None, held=None):
-    """A `Reader`, floating, with viscous damping linearised in a Sea, and that damping (n, n).
+    """A `Reader`, floating, with viscous damping linearised in a Sea; and this viscous damping (n, n).
 
     laws : laws in place of the laws of its scene; held : the floating Reader with its restraint, None for a free body
     raises : as `linearised` and `Reader.floating`
@@ -55,7 +54,7 @@ def in_sea(reader, sea, laws=None, held=None):
 
 
 def in_regular_waves(reader, omega, amplitude, direction):
-    """A `Reader`, floating, with the viscous damping of its scene for its motion in regular waves; that damping (6, 6).
+    """A `Reader`, floating, with the viscous damping of its scene in regular waves; and this viscous damping (6, 6).
 
     omega : rad/s; amplitude : m; direction : rad, travelled to
     """
@@ -70,11 +69,11 @@ def in_regular_waves(reader, omega, amplitude, direction):
 
 
 def in_time(reader, waves=None, damping=None, quadratic=None):
-    """`InTime` of a `Reader` in waves: a Sea, regular `mooring.studies.conditions.Waves`, or None, without which only
-    laws in the form of a drag act.
+    """`InTime` of a `Reader` in waves: a Sea, regular `mooring.studies.conditions.Waves`, or None.
 
-    damping : (n, n), quadratic : (n,) of a study, in addition to the laws of its scene
-    Their heave, roll and pitch affect the drift, since waves excite these resonances; damping of slow motions does not
+    Without waves only laws in the form of a drag act.
+    damping : (n, n), and quadratic : (n,), of a study, in addition to the laws of the scene. Their heave, roll and
+        pitch parts affect the drift, since waves excite these resonances; damping of slow motions does not
     """
     names, count = reader.names, len(reader.names)
     linear = np.zeros((count, count)) if damping is None else np.asarray(damping, float)
@@ -103,7 +102,7 @@ def in_time(reader, waves=None, damping=None, quadratic=None):
 
 
 def linearised(body, sea, laws):
-    """The `bem.database.reader.Reader` with viscous damping in a Sea, and that damping (n, n).
+    """The `bem.database.reader.Reader` with viscous damping in a Sea; and this viscous damping (n, n).
 
     laws : {degree of freedom: law of `bem.viscous`}
     raises : ValueError if no damping is consistent with its own motion

@@ -1,7 +1,7 @@
 """Wave drift damping: change of the mean drift by a slow velocity of the body.
 
-A body has the slow velocity U, with U_L along the waves and U_T across them (to the left). It meets the waves at the
-frequency ω − kU_L and in the direction β − U_T/C_g, and its drift is
+A body has the slow velocity U, with components U_L along the waves and U_T across the waves (to the left). It meets
+the waves at the frequency ω − kU_L and in the direction β − U_T/C_g. Its drift is
 
     D(U) = {1 + (ω dn/dω − 2) U_L/C_g} D(ω − kU_L, β − U_T/C_g),    n = C_g/C
 
@@ -9,19 +9,18 @@ frequency ω − kU_L and in the direction β − U_T/C_g, and its drift is
 
 In deep water n = ½ and 1/C_g = 2ω/g: the formula of Aranha (1994), ω²/g ∂D/∂ω + 4ω/g D along and 2ω/g ∂D/∂β across. In
 finite depth it follows from the same two balances, of wave action and momentum along rays. For a totally reflecting
-wall, and for a body that scatters evenly, they give {1 − 2U_L/C_g} of the drift at rest in any depth.
-The long waves bound
-to wave groups are neglected.  The yaw moment is treated like the forces; a yaw velocity is not included.
+wall, and for a body that scatters evenly, the balances give {1 − 2U_L/C_g} times the drift at rest in any depth. The
+long waves bound to wave groups are neglected.  The yaw moment is treated like the forces; a yaw velocity is not
+included.
 
 On a current V the velocity through the water is U = ẋ − V: the force on a body at rest is, to first order,
 
     D(V) = D + B V
 
-The wave in the water is held fixed: its intrinsic frequency ω, and therefore its length, its amplitude and the
-direction β of its crests.
-A vertical cylinder on the bed (radius 10 m, depth 20 m) has (dD/dV)/D = 0.4464, 0.3598, 0.4769 s/m at ka =
-0.5, 1, 1.5.  If the frequency at a fixed place is held instead (`on_current.waves`, "absolute"), the intrinsic
-frequency falls by kV, which removes k ∂D/∂ω.
+This derivative keeps the wave in the water unchanged: its intrinsic frequency ω, and therefore its length, its
+amplitude and the direction β of its crests. A vertical cylinder on the bed (radius 10 m, depth 20 m) has (dD/dV)/D =
+0.4464, 0.3598, 0.4769 s/m at ka = 0.5, 1, 1.5.  If the frequency at a fixed place is held instead
+(`on_current.waves`, "absolute"), the intrinsic frequency falls by kV, which removes k ∂D/∂ω.
 Along the waves (2 − ω dn/dω)/C_g remains: 0.2512, 0.4277, 0.5164 s/m for that
 cylinder.
 """
@@ -38,19 +37,22 @@ LEAST = 0.05  # smallest dσ/dω before a current blocks waves given in absolute
 
 
 def drift_and_damping(body, omega, heading, fixed=False):
-    """Mean drift D (q, p, 3) of surge, sway and yaw per squared wave amplitude, and B (q, p, 3, 2), its slope over
-    velocities along x and y, N s/m³ ….
+    """Mean drift D (q, p, 3) of surge, sway and yaw per squared wave amplitude; and damping B (q, p, 3, 2), N s/m³ ….
+
+    B is the negative slope of D over velocities along x and y.
 
     omega : (q,) rad/s, from `linear.frequencies`, rising and close enough to differentiate the drift; heading : (p,)
     rad
-    fixed : True for the fixed body, False for the floating one
+    fixed : True for the fixed body, False for the floating body
     """
     value, by_omega, by_heading = drift_slopes(body, omega, heading, fixed)
     return value, _damping(body, omega, heading, value, by_omega, by_heading)
 
 
 def along_waves(body, omega, heading):
-    """Like `drift_and_damping` for drift known at single headings: its derivative over heading is taken as zero"""
+    """Like `drift_and_damping`, for drift known only at single headings: the derivative over heading is taken as
+    zero
+    """
     value = body.drift(omega, heading)
     return value, _damping(body, omega, heading, value, np.gradient(value, omega, axis=0, edge_order=2), 0 * value)
 

@@ -1,9 +1,9 @@
 """A body on a buoy: hawsers between its bow and the buoy, or none, and the lines of a `System` that hold the buoy.
 
-Hawsers are weightless and inextensible here, the buoy has no inertia, lines are in their static form, as in the SR179
-report (1982), section 3.6.1; but the buoy lies where the forces on it balance in the plane, not on the line from its
-place at rest to the bow (eq. 3.6.5).  The energy of the lines is a convex function of the buoy's place, so the buoy has
-only one place of rest.  Axes of the body: x forward, y to port, from its centre of mass.
+As in the SR179 report (1982), section 3.6.1, hawsers are weightless and inextensible, the buoy has no inertia, and
+lines have their static shape. Unlike in eq. 3.6.5, the buoy lies where the forces on it balance in the plane, not on
+the line from its place at rest to the bow.  The energy of the lines is a convex function of the buoy's position, so
+the buoy has only one position at rest.  Axes of the body: x forward, y to port, from its centre of mass.
 """
 
 from dataclasses import dataclass
@@ -36,7 +36,7 @@ class NotFollowedError(SinglePointError):
 class Pull(NamedTuple):
     """Force on a buoy by its lines.
 
-    force : (2,) N; stiffness : (2, 2) N/m, with the buoy free to rise and sink; height : m, height of the attachment
+    force : (2,) N; stiffness : (2, 2) N/m, with the buoy free to rise and sink; height : height of the attachment, m
     """
 
     force: np.ndarray
@@ -146,7 +146,9 @@ class SinglePoint:
         return Pull(F[:2].copy(), K[:2, :2] - np.outer(K[:2, 2], K[2, :2]) / stiff, float(z))
 
     def buoy_under(self, force, start: Pose | None = None):
-        """SystemEquilibrium of the buoy pulled by a body with (2,) N, sought from a Pose.  Raises SinglePointError."""
+        """SystemEquilibrium of the buoy under the pull (2,) N of a body, sought from a Pose.  Raises
+        SinglePointError.
+        """
         name = self.system.bodies[0].name
         load = np.array(self.system.bodies[0].load)
         load[:2] += force
@@ -156,7 +158,7 @@ class SinglePoint:
             raise SinglePointError(f"the lines do not hold {np.hypot(*force) / 1e3:.4g} kN: {error}") from None
 
     def hold(self, place, heading, near=None) -> Hold:
-        """Hold on the body with its centre of mass at (2,) m; near : (2,) m, a guess of where the buoy is"""
+        """Hold on the body with its centre of mass at (2,) m; near : guess of the buoy's position, (2,) m"""
         R = _turned(heading)
         if self.lengths[0] == 0.0:
             buoy = place + R @ self.ends[0]
@@ -178,8 +180,8 @@ class SinglePoint:
         return min(found, key=lambda one: one[0])[1]
 
     def stiffness(self, heading, held: Hold):
-        """Stiffness, N/m, N: minus the derivatives of a Hold's force by the body's place in space and its heading;
-        shape (3, 3)
+        """Stiffness, N/m and N: minus the derivatives of a Hold's force by the body's position and heading; shape
+        (3, 3)
 
         A taut hawser turns about its end on the body until the lines pull along it, so that it yields sideways.
         """
@@ -266,7 +268,8 @@ def _with_moment(force, arm):
 def planar_mass(own, length, beam, added, gyration=None):
     """Mass matrix of slow surge, sway and yaw about the centre of mass, kg, kg m²; shape (3, 3).
 
-    own : kg; length, beam : m; added : (3,) added mass over the mass, and added inertia over the moment of inertia
+    own : mass of the body, kg; length, beam : m; added : added mass over the mass, and added inertia over the
+        inertia, (3,)
     gyration : radius of gyration in yaw, m, by default of a uniform box
     """
     squared = (length**2 + beam**2) / 12 if gyration is None else gyration**2
@@ -274,7 +277,8 @@ def planar_mass(own, length, beam, added, gyration=None):
 
 
 def planar_mass_stored(reader):
-    """Mass matrix of slow surge, sway and yaw of a `bem.database.reader.Reader`, with its added mass, kg, kg m, kg m²;
-    shape (3, 3)"""
+    """Mass matrix of slow surge, sway and yaw of a `bem.database.reader.Reader`, with added mass, kg, kg m, kg m²;
+    shape (3, 3)
+    """
     body, plane = reader.floating(), [0, 1, 5]
     return (body.inertia + body.held_added_mass(0.0)[0])[np.ix_(plane, plane)]

@@ -6,9 +6,9 @@ of lateral motion y and yaw ψ on a line of length ℓ that pulls with F at a di
 
     M ÿ = Fγ + Y_v ẏ + Y_r ψ̇ + Y_ψ ψ,    I ψ̈ = aFγ + N_v ẏ + N_r ψ̇ + N_ψ ψ,    γ = −(y + aψ)/ℓ − ψ
 
-M, I with added mass; Y, N in axes of the body.  Where the far end of the line yields, ℓ = F over the lateral stiffness
-at the attachment.  SR179 report (1982), eq. 3.6.17–3.6.23: in 3.6.17 Y_β = −U Y_v, N_β = −U N_v, and the Y_r printed
-there contains −MU; all four of A, B, C, D have to be positive (the printed sum is a misprint).
+M and I include added mass; Y and N are in axes of the body. If the far end of the line yields, ℓ is F over the
+lateral stiffness at the attachment.  SR179 report (1982), eq. 3.6.17–3.6.23: in 3.6.17 Y_β = −U Y_v, N_β = −U N_v,
+and the Y_r printed there contains −MU; all four of A, B, C, D have to be positive (the printed sum is a misprint).
 """
 
 from typing import NamedTuple
@@ -19,9 +19,9 @@ import numpy as np
 class Lateral(NamedTuple):
     """Lateral motion about an equilibrium in which the line lies straight ahead; numbers or arrays of one shape.
 
-    mass, inertia : kg, kg m², with added mass; pull : N, of the line; arm : m, from the centre of mass to the line's
-    end on the body
-    length : m, of the line; Y_v, Y_r, Y_psi, N_v, N_r, N_psi : derivatives of the external force and moment, SI
+    mass, inertia : with added mass, kg and kg m²; pull : pull of the line, N; arm : from the centre of mass to the
+        line's end on the body, m
+    length : length of the line, m; Y_v, Y_r, Y_psi, N_v, N_r, N_psi : derivatives of the external force and moment, SI
     """
 
     mass: float
@@ -40,7 +40,8 @@ class Lateral(NamedTuple):
 class Slewing(NamedTuple):
     """Stability from the roots λ: the fastest growing or slowest decaying motion.
 
-    stable : every motion decays; growth : 1/s, below 0 where it decays; period : s, inf without oscillation
+    stable : whether every motion decays; growth : 1/s, below 0 for a decaying motion; period : s, inf without
+        oscillation
     """
 
     stable: bool
@@ -60,7 +61,7 @@ def moored_quartic(m: Lateral):
 
 
 def undamped(quartic):
-    """The quartic with A = C = 0, without damping: the body oscillates without decay, or slews (3.6.19)"""
+    """Coefficients with A = C = 0, for no damping: the body then oscillates without decay, or slews (3.6.19)"""
     return np.asarray(quartic) * np.array([1.0, 0.0, 1.0, 0.0, 1.0])
 
 
@@ -86,8 +87,9 @@ def roots(quartic):
 
 
 def falling(values):
-    """Complex numbers sorted by real part, the largest first; shape (…, n); in a pair, the one with positive imaginary
-    part first"""
+    """Complex numbers (…, n) sorted by real part, the largest first; in a conjugate pair the positive imaginary part
+    comes first
+    """
     order = np.lexsort((-values.imag, -values.real), axis=-1)
     return np.take_along_axis(values, order, axis=-1)
 
@@ -100,10 +102,10 @@ def slewing(values) -> Slewing:
 
 
 class Proportions(NamedTuple):
-    """The undamped criterion without dimensions (3.6.22): numbers or arrays of one shape.
+    """Dimensionless quantities of the undamped criterion (3.6.22): numbers or arrays of one shape.
 
     mass : (m + m_y)/(½ρL²d); inertia : (I + J)/(½ρL⁴d); length : ξ = ℓ/L; arm : ζ = a/L; drag : F/(½ρLdV²)
-    side, turn : dC_Y/dψ and dC_N/dψ, 1/rad, of the external force and moment over ½ρLdV² and ½ρL²dV²
+    side, turn : dC_Y/dψ and dC_N/dψ, 1/rad, of the external force over ½ρLdV² and moment over ½ρL²dV²
     """
 
     mass: float
@@ -116,8 +118,7 @@ class Proportions(NamedTuple):
 
 
 class Discriminant(NamedTuple):
-    """B̂ and B̂² − 4D̂ of 3.6.22 and 3.6.23, and the parts of both as table 3.6.4.1 lists them: B̂ = i − ii, 4D̂ =
-    iii·iv"""
+    """B̂ and B̂² − 4D̂ of 3.6.22 and 3.6.23, and the parts listed in table 3.6.4.1: B̂ = i − ii, 4D̂ = iii·iv"""
 
     i: float
     ii: float

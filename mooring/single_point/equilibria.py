@@ -1,13 +1,14 @@
-"""Equilibria of a body at a single point: all headings and places of rest, and their stability.
+"""Equilibria of a body at a single point: all headings and positions at rest, and their stability.
 
 Hawsers transmit no moment about the point p of the body where their lines of pull meet. Headings of rest are therefore
 the zeros of one function of the heading alone (SR179 report 1982, eq. 3.6.3),
 
     g(ψ) = M(ψ) − (p_x F_y − p_y F_x)
 
-with the external force and moment about the centre of mass; all of them are found (`rings.zeros`).  The lines then hold
-a given force at one place of the buoy (`System`, Newton's method), and the body lies downstream of the buoy.  With two
-hawsers either both are taut, and their pull meets at the apex ahead, or one is taut and the other must be slack.
+with the external force and moment about the centre of mass; all zeros are found (`rings.zeros`). The lines balance a
+given force at only one position of the buoy (`System`, Newton's method), and the body lies downstream of the buoy.
+With two hawsers either both are taut, and their pulls meet at the apex ahead; or one is taut and the other must be
+slack.
 """
 
 from dataclasses import dataclass
@@ -49,7 +50,7 @@ class Mode(NamedTuple):
 class Equilibrium:
     """A body at rest.
 
-    heading : rad; place : (2,) m of the centre of mass; buoy : (2,) m
+    heading : rad; place : position of the centre of mass, (2,) m; buoy : (2,) m
     hawser : (k,) N; for a contact buoy the force on the buoy
     force : (3,) N, N, N m of wind, water and drift in axes of the body; lines : SystemEquilibrium of the buoy
     """
@@ -67,7 +68,7 @@ class Equilibrium:
 
     @property
     def pull(self):
-        """N, of the steady force"""
+        """Magnitude of the steady force, N"""
         return float(np.hypot(*self.force[:2]))
 
     @property
@@ -134,7 +135,9 @@ def _axes(angle):
 
 
 def equilibria(point: SinglePoint):
-    """All Equilibrium of a body, by heading; raises SinglePointError without any pull, or if lines do not hold."""
+    """All Equilibrium of a body, by heading. Raises SinglePointError without any pull, or if the lines do not hold
+    the body.
+    """
     found = []
     for end, length, which in _supports(point):
         for heading in zeros(lambda psi, end=end: _moment(point, psi, end)):
@@ -244,10 +247,10 @@ def _derivatives(point, heading):
 
 
 def preferred(found):
-    """The stable Equilibrium of fastest decay; without a stable Equilibrium the Equilibrium of slowest growth"""
+    """The stable Equilibrium with the fastest decay; if none is stable, the one with the slowest growth"""
     return min(found, key=lambda one: one.slewing.growth)
 
 
 def bow(one):
-    """° from +x to the bow of an Equilibrium, 0 up to 360, to a hundredth"""
+    """Angle from +x to the bow of an Equilibrium, degrees, 0 up to 360, rounded to a hundredth"""
     return float(np.round(np.degrees(one.heading), 2) % 360) + 0.0

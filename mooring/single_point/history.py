@@ -13,10 +13,11 @@ SETTLED = np.radians(0.2)  # heading amplitude at rest, rad
 
 
 class Record(NamedTuple):
-    """A body at a single point in time: time : (n,) s; place : (n, 2) m and heading : (n,) rad of the slow motion
+    """A body at a single point in time. time : (n,) s; place, heading : slow motion, (n, 2) m and (n,) rad
 
-    wave : (n, 6) m, rad, wave motion in addition, along x, y, z
-    buoy : (n, 2) m; hawser : (n, k), lines : (n, l) N by both motions; wind_speed : (n,) m/s
+    wave : additional wave motion along x, y, z, (n, 6), m and rad
+    buoy : (n, 2) m; hawser : (n, k) N, and lines : (n, l) N, tensions by slow and wave motion together; wind_speed :
+        (n,) m/s
     """
 
     time: np.ndarray
@@ -32,7 +33,7 @@ class Record(NamedTuple):
 class Cycle(NamedTuple):
     """Slewing at the end of a run: amplitude : rad of the heading; period : s, nan without oscillation
 
-    growing : amplitude of the second half of that part over the first; stays : whether it persists
+    growing : amplitude in the second half of this part over that in the first half; stays : whether slewing persists
     """
 
     amplitude: float
@@ -42,8 +43,10 @@ class Cycle(NamedTuple):
 
 
 def line_tensions(point: SinglePoint, buoy, height=None):
-    """Tension of each line, N, the larger of both ends, with the buoy at (n, 2), m; shape (n, lines); height : (n,), m,
-    of the buoy, None to compute the height"""
+    """Tension of each line, N, at the more loaded end, with the buoy at (n, 2) m; shape (n, lines).
+
+    height : height of the buoy, (n,) m, None to compute it
+    """
     system, turn = point.system, point.system.pose.turn
     z = np.full(len(buoy), system.bodies[0].position[2]) if height is None else np.asarray(height, float)
     if height is None and "Heave" in system.bodies[0].freedom:
@@ -87,7 +90,7 @@ def cycle(time, heading) -> Cycle:
 
 
 def wave_deviations(record, after):
-    """Standard deviations of surge, sway, heave, m, roll, pitch and yaw, rad, in waves, from `after`, s, on; shape (6,)
+    """Standard deviations of wave motion from `after`, s, on: surge, sway, heave, m, roll, pitch, yaw, rad; shape (6,)
 
     Surge and sway are along and across the hull at its slow heading; nan if the record ends earlier
     """
@@ -106,7 +109,7 @@ def moves_in_waves(run):
 
 
 def settled_after(time, heading, final):
-    """s after which a heading remains within SETTLED of its final value, rad; nan if the heading never settles"""
+    """Time, s, after which a heading remains within SETTLED, rad, of its final value; nan if it never settles"""
     away = np.abs(heading - final) > SETTLED
     if not away.any():
         return float(time[0])
@@ -115,5 +118,5 @@ def settled_after(time, heading, final):
 
 
 def watch_circle(place, origin):
-    """m, largest distance of (n, 2) m from (2,) m"""
+    """Radius of the watch circle, m: largest distance of positions (n, 2) m from (2,) m"""
     return float(np.hypot(*(place - origin).T).max())

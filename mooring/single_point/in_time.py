@@ -26,8 +26,8 @@ class Run(NamedTuple):
     """record : slow motion and wave motion, or slow motion alone; steady : Equilibrium nearest to the start of the
     record
 
-    cycle : cycle of its last part; settled : s, nan if the heading does not come to rest; radius : m of the watch
-    circle
+    cycle : Cycle of the last part of the record; settled : s, nan if the heading does not come to rest; radius : of
+        the watch circle, m
     drifts : whether the run includes slow drift; findings : one line each
     full_waves : s, time from which the waves have their full height; inf if there are no waves
     """
@@ -43,7 +43,7 @@ class Run(NamedTuple):
 
 
 def gusty(point, duration, seed):
-    """Callable of s → m/s of the gusty wind over a duration, s; None for a steady one"""
+    """Function of time, s, that gives the gusty wind speed, m/s, over a duration, s; None for a steady wind"""
     wind = point.loads.wind
     if wind is None or wind.gusts is None:
         return None
@@ -56,8 +56,9 @@ def gusty(point, duration, seed):
 
 
 def of_contact(point, found, center):
-    """Results of a Realisation with a contact buoy: place of the buoy (n, 2), m, pull on it (n, 1), N, and tensions of
-    the lines (n, lines), N"""
+    """Results of a Realisation with a contact buoy: position of the buoy (n, 2) m, pull on it (n, 1) N, line
+    tensions (n, lines) N
+    """
     heading, end = found.motion[:, 5], point.ends[0]
     cos, sin = np.cos(heading), np.sin(heading)
     at = found.motion[:, :2] + center + np.stack([cos * end[0] - sin * end[1], sin * end[0] + cos * end[1]], axis=1)
@@ -66,7 +67,9 @@ def of_contact(point, found, center):
 
 
 def ropes_of(run: Run):
-    """{column: (k + n,) N} of hawsers and lines: steady, mean, significant, largest, significant with the fifth"""
+    """{column: (k + n,) N} of hawsers and lines: steady, mean, significant, largest, and significant with a fifth
+    added
+    """
     steady = np.concatenate([run.steady.hawser, run.steady.lines.tension])
     record = np.concatenate([run.record.hawser, run.record.lines], axis=1)
     values = significant(record, steady)
@@ -81,14 +84,15 @@ def _with_fifth(run, waves):
 
 
 def largest_of(run: Run, waves):
-    """Largest tensions of hawsers (k,) and lines (n,), N; a fifth is added, as in the report, if the `waves` have no
-    slow drift"""
+    """Largest tensions of hawsers (k,) and lines (n,), N; as in the report a fifth is added if the `waves` have no
+    slow drift
+    """
     more = SLOW_DRIFT if _with_fifth(run, waves) else 1.0
     return more * run.record.hawser.max(axis=0), more * run.record.lines.max(axis=0)
 
 
 def pulls(best, cycle=None, run=None, waves=False):
-    """{where: (hawsers (k,), lines (n,)) N}, the largest at rest, in the limit cycle and in the run, if available
+    """{where: (hawsers (k,), lines (n,)) N}, largest pulls at rest, in the limit cycle and in the run, if available
 
     best : Equilibrium; cycle : LimitCycle; run : Run; waves : whether waves act
     """

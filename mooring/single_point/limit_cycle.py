@@ -1,9 +1,10 @@
 """The limit cycle of a slewing body: amplitude, period and tensions, independent of the start.
 
-The motion is computed from one largest heading ψ to the next.  A period at the amplitude A changes ψ by Δψ = gA, where
-g near the onset of slewing is linear in A² (Hopf): a line through two periods predicts where g = 0, and the deviation
-from the mean of the period is scaled to it.  A cycle attracts the motion if g falls with A. Otherwise the motion
-continues without scaling, and after MOST periods the result is the range of the heading.
+The motion is computed from one largest heading ψ to the next.  A period at the amplitude A changes ψ by Δψ = gA,
+where g near the onset of slewing is linear in A² (Hopf). A line through two periods predicts the amplitude for which
+g = 0, and the motion about its mean over a period is scaled to this amplitude. A cycle attracts the motion if g
+falls with A. Otherwise the motion continues without scaling; after MOST periods the result is the range of the
+heading.
 """
 
 from typing import NamedTuple
@@ -54,7 +55,7 @@ class _Period(NamedTuple):
 
 
 def limit_cycle(steady, turn=START) -> LimitCycle:
-    """Cycle of a body that slews about an `Equilibrium`, starting `turn` rad from its heading.
+    """LimitCycle of a body that slews about an `Equilibrium`, starting `turn` rad from its heading.
 
     raises : SinglePointError if the heading is stable, the body comes to rest elsewhere or does not turn back, or no
         cycle appears within MOST periods

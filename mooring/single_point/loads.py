@@ -2,13 +2,13 @@
 
     F = F_wind(α_w) |U_w|² + F_water + F_drift(ψ)
 
-in axes of the body about its centre of mass, α the angle from which a stream meets the body at its own velocity.  The
-water is either that of turning tests, polynomials in the turn r' = rL/V at each drift angle,
+in axes of the body about its centre of mass; α is the angle from which a stream meets the moving body. F_water comes
+either from turning tests, as polynomials in the turn r' = rL/V at each drift angle,
 
     F_water = Σₖ cₖ(β) V^(2−k) (rL)ᵏ,    k = 0 … 4,   |rL| ≤ V/2                 (SR179 report 1982, eq. 2.3.2, 3.6.8)
 
-or the load of current coefficients with the cross flow of a turning body, −N₂ r|r|.  The two exclude each other: both
-contain the force of the current.  Velocities u, v are relative to the water, r is the yaw rate.
+or from current coefficients, with −N₂ r|r| for the cross flow of a turning body. Only one of the two is used,
+because both contain the force of the current.  Velocities u, v are relative to the water, r is the yaw rate.
 """
 
 from dataclasses import dataclass
@@ -27,10 +27,11 @@ POWERS = 5  # number of powers of r', 0 to 4
 
 @dataclass(frozen=True, eq=False)
 class WindLoad:
-    """table : (count, 3) N s²/m², N m s²/m² at unit speed over the angle that the wind blows to, from the bow
+    """table : (count, 3), N s²/m² and N m s²/m², force at unit speed over the direction of the wind's travel, from
+    the bow
 
-    speed : m/s; direction : rad, blown to, in space; gusts : `GustSpectrum`, None for a steady wind
-    height : (2,) m above still water at which forces along and across the body act
+    speed : m/s; direction : direction of travel in space, rad; gusts : `GustSpectrum`, None for a steady wind
+    height : heights above still water at which forces along and across the body act, (2,) m
     """
 
     table: np.ndarray
@@ -49,12 +50,12 @@ class WindLoad:
 class WaterLoad:
     """Force of the water on the hull, and the current that causes this force.
 
-    table : (count, 5, 3) N over V^(2−k) (rL)ᵏ, over the angle that the water flows to, from the bow
-    length : m, of r'; turning : whether the table is from turning tests, and then includes inertia
-    speed : m/s; direction : rad the current flows to, in space
+    table : (count, 5, 3), force, N, divided by V^(2−k) (rL)ᵏ, over the direction of flow, from the bow
+    length : length L in r', m; turning : whether the table comes from turning tests, which include inertia
+    speed : m/s; direction : direction of flow in space, rad
     quadratic : N₂ of yaw, N m s²; linear : (3, 3) damping, N s/m …
-    height : m above still water of its point of action; at_rest : share of the table in water at rest, where a round
-    hull moves (`loads.on_hull.StreamOnHull.still`)
+    height : height of the point of action above still water, m; at_rest : fraction of the table that applies for a
+        round hull moving in water at rest (`loads.on_hull.StreamOnHull.still`)
     """
 
     table: np.ndarray
@@ -83,7 +84,7 @@ class WaterLoad:
         return self.speed * np.array([np.cos(self.direction), np.sin(self.direction)])
 
     def share(self, heading, u, v):
-        """Share of the table for a body at a heading with velocities through the water, m/s"""
+        """Fraction of the table that applies for a body at a heading with velocities through the water, m/s"""
         if self.at_rest == 1.0:
             return 1.0
         c = self.direction - heading
@@ -160,7 +161,7 @@ class Loads:
 def turning_table(coefficients: TurningCoefficients, length, draft, density, count=720):
     """Table of a WaterLoad from turning tests of a box; shape (count, 5, 3); length, draft : m; density : kg/m³
 
-    Rows are angles that the water flows to: it flows past a body of drift angle β towards π − β, so that v = −V sin β.
+    Rows are directions of flow: past a body with the drift angle β water flows towards π − β, so that v = −V sin β.
     """
     return coefficients.powers(np.pi - angles(count)) * (0.5 * density * length * draft * np.array([1, 1, length]))
 
@@ -173,7 +174,7 @@ def still_table(unit):
 
 
 def isotropic_drift(force, direction, center=(0.0, 0.0), middle=(0.0, 0.0), count=720):
-    """DriftLoad of the same force, N, along the waves at any heading, at the middle of the body; direction : rad"""
+    """DriftLoad of a constant force, N, in the wave direction at any heading, amidships; direction : rad"""
     along = direction - angles(count)
     load = force * np.stack([np.cos(along), np.sin(along), np.zeros(count)], axis=-1)
     return DriftLoad(about(load, middle, center))

@@ -1,9 +1,9 @@
 """A body at a single point in one equation with its waves and its buoy (`mooring.motion`): its parts, and a run.
 
-Slow and wave motion are one motion. It has six degrees of freedom and the memory of the water if there is a database,
-and otherwise three in the plane.  On a hawser the buoy has mass, drag and lines of its own; a contact buoy is part of
-the body, whose lines then end at it.  Loads are the loads of the statics and of the slow motion (`loads`), from turning
-tests or coefficients, for all directions. Drift comes from every pair of waves, or is the mean drift given in a study.
+Slow and wave motion are one motion. With a database it has six degrees of freedom and fluid memory; without one it
+has three, in the plane. A buoy on a hawser has its own mass, drag and lines; a contact buoy is part of the body, and
+the lines end at the body. Loads are those of statics and slow motion (`loads`), from turning tests or coefficients,
+for all directions. Drift comes from every pair of waves, or is the mean drift given in a study.
 """
 
 from dataclasses import dataclass, replace
@@ -96,9 +96,9 @@ def body_at(steady: Equilibrium, state, db=None, *, buoy: BuoyBody | None = None
             memory=None, sea=None) -> Moored:  # fmt: skip
     """`Moored` at a state (6,) near an Equilibrium (`slewing.turned_state`), with the hawser stretched by its tension.
 
-    db : opened database, None for the plane; memory : memory of its water; sea : for the linearisation of its
-    viscous damping
-    end_z : m, of the attachment over the water
+    db : open database, None for motion in the plane; memory : fluid memory of the database; sea : sea in which
+        viscous damping is linearised
+    end_z : height of the attachment above still water, m
     buoy, rope : BuoyBody and RopePart of the hawsers, of a mooring with hawsers
     raises : SinglePointError, ValueError of `moored`
     """
@@ -140,8 +140,8 @@ def run_in_one(steady: Equilibrium, body: Moored, duration, step, *, components=
                tolerance=1e-3, seed=0, drift=True, carrier=None):  # fmt: skip
     """`Realisation` of a body from `body_at`, in the wind, current and drift of its SinglePoint.
 
-    duration, step : s; components : wave components, which grow over wave_ramp, (s, s) begin and length
-    gusts : GustSpectrum of the wind; drift : True for the mean drift of the loads, False for that of the waves
+    duration, step : s; components : wave components; wave_ramp : start and length of their growth, (s, s)
+    gusts : GustSpectrum of the wind; drift : True for the mean drift of the loads, False for the drift of the waves
     carrier : `mooring.on_current.waves.Carrier` of the waves, whose frequencies are intrinsic; None in still water
     raises : SinglePointError
     """

@@ -1,8 +1,8 @@
 """Motion in time of a body at a single point, from near one of its equilibrium headings, by one of three schemes.
 
-`slow_run` computes the slow motion alone. `two_scale_run` adds the waves of a step at a fixed slow position, as the
-report does. `full_run` has slow and wave motion in one equation.
-Gusts come from the wind of the loads; tensions of lines are static, with their ends moved by all motions together.
+`slow_run` computes the slow motion alone. `two_scale_run` adds wave motion in each step at a fixed slow position, as
+the report does. `full_run` has slow and wave motion in one equation. Gusts belong to the wind of the loads. Line
+tensions are static, with the ends moved by slow and wave motion together.
 """
 
 import warnings
@@ -28,7 +28,7 @@ MISSED = 0.05  # share of the energy of the waves
 class Times:
     """Duration and steps of a run.
 
-    duration, step (of the record, None for the step of the scheme), slow_step (of two scales), waves_after : s
+    duration, step (of the record, None for the scheme's step), slow_step (for two scales), waves_after : s
     offset : rad, initial heading relative to the heading at rest; tolerance : tolerance of place and heading; seed :
     seed of the gusts
     """
@@ -67,7 +67,7 @@ def two_scale_run(steady, times: Times, body) -> Run:
 def full_run(steady, times: Times, moved, components=None, drift=True, carrier=None) -> Run:
     """Run of slow and wave motion in one equation.
 
-    moved : `one_equation.body_at` the begin of the run; components : components of the waves, None in still water
+    moved : `one_equation.body_at` the start of the run; components : components of the waves, None in still water
     drift : whether pairs of waves drive slow drift, in place of the mean drift of the loads
     carrier : `mooring.on_current.waves.Carrier` of the waves, None in still water
     """
@@ -103,7 +103,7 @@ def sea_components(sea, count, seed, reader, carrier=None, gravity=9.80665):
     """Components of a Sea within the frequency range of a database Reader.
 
     carrier : `mooring.on_current.waves.Carrier` of the waves, None in still water
-    raises : ValueError if more than a twentieth of its energy lies outside
+    raises : ValueError if more than a twentieth of the sea's energy lies outside this range
     """
     missed, band = outside(sea.spectrum, reader.omega, MISSED)
     if missed > MISSED:

@@ -27,7 +27,8 @@ def length_without_uplift(tension, weight, height):
 
 
 def horizontal_at_rest(top, weight, stiffness, height):
-    """N, horizontal tension of a line that lies partly on the bed and pulls with `top` N; to first order in the strain.
+    """Horizontal tension, N, of a line partly on the bed with the upper-end tension `top`, N; to first order in the
+    strain.
 
     weight : N/m in water; stiffness : N, EA; height : m of the upper end.  Raises ValueError for a line too heavy.
     """
@@ -51,7 +52,8 @@ def significant(values, steady):
 def highest_third(record):
     """Mean of the highest third of the peaks of a record (n,) between upcrossings of its mean, as for waves in a tank
 
-    For a snapping load it scatters less from record to record than `significant`, which uses the largest peak alone.
+    For a snapping load this mean scatters less from record to record than `significant`, which uses only the largest
+    peak.
     """
     above = record >= record.mean()
     begin = np.flatnonzero(above[1:] & ~above[:-1]) + 1

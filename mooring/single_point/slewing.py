@@ -2,9 +2,9 @@
 
     T ν̇ = F(ψ, ν) + F_mooring − C(ν) ν,   ẋ = R(ψ) ν + U,   ν = (u, v, r) through the water, U the current
 
-T is the mass with added mass. C is the inertia of turning axes, without the moment of the added mass (Munk's), which
-turning tests and current coefficients contain.  With turning tests C cancels in surge and sway: the tests include the
-inertia of the turning model.  SR179 report (1982), eq. 3.6.1 and 3.6.8, with u̇, v̇ for the ü, v̈ printed there.
+T is the mass with added mass. C is the inertia of turning axes, without Munk's moment of the added mass, which
+turning tests and current coefficients contain.  With turning tests C cancels in surge and sway: the tests include
+the inertia of the turning model.  SR179 report (1982), eq. 3.6.1 and 3.6.8, with u̇, v̇ for the ü, v̈ printed there.
 Velocities on both sides are through the water, so a mooring that drifts with the current has no load.
 """
 
@@ -73,15 +73,17 @@ def linearised(point: SinglePoint, state, held: Hold | None = None):
     shape (6, 6).
 
     Unknowns are the place, the heading and the velocity over the ground. The axes do not turn, so all rates are zero at
-    rest.  The mooring reacts by its stiffness, loads by differences of fourth order.
-    held : Hold of the mooring there, computed if not given
+    rest.  The mooring contributes its stiffness, loads contribute differences of fourth order.
+    held : Hold of the mooring at the equilibrium, computed if not given
     """
     state, current = np.asarray(state, float), point.loads.water.velocity
     held = point.hold(state[:2], state[2]) if held is None else held
     scale = np.array([0.02, 0.1, 0.1, 2e-3])
 
     def motion(z):
-        """Acceleration in space at a heading and a velocity over the ground, with a constant pull of the mooring"""
+        """Acceleration in space at a given heading and velocity over the ground, with a constant pull of the
+        mooring
+        """
         heading, r = z[0], z[3]
         cos, sin = np.cos(heading), np.sin(heading)
         over = z[1:3] - current
@@ -108,7 +110,7 @@ def linearised(point: SinglePoint, state, held: Hold | None = None):
 def slew(point: SinglePoint, start, duration, step, *, tolerance=1e-4, wind_speed=None) -> SlowMotion:
     """Slow motion from a state (6,), by the method of Dormand and Prince of order 8 (`scipy`).
 
-    duration, step : s, of the record; tolerance : relative, and of metres and radians
+    duration, step : of the record, s; tolerance : relative tolerance, and absolute tolerance in metres and radians
     wind_speed : callable of s → m/s, None for the mean wind.  raises : SinglePointError
     """
     from scipy.integrate import solve_ivp

@@ -26,7 +26,9 @@ from .waves import RING, at_heading, headings, mean_frequency, share_of_height
 
 @dataclass(frozen=True)
 class Steps:
-    """duration, slow, fast : s; waves_after : s without waves; parts : number of integration steps in a slow step"""
+    """duration, slow, fast : duration, and slow and fast step, s; waves_after : time without waves, s; parts :
+    number of integration steps in a slow step
+    """
 
     duration: float = 1200.0
     slow: float = 10.0
@@ -39,7 +41,8 @@ class Steps:
 class WaveBody:
     """Wave motion of a body about its centre of mass, in a sea of components (n,).
 
-    added, damping, stiffness : (6, 6) with the mass in `added`, of one frequency; force : (n, RING, 6) complex, N per m
+    added, damping, stiffness : (6, 6), at one frequency, where `added` includes the mass; force : (n, RING, 6)
+        complex, N per m
     omega, amplitude, phase, direction, number : (n,); lever : m, height of the attachment over the centre of mass
     center : (2,) m, centre of mass in the axes of the forces; mean_omega : rad/s
     """
@@ -58,7 +61,9 @@ class WaveBody:
     mean_omega: float
 
     def forces_at(self, place, heading, times):
-        """Forces, N, N m, at times (m,), s, on a body with constant slow place, (2,), m, and heading; shape (m, 6)"""
+        """Forces, N and N m, at times (m,) s, on a body at a constant slow position (2,) m and heading; shape (m,
+        6)
+        """
         near = at_heading(self.force, self.direction - heading)
         cos, sin = np.cos(heading), np.sin(heading)
         cx, cy = self.center

@@ -17,19 +17,21 @@ def headings():
 
 
 def mean_frequency(omega, amplitude):
-    """rad/s of components (n,), weighted with their energy"""
+    """Mean frequency of components (n,), rad/s, weighted with their energy"""
     return float(omega @ amplitude**2 / (amplitude @ amplitude))
 
 
 def split_frequency(omega, amplitude):
-    """rad/s of components (n,), below which only LOWEST of their energy lies: lower frequencies count as slow motion"""
+    """Frequency, rad/s, below which only LOWEST of the energy of components (n,) lies; lower frequencies count as
+    slow motion
+    """
     order = np.argsort(omega)
     energy = np.cumsum(np.square(amplitude)[order])
     return float(omega[order][np.searchsorted(energy, LOWEST * energy[-1])])
 
 
 def slow_part(motion, step, split):
-    """Part slower than `split`, rad/s, of a record (n, …) at equal steps, s, without delay: gain 1/(1 + (ω/split)¹⁶)
+    """Part below `split`, rad/s, of a record (n, …) at equal steps, s, without delay: gain 1/(1 + (ω/split)¹⁶)
 
     A causal filter has a delay, which would appear as motion in waves.
     """
@@ -41,14 +43,16 @@ def slow_part(motion, step, split):
 
 
 def share_of_height(time, after, mean_omega):
-    """Share of the full height of waves that start at `after`, s, and grow over GROWS periods of `mean_omega`; shape
-    (n,)"""
+    """Fraction of the full height of waves that start at `after`, s, and grow over GROWS periods of `mean_omega`;
+    shape (n,)
+    """
     return np.clip((time - after) * mean_omega / (2 * np.pi * GROWS), 0.0, 1.0)
 
 
 def at_heading(ring, turn):
-    """Values of tables (RING, …), or of one for each angle (m, RING, …), at angles (m,), rad, from the bow; shape (m,
-    …); linear"""
+    """Values of a table (RING, …), or of a table for each angle (m, RING, …), at angles (m,) rad from the bow; shape
+    (m, …); linear
+    """
     place = np.mod(turn, 2 * np.pi) * (RING / (2 * np.pi))
     low = np.floor(place).astype(int)
     share = (place - low)[:, None]

@@ -25,7 +25,7 @@ from .criterion import Lateral, moored_quartic, routh_hurwitz
 
 
 class YawStability(NamedTuple):
-    """lever : m, N_ψ/Y_ψ, ahead of the centre of mass, nan without a side force; static : whether a is larger
+    """lever : N_ψ/Y_ψ ahead of the centre of mass, m, nan without a side force; static : whether a exceeds the lever
 
     straight_line : Y_v N_r − N_v (Y_r − MU), (N s/m)(N m s), above 0 for a ship that keeps a straight line
     lengths : (k,) m, rising, the given lengths at which Routh and Hurwitz's condition changes its sign
@@ -40,7 +40,7 @@ class YawStability(NamedTuple):
 def yaw_stability(lateral: Lateral, speed, lengths) -> YawStability:
     """YawStability of a Lateral; speed : m/s, ahead through the water
 
-    lengths : (n,) m, rising, of the line, between which sign changes are sought
+    lengths : lengths of the line between which sign changes are sought, (n,) m, ascending
     """
     m = lateral
     lever = m.N_psi / m.Y_psi if m.Y_psi != 0 else np.nan

@@ -6,12 +6,12 @@
     contour of R years, seas of D hours:  u₁² + u₂² = β_R²,  Φ(β_R) = 1 − D/(8766 R),
     h = F⁻¹(Φ(u₁)),  ln T = μ(h) + σ(h) u₂                             Winterstein et al. (1993)
 
-A plane of the normal space tangent to the contour separates off the seas that occur once in R years. A response with a
-plane limit surface there is largest on the contour, for the median of its short-term extremes.  The largest height of
-the contour is the return value of the height alone, with its median period.
+A plane tangent to the contour in normal space separates the seas that occur once in R years. A response whose limit
+surface in normal space is a plane is largest on the contour, for the median of its short-term extremes.  The largest
+height of the contour is the return value of the height alone, with its median period.
 
-Both distributions have the largest likelihood for the counts in the classes. The periods depend on the mean height of
-their class.  Beyond the table they are an extrapolation, which a finding reports.
+Both distributions are fitted with the largest likelihood for the counts in the classes. The law of periods depends
+on the mean height of each class. Beyond the table it is an extrapolation, which a finding reports.
 """
 
 from typing import NamedTuple

@@ -8,10 +8,9 @@
 
 Interval.  For gumbel, and for weibull in −ln x, (x̂_R − x_R)/ŝ has a distribution free of b and s (Lawless, 1982). Its
 quantiles come from samples of the standard distribution, and the interval is exact except for the number of samples.
-For gev
-every sample of uniform numbers is converted to the distribution for which these numbers give the maxima's own L-moments
-and κ̂, and the quantiles are those of its x_R (the generalised fiducial distribution, Hannig 2009): exact in location
-and scale, and to the order of few years in κ.
+For gev, every sample of uniform numbers is converted to the distribution for which these numbers reproduce the
+L-moments and κ̂ of the maxima; the quantiles are those of its x_R (the generalised fiducial distribution, Hannig
+2009): the interval is exact in location and scale, and approximate in κ for few years.
 """
 
 from typing import NamedTuple
@@ -42,7 +41,7 @@ class ExtremeFit(NamedTuple):
         return _value(self.family, (self.location, self.scale, self.shape), _checked(period))
 
     def interval(self, period, confidence=0.9, samples=SAMPLES):
-        """Interval (low, high) of x_R for one return period in years.  The same fit has the same interval.
+        """Interval (low, high) of x_R for one return period in years. It is reproducible for a given fit.
 
         raises : ValueError for a confidence outside 0.5 to 0.99
         """
@@ -73,8 +72,8 @@ class ExtremeFit(NamedTuple):
 def fit_extremes(maxima, family="gumbel"):
     """ExtremeFit of maxima (n,), one a year.
 
-    raises : ValueError for another family, fewer than 5 years, equal maxima, and for weibull maxima that are not above
-    0
+    raises : ValueError for an unknown family, for fewer than 5 years, for equal maxima, and with weibull for maxima
+        that are not above 0
     """
     x = np.asarray(maxima, float)
     if family not in FAMILIES:

@@ -5,8 +5,8 @@
     E      K_h = A · B · C · K_b    ground class, damping factor, factor of the natural period, regional coefficient
 
 The user gives the factors; the report prints no tables.  Rules B and D have no formula.  A force is weight times
-coefficient.  By C and F the coefficient applies to the weight with or without surcharge, at the centroid of that
-weight; the worse case counts.
+coefficient.  By rules C and F the coefficient applies to the weight with or without surcharge, at the centroid of
+this weight; the worse case counts.
 """
 
 import math
@@ -23,7 +23,9 @@ LARGEST = 0.3  # largest coefficient of rule A
 
 
 def seismic_coefficient(rule, **factors):
-    """K_h of a rule from its FACTORS.  Raises ValueError for another rule, other factors, factors not above 0."""
+    """Coefficient K_h of a rule from its FACTORS. Raises ValueError for an unknown rule, unknown factors, and
+    factors not above 0.
+    """
     if rule not in FACTORS:
         raise ValueError(
             f"rule is {rule!r}; allowed: {', '.join(FACTORS)}; the rules B and D give no seismic coefficient"

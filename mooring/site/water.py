@@ -29,7 +29,9 @@ def levels(spring_high, spring_low, surge, tsunami, depth):
 
 
 def tsunami_current(rise, period, depth):
-    """m/s under a long wave that rises by `rise`, m.  Raises ValueError for a period, s, of a wave that is not long."""
+    """Current, m/s, under a long wave that rises by `rise`, m. Raises ValueError if a wave of this period, s, is not
+    long.
+    """
     length = period * np.sqrt(GRAVITY * depth)
     if length < LONG * depth:
         raise ValueError(

@@ -19,9 +19,10 @@ class ExposedBox:
     """The box on which wind and current act, its middle at x = y = 0.
 
     length, beam, draft, freeboard (depth of the hull less draft) : m
-    front_area, side_area : m², of superstructures from ahead and from abeam
-    superstructure_z : m, their middle above still water, None for half their height on the deck, all along the hull
-    is_round : whether it is a vertical cylinder of this beam and length, with superstructures on it
+    front_area, side_area : areas of superstructures seen from ahead and from abeam, m²
+    superstructure_z : height of the middle of the superstructures above still water, m; None for superstructures on
+        deck along the whole hull
+    is_round : whether the hull is a vertical cylinder of this beam and length, with superstructures on it
     """
 
     length: float
@@ -36,7 +37,7 @@ class ExposedBox:
 
 @dataclass(frozen=True)
 class Wind:
-    """speed m/s, direction rad blown to, density kg/m³
+    """speed : m/s; direction : direction of travel, rad; density : kg/m³
 
     table : coefficients of a box, of a hull, or a function (ExposedBox) → coefficients of a hull
     height : height of the point of action above still water, m, None for the middle of the exposed area
@@ -52,13 +53,13 @@ class Wind:
 
 @dataclass(frozen=True)
 class Current:
-    """speed m/s, direction rad to which the current flows
+    """speed : m/s; direction : direction of flow, rad
 
     table : coefficients as of a Wind, None for those of `ship`
-    height : m above still water of its point of action, None for half the draft below it
+    height : height of the point of action above still water, m, None for half the draft below still water
     ship : "tanker", or None for the SR179 box tests
-    waves : one of `mooring.on_current.waves.SPECTRA`, meaning of the frequencies of the waves on it:
-    "intrinsic", in the moving water, "absolute", at a fixed place; "still": waves unaffected by the current
+    waves : one of `mooring.on_current.waves.SPECTRA`: frequencies of waves on this current are "intrinsic", in the
+        moving water, or "absolute", at a fixed place; "still" means waves unaffected by the current
     """
 
     speed: float
@@ -75,7 +76,7 @@ class Current:
 
 @dataclass(frozen=True)
 class Waves:
-    """height m, significant; period s, mean; direction rad travelled to"""
+    """height : significant height, m; period : mean period, s; direction : direction of travel, rad"""
 
     height: float
     period: float
@@ -95,7 +96,7 @@ class Conditions:
 
     method : one of `wave_effects.METHODS`, "irregular" or "regular_wave"
     sea : `environment.sea.Sea` of the waves; None for a long-crested ISSC spectrum of their height and period
-    duration : s, in which the largest motions in irregular waves are expected
+    duration : time in which the largest motions in irregular waves are expected, s
     motion_factor : factor on the largest motions before line tensions are computed, as some rules require
     """
 
@@ -112,9 +113,9 @@ class Afloat(NamedTuple):
     """A moving hull.
 
     name : name of the body in the System; box : ExposedBox about the origin of its coordinates
-    rotation_center : (3,) m in these coordinates; place : (2,) m, origin of the coordinates in space; heading : rad, of
-    their x axis
-    density : kg/m³ of the water
+    rotation_center : (3,) m in these coordinates; place : origin of the coordinates in space, (2,) m; heading :
+        heading of their x axis, rad
+    density : density of the water, kg/m³
     """
 
     name: str
@@ -140,9 +141,9 @@ class Afloat(NamedTuple):
 
 
 def afloat(db, hull, name="body"):
-    """Return an `Afloat` for each moving body of a database, in its order.
+    """An `Afloat` for each moving body of a database, in the order of the bodies.
 
-    hull : ExposedBox of one body, called `name`; of several {name: ExposedBox}
+    hull : ExposedBox of one body, called `name`; for several bodies {name: ExposedBox}
     """
     if not db.bodies:
         return (alone(db, hull, name),)
@@ -159,8 +160,7 @@ def alone(body, hull, name="body"):
 
 
 def in_motions(stiffness, hulls):
-    """Matrix about the axes of the motions, from a matrix (n, n) about space axes, for hulls one after another; shape
-    (n, n)"""
+    """Matrix about the axes of motions, from a matrix (n, n) about space axes; six rows for each hull; shape (n, n)"""
     if len(hulls) == 1 and not hulls[0].heading:
         return stiffness
     turn = axes_in_space([one.heading for one in hulls])

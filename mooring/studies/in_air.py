@@ -10,7 +10,9 @@ IN_AIR = 0.01  # part of a line above the water that is not reported
 
 
 def dry_shares(state):
-    """Share of the length of every line of a SystemEquilibrium above still water, from straight pieces; shape (n,)"""
+    """Fraction of the length of every line of a SystemEquilibrium above still water, from straight pieces; shape
+    (n,)
+    """
     shares = []
     for shape in line_shapes(state):
         length, z = np.linalg.norm(np.diff(shape, axis=0), axis=1), shape[:, 2]

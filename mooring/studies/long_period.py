@@ -4,12 +4,12 @@
 
 Quick (SR179 report (1982), eq. 3.5.4.1):  σ = x_s/(2ν), with F₀ the mean drift. Spectrum:  σ² = ∫ S_F(ω) / {(K − mω²)²
 + (Nω)²} dω,  S_F of slow drift, gusts and the waves themselves below the split (`slow_spectrum`).  Only a simulation
-includes subharmonics of stiffening lines and rectified line forces: it shows where the estimates fail.
+includes subharmonics of stiffening lines and rectified line forces, and shows where the estimates fail.
 
-Each motion is treated separately: K is its entry of the mooring stiffness at the equilibrium under steady forces, and m
-has the added mass at ω₀.
-N = ∂F/∂ẋ of the water's drag, averaged over Gaussian velocities of waves and of the slow motion itself
-(statistical linearisation, Caughey 1963), of wave drift damping, and of radiation at ω₀.
+Each motion is treated separately: K is its diagonal entry of the mooring stiffness in equilibrium under steady
+forces, and m includes the added mass at ω₀. N = ∂F/∂ẋ of the water's drag, averaged over Gaussian velocities of
+waves and of the slow motion itself (statistical linearisation, Caughey 1963), of wave drift damping, and of
+radiation at ω₀.
 """
 
 from dataclasses import replace
@@ -34,7 +34,7 @@ STILL = 1e-3  # m/s, or rad/s times the length, below which a motion counts as z
 
 
 class LongPeriod(NamedTuple):
-    """Values of surge, sway and yaw, (3,) each: period s, nan without restoring; ν; x_s m, rad
+    """Values of surge, sway and yaw, each (3,): period, s, nan without restoring; ν; x_s, m and rad
 
     quick, by_spectrum : standard deviations, m, rad; split : rad/s, upper end of slow motion
     """
@@ -97,8 +97,10 @@ def _one(body, K, mode, omega, force, waves, drag, other):
 
 
 def drag_of_each(conditions, hulls, depth):
-    """Function σ of the velocities of surge, sway and yaw of several bodies (3N,) → E[∂F/∂ẋ] of the water's drag, N s/m
-    and N m s, (3N,); hulls : `conditions.Afloat`s, depth m"""
+    """Function that gives E[∂F/∂ẋ] of the water's drag (3N,), N s/m and N m s, for the velocities' σ (3N,).
+
+    Velocities are of surge, sway and yaw of N bodies; hulls : `conditions.Afloat`s; depth : m
+    """
     each = []
     for one in hulls:
         current = with_coefficients(conditions, one.box, depth).current

@@ -1,21 +1,22 @@
 """Multi-point mooring by the simplified method of the SR179 report (1982), section 5.1.1.
 
 Natural periods come first, since the method is not on the safe side if one of them lies near the wave period.
-Then steady
-forces of wind, current and wave drift, the position and heel in which lines and water balance them (of the body trimmed
-at rest, so that the weight of the lines there causes no heel), and there the largest motions of the freely floating
-body: in irregular waves, or by the report's regular wave of significant height (`wave_effects`).  All modes are assumed
-in phase, with the signs, per line, that pull the fairlead outward and up; statics give the tension. Angles of the body
-are small throughout. Loads and motions are taken at the body's heading at rest. Motions of slow drift are not included.
+Then follow the steady forces of wind, current and wave drift, and the position and heel in which lines and water
+balance these forces. The body is trimmed at rest, so that the weight of the lines causes no heel at rest. In this
+position the largest motions of the freely floating body are computed: in irregular waves, or by the report's regular
+wave of significant height (`wave_effects`). All modes are assumed in phase, with those signs for each line that pull
+its fairlead outward and up; statics give the tension. Angles of the body are assumed small. Loads and motions are
+taken at the body's heading at rest. Motions of slow drift are not included.
 
-Several bodies are held by lines to anchors and to each other. Forces and motions are six per moving body, one body
-after another; there is one equilibrium and one set of natural periods.  A line between two bodies is tightened by the
-largest motions of both.  Fenders and ropes at a berth or between bodies, and hinges, are included in the state of rest,
-the equilibrium and the periods. In waves only hinges change the motions of the free bodies.  Bodies with hinges are
-not trimmed for the weight of their lines, since the hinges carry a part of it.
+Several bodies may be held by lines to anchors and to each other. There are six forces and motions for each moving
+body, one body after another, one common equilibrium and one set of natural periods.  A line between two bodies is
+tightened by the largest motions of both.  Fenders and ropes at a berth or between bodies, and hinges, are included
+in the state of rest, the equilibrium and the periods. In waves only hinges change the motions of the free bodies.
+Bodies with hinges are not trimmed for the weight of their lines, since the hinges carry a part of it.
 
-Bodies that bend have the amplitudes of their shapes after these motions; lines, fenders and ropes bend them, and their
-fairleads move with the shapes.  They are not trimmed either; wind, current and drift have no force on shapes.
+For flexible bodies, amplitudes of shapes follow after these motions. Lines, fenders and ropes bend flexible bodies,
+and fairleads move with the shapes. Flexible bodies are not trimmed either. Wind, current and drift exert no force on
+shapes.
 """
 
 from dataclasses import dataclass, replace
@@ -59,16 +60,18 @@ class MultiPoint:
 
     at_rest, at_equilibrium : natural periods without and with the steady forces
     loads : {"wind", "current", "drift": (6b,)} N, N m about the rotation centre, six per body along space axes
-    rest, equilibrium : SystemEquilibrium without and with the steady forces; extreme : lines at their largest
+    rest, equilibrium : SystemEquilibrium without and with the steady forces; extreme : LineForces at the largest
+        tensions
     waves : {method: `WaveEffects`}, of the chosen method and of the other one if possible; empty without waves
-    amplitudes : (n,) m, rad, of all motions, shapes last
-    outward, upward : (l,) m, largest displacement of each fairlead, by `motion_factor` times the amplitudes
-    hulls : `conditions.Afloat` of every body; berth : `motion.contacts.Berth`, None for none
-    contact : (2, 2, m) deflection or elongation, m, and force, N, of its fenders and ropes, at rest and in equilibrium
-    held : (3, k, 6) N, N m exerted by the first body of each of k `hinges` on the second, along its axes, at rest and
-        in equilibrium, and the largest, increased by `motion_factor` times the effect of motions in waves
+    amplitudes : amplitudes of all motions, shapes last, (n,), m and rad
+    outward, upward : largest displacement of each fairlead under `motion_factor` times the amplitudes, (l,) m
+    hulls : `conditions.Afloat` of every body; berth : `motion.contacts.Berth`, or None
+    contact : (2, 2, m), deflection or elongation, m, and force, N, of the berth's fenders and ropes, at rest and in
+        equilibrium
+    held : (3, k, 6), forces, N and N m, of the first body of each of k `hinges` on the second, in axes of the first:
+        at rest, in equilibrium, and largest, with `motion_factor` times the effect of motions in waves
     stiffness : (n, n) N/m … in equilibrium of lines, fenders, ropes, hinges and springs, along axes of the motions
-    bent : (2, f) amplitudes of the shapes of bodies that bend, at rest and in equilibrium
+    bent : amplitudes of bending shapes at rest and in equilibrium, (2, f)
     warnings : findings, one line each; failures are marked as in `criteria.failing.fails`
     """
 
@@ -135,14 +138,12 @@ class MultiPoint:
 
 
 def multi_point(db, system, hull, conditions, allowable=0.4, berth=None, body=None) -> MultiPoint:
-    """Study of a body, its stored wave database `db`, and its lines; or of several.
+    """MultiPoint study of one or several bodies, with their stored wave database `db`, on their lines.
 
-    system : system of bodies whose axes have their origin at their rotation centres, and of lines from anchors to
-    them and
-        between them, as `lines.system.moored_body` makes one
+    system : System, as made by `lines.system.moored_body`, of bodies with axes at their rotation centres, and lines
     hull : `conditions.ExposedBox`, of several bodies {name: ExposedBox}; allowable : fraction of the breaking load
     berth : `motion.contacts.Berth` of fenders and ropes; body : `Reader` with hinges, by default that of the database
-    raises : ValueError, which names an inconsistent input, or a case without solution
+    raises : ValueError, whose message names an inconsistent input or a case without solution
     """
     hulls, body = afloat(db, hull, system.bodies[0].name), db.bodies_reader if body is None else body
     berth = no_berth() if berth is None else berth
@@ -290,7 +291,7 @@ def _bent(system, berth, body, load):
 
 
 def line_ends(state):
-    """Anchors, and fairleads, of the lines of a SystemEquilibrium, m in space; shape (n, 3) each"""
+    """Anchors and fairleads of the lines of a SystemEquilibrium in space, m, each (n, 3)"""
     ends = state.system.arrays.ends
     return state.points[ends[:, 0]], state.points[ends[:, 1]]
 
@@ -306,10 +307,11 @@ def outward_directions(state):
 def fairlead_displacements(state, amplitudes, reader=None):
     """Largest displacement of each fairlead outward along its line and upward, all modes in phase: two (l,) m.
 
-    amplitudes : (n,) of all bodies; for a line between two bodies both ends are summed
-    reader : `Reader` of bodies that bend
-    Σⱼ |Dⱼ| Xⱼ with Dⱼ the displacement per unit of mode j; signs are chosen for each line and direction. The sum is an
-    upper bound of the displacement; its excess depends on the origin of the body's axes, to which the motions refer.
+    amplitudes : (n,), of all bodies; for a line between two bodies the displacements of both ends are added
+    reader : `Reader` of flexible bodies.
+    The displacement is Σⱼ |Dⱼ| Xⱼ, with Dⱼ the displacement per unit of mode j and signs chosen for each line and
+    direction. This sum is an upper bound; its excess depends on the origin of the body's axes, to which the motions
+    refer.
     """
     arrays, towards = state.system.arrays, outward_directions(state)
     outward, upward = np.zeros((2, len(towards)))

@@ -10,7 +10,7 @@ from .system_at_rest import about_body_axes, body_number, mooring_stiffness
 
 
 def moored_periods(state: SystemEquilibrium, body, db):
-    """NaturalPeriods of one body of the system, its hydrodynamics from an opened database of the same body.
+    """NaturalPeriods of one body of the system, with hydrodynamics from an open database of this body.
 
     The axes of the body are those of the database; the stiffness is converted to these axes and to its rotation centre.
     raises : ValueError where the database lacks added mass, inertia or hydrostatics
@@ -22,8 +22,10 @@ def moored_periods(state: SystemEquilibrium, body, db):
 
 
 def periods_at_berth(moored):
-    """Periods of small motions of surge, sway and yaw about rest, coupled, each named by its largest share, s; shape
-    (3,); nan: none
+    """Periods of small coupled motions of surge, sway and yaw about rest, s, each named by its largest part; shape
+    (3,).
+
+    nan where there is none.
 
     moored : `mooring.motion.simulation.Moored`.  Friction of fenders, which prevents small motions, is neglected.
     """

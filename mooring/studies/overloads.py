@@ -8,8 +8,10 @@ from ..response.findings import LINES_NAMED, some
 
 
 def overloads(state, curves=(), losses=None):
-    """Failures and remarks on lines at rest, at offsets and after the loss of a line: tensions above the breaking load,
-    stretch of more than a half, missing equilibria, and elongations beyond the table.
+    """Failures and remarks on lines at rest, at offsets and after the loss of a line.
+
+    They report tensions above the breaking load, strains above one half, missing equilibria, and elongations beyond
+    the table.
 
     state : SystemEquilibrium; curves : OffsetCurves of it
     losses : {line: SystemEquilibrium without it, or an exception}

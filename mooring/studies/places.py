@@ -40,7 +40,8 @@ def check_places(system, hulls):
 def check_links(links, hulls):
     """Raise ValueError for a hinge whose distance from one of its hulls is larger than the length of the longest hull.
 
-    links : `bem.hinges.Link`s, those between moving bodies and to space are judged; hulls : (`conditions.Afloat`, …)
+    links : `bem.hinges.Link`s, of which those between moving bodies and to space are checked; hulls :
+        (`conditions.Afloat`, …)
     """
     known, longest = {one.name: one for one in hulls}, max(one.box.length for one in hulls)
     for link in links:
@@ -61,7 +62,7 @@ def check_links(links, hulls):
 def check_floats(hulls, rises):
     """Raise ValueError if hinges hold a body at rest out of the water or under it.
 
-    hulls : (name, `conditions.ExposedBox`) of each body; rises : m, height by which each body rises at rest
+    hulls : (name, `conditions.ExposedBox`) of each body; rises : height by which each body rises at rest, m
     """
     for (name, box), up in zip(hulls, rises, strict=True):
         if not -box.freeboard < up < box.draft:

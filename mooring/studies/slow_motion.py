@@ -2,10 +2,11 @@
 
     {−Ω²[M + A(Ω)] − iΩ[B_D + B′] + C + K} x(Ω) = F(Ω),    S_x = H S_F H*,    σ² = ∫ S_x dΩ
 
-K is the stiffness of the lines in the equilibrium under steady forces, B_D the wave drift damping, B′ the damping given
-in the study.  F is slow drift by Newman's approximation with its cross spectra, and gusts, in phase over the hull
-(`slow_spectrum`).  The drag of the hull is that of `long_period`, linearised; static lines have no damping, their drag
-is part of B′. In addition, two estimates for a single mode, of stiffness C, damping N and ν = N/N_critical:
+K is the stiffness of the lines in equilibrium under steady forces, B_D the wave drift damping, B′ the damping given
+in the study. F contains slow drift by Newman's approximation with its cross spectra, and gusts in phase over the
+hull (`slow_spectrum`). The drag of the hull is linearised as in `long_period`. Static lines have no damping; their
+drag is part of B′. In addition there are two estimates for a single mode with stiffness C, damping N and ν =
+N/N_critical:
 
     σ ≈ √(π S_F(ω_n) / 2NC)  a flat spectrum,        x ≈ x_s / 2ν  a force that beats at ω_n, x_s = σ_F/C
 
@@ -14,12 +15,11 @@ from Gaussian: with independent complex normal z_j
 
     x = Σ_j λ_j |z_j|²,    λ the eigenvalues of  Q_il = H(ω_i − ω_l) √(D_i D_l) 2√(S_i S_l) Δω
 
-(Kac and Siegert 1947, Naess 1986), to which gusts and waves add a Gaussian.  The characteristic function of the sum
-gives its density f, and a level x is crossed f(x) σ_ẋ/√2π times a second.  The largest value of slow motion in head
-seas is a third above the largest value of a Gaussian process with the same variance.
-For comparison, DNV-OS-E301 (chapter 2, section 2) takes
-the larger of two sums, both Gaussian: significant slow motion + largest wave motion, and largest slow motion +
-significant wave motion.
+(Kac and Siegert 1947, Naess 1986); gusts and waves add a Gaussian part. The characteristic function of the sum gives
+its density f; a level x is crossed f(x) σ_ẋ/√2π times a second.  The largest value of slow motion in head seas is a
+third above the largest value of a Gaussian process with the same variance. For comparison, DNV-OS-E301 (chapter 2,
+section 2) takes the larger of two sums with Gaussian values: significant slow motion plus largest wave motion, or
+largest slow motion plus significant wave motion.
 
 Several bodies move together on the stiffness of lines, fenders and hinges. Each body has three slow motions, with its
 own mean drift and the phases of the waves at its place.  Damping and stiffness of a mode then belong to the coupled
@@ -50,13 +50,16 @@ NEAR = 1.5  # a natural period within this factor of a wave period is reported
 
 
 class SlowMotion(NamedTuple):
-    """Values of surge, sway, yaw (3,), m, m, rad, of several bodies (3N,) one after another: mean offset, deviations of
-    slow motion and of that of the waves, with mean zero-crossing periods s; drift_share : share of drift in the slow
-    variance, the rest is gusts; period s, ratio of damping to critical of each mode; estimates (3, 2) of the deviation,
-    flat spectrum and beating force; largest : that of all together, and rule : DNV's, both expected and from rest
+    """Values of surge, sway, yaw (3,), m, m, rad; for several bodies (3N,), one after another.
+
+    Mean offset; standard deviations of slow motion and of wave motion, with mean zero-crossing periods, s
+    drift_share : share of drift in the slow variance, the rest is due to gusts; period, s, and damping ratio of each
+        mode
+    estimates : of the deviation by flat spectrum and by beating force, (3, 2)
+    largest, rule : expected largest motion from rest by the sum of all parts, and by DNV's rule
 
     omega (d,) rad/s; force (d, 3, 3), its part in phase, and spectrum (d, 3) of the slow force and motion; fast :
-    `SeaState` of the moored body, with the slow forces on the free one; duration s
+    `SeaState` of the moored body, with the slow forces on the free body; duration : s
     """
 
     offset: np.ndarray
@@ -81,8 +84,8 @@ class SlowMotion(NamedTuple):
 def slow_motion(free, held, sea, duration, loads=None, points=()) -> SlowMotion:
     """`SlowMotion` of a body in a Sea for `duration` s.
 
-    free : `bem.database.reader.Reader`, `floating`; held : the same restrained by lines and damping
-    loads : `Loads`, None for waves alone; points : `response.points.Point`s of the fast part
+    free : `bem.database.reader.Reader`, `floating`; held : this Reader restrained by lines and damping
+    loads : `Loads`, None for waves alone; points : `response.points.Point`s for the wave motion
     raises : ValueError without drift in the database, and for a mode without restoring or damping
     """
     if not free.knows_drift:
@@ -145,11 +148,12 @@ def slow_motion(free, held, sea, duration, loads=None, points=()) -> SlowMotion:
 
 
 class Loads(NamedTuple):
-    """offset : (3,) m, m, rad of the steady forces; gust : None, or (GustSpectrum, (3,) mean wind force N, N, N m)
+    """offset : due to the steady forces, (3,), m, m, rad; gust : None, or (GustSpectrum, (3,) mean wind force N, N,
+    N m)
 
-    water : (3,) N s/m, N m s, damping of surge, sway and yaw by the water, including that by wave drift, as in
-    `long_period`; the part without wave drift is added to the damping of the moored body
-    drag : in place of it, a function of σ of the velocities (3N,) → linearised drag (3N,), without radiation
+    water : damping of surge, sway and yaw by the water, with wave drift damping, as in `long_period`, (3,), N s/m
+        and N m s; its part without wave drift is added to the damping of the moored body
+    drag : in place of `water`, a function of the velocities' σ (3N,) → linearised drag (3N,), without radiation
     """
 
     offset: np.ndarray = np.zeros(3)

@@ -2,10 +2,11 @@
 
     S_F(Ω) = S_drift(Ω) + (2/U)² F̄ F̄ᵀ S_u(Ω) + S(Ω) ⟨|E|²⟩
 
-Slow drift by Newman's approximation with its cross spectra; gusts of a wind of force F̄ and speed U, F̄ (1 + 2u/U), in
-phase over the hull; first-order waves of low frequency, E their exciting force.
+The first term is slow drift by Newman's approximation with its cross spectra. The second term is due to gusts of a
+wind with force F̄ and speed U, F̄ (1 + 2u/U), in phase over the hull. The third term is due to first-order waves of
+low frequency with the exciting force E.
 
-Each of several bodies has its own mean drift and meets the waves at its own place r. Between bodies a and b the forces
+Each of several bodies has its own mean drift and meets the waves at its position r. Between bodies a and b the forces
 of two waves differ in phase by (k₁ − k₂)·(r_a − r_b), so a wave group reaches them one after another.
 """
 
@@ -43,8 +44,10 @@ class OfEach:
 
 
 class DriftOfSea(NamedTuple):
-    """Mean drift (q, p, 3) N/m² at omega (q,) rad/s and the headings of a sea, for several bodies (q, p, 3N); weights :
-    shares of the sea's energy per heading"""
+    """Mean drift at omega (q,) rad/s and the headings of a sea, (q, p, 3) N/m², for several bodies (q, p, 3N)
+
+    weights : shares of the sea's energy per heading
+    """
 
     spectrum: object
     omega: np.ndarray
@@ -54,8 +57,10 @@ class DriftOfSea(NamedTuple):
     heading: np.ndarray | None = None
 
     def slow_spectrum(self, difference):
-        """Spectrum of slow drift at rising differences (d,), rad/s, N² s/rad, of moments with N m; shape (d, 3, 3), of
-        several bodies (d, 3N, 3N), complex"""
+        """Spectrum of slow drift at ascending differences (d,) rad/s, N² s/rad (N m for moments); shape (d, 3, 3).
+
+        For several bodies it is complex, shape (d, 3N, 3N)
+        """
         return between(self.coarse(difference[-1]), difference)
 
     def coarse(self, high):
@@ -116,8 +121,10 @@ def drift_of_sea(body, sea):
 
 
 def gust_spectrum(spectrum, force, omega):
-    """Spectrum of the force of gusts; shape (d, 3, 3); gusts: `environment.gusts.GustSpectrum` and mean wind force
-    (3,), N, N, N m, at omega (d,), rad/s"""
+    """Spectrum of the force of gusts at omega (d,) rad/s; shape (d, 3, 3)
+
+    gusts : `environment.gusts.GustSpectrum` and mean wind force (3,), N, N, N m
+    """
     slope = 2 * np.asarray(force, float) / spectrum.speed
     return np.multiply.outer(spectrum.density(omega), np.outer(slope, slope))
 

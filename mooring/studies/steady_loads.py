@@ -10,8 +10,9 @@ from ..loads.on_hull import current_on, own_table, wind_on
 def steady_loads(db, hull, conditions, depth, drift=None, heading=0.0):
     """{"wind", "current", "drift"} of the given conditions, each (6,) N and N m about the rotation centre.
 
-    Wind and current act at the heading of the body at rest, with the moments of their heights; drift : (3,) surge, sway
-    and yaw by waves, or None; heading : rad, of the hull's axes, along which all forces are given
+    Wind and current act at the heading of the body at rest, with the moments due to their heights
+    drift : surge, sway and yaw by waves, (3,), or None; heading : heading of the hull's axes, in which all forces
+        are given, rad
     """
     loads, center, wind, current = {}, db.rotation_center, conditions.wind, conditions.current
     if wind:
@@ -25,8 +26,9 @@ def steady_loads(db, hull, conditions, depth, drift=None, heading=0.0):
 
 
 def with_coefficients(conditions, hull, depth):
-    """The same conditions, in which a current without coefficients gets those of the hull: of a cylinder, or of the box
-    tests as far as they can be extrapolated"""
+    """Conditions in which a current without coefficients gets those of the hull: a cylinder's, or the box tests' as
+    far as they extend
+    """
     current = conditions.current
     if current is None or callable(current.table) or current.table is not None:
         return conditions

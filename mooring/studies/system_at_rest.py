@@ -1,7 +1,7 @@
 """Studies of a system at rest: the mooring stiffness of one body, offset curves, the loss of one line.
 
-Free points and other bodies follow a small motion of one body quasi-statically.  With e the degrees of freedom of these
-and b those of the body, the stiffness is the Schur complement K_bb − K_be K_ee⁻¹ K_eb.
+Free points and other bodies follow a small motion of one body quasi-statically. With e for their degrees of freedom
+and b for those of the body, the stiffness is the Schur complement K_bb − K_be K_ee⁻¹ K_eb.
 """
 
 from dataclasses import dataclass
@@ -19,8 +19,8 @@ FREE, PULLED = 1e-12, 1e-6  # stiffness that counts as zero and residual force o
 class OffsetCurve:
     """A body held at offsets from its place at rest.
 
-    offset : (m,) m along direction, rad; force : (m, 6) N and N m of the lines on the body
-    tension : (m, n) N, the larger of both ends of each line; grounded_length : (m, n) m
+    offset : (m,) m along `direction`, rad; force : force of the lines on the body, (m, 6), N and N m
+    tension : (m, n) N, at the more loaded end of each line; grounded_length : (m, n) m
     utilisation : (m, n) as in LineForces; missed : {offset m: reason for no equilibrium}, where other values are nan
     """
 
@@ -52,7 +52,7 @@ def body_number(system, name):
 def mooring_stiffness(state: SystemEquilibrium, body, others="free"):
     """Mooring stiffness of one body, without its own hydrostatics; shape (6, 6).
 
-    others : "free", other bodies follow in their free motions; "held", they do not move
+    others : "free" if other bodies follow in their free motions, "held" if they do not move
     raises : LineSystemError if a free point has no stiffness in some direction
     """
     if others not in ("free", "held"):
@@ -133,7 +133,7 @@ def offset_curve(state: SystemEquilibrium, body, direction, offsets, progress=No
 def one_line_broken(state: SystemEquilibrium, progress=None):
     """The equilibrium after the loss of each line: {name: SystemEquilibrium, or EquilibriumError without one}.
 
-    The search starts from the intact equilibrium; lines that then hang by one end alone are removed with it.
+    The search starts from the intact equilibrium; lines that would hang by only one end are removed too.
     progress : called after each line
     """
     found = {}
@@ -151,10 +151,10 @@ def one_line_broken(state: SystemEquilibrium, progress=None):
 
 
 def about_body_axes(stiffness, force, R, center):
-    """Stiffness about space axes and the origin, changed to the body's axes and the point `center` in these axes; shape
+    """Stiffness about space axes and the origin, converted to the body's axes and the point `center` in them; shape
     (6, 6).
 
-    force : (3,) N in space, which turns with the change of the lever
+    force : (3,) N, constant in space, whose lever changes with rotation
     """
     turn = np.kron(np.eye(2), R)
     K = turn.T @ stiffness @ turn

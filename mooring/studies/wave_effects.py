@@ -1,6 +1,6 @@
 """Waves in a static study: their mean drift, and the largest motions of the free body.
 
-Irregular waves: drift is 2∫SD dω, motions the largest expected in a duration (`mooring.response.sea_state`).
+Irregular waves: drift is 2∫SD dω, and motions are the largest expected in a duration (`mooring.response.sea_state`).
 
 Regular wave: the SR179 report (1982), section 5.1.1, replaces irregular waves by a regular wave with the significant
 height as its height and the mean period as its period.  Such a wave has twice the energy of the sea, all of it at one
@@ -40,11 +40,12 @@ BESIDE = 1e-3  # relative frequency step for the slope of the drift of a regular
 
 
 class WaveEffects(NamedTuple):
-    """drift : (3,) N, N, N m; amplitudes : (n,) m, rad; slow : (3,) deviation of the slow drift, or None; warnings
-
-    by_current : (3,) part of the drift due to a current that carries the waves; None in still water
-    held : (k, 6) N, N m, for each link of the body, largest increase of its forces by motions; None without links
-    With several bodies drift is (3,) per moving body, one after another, and slow is the drift of all about the origin
+    """drift : (3,), N, N, N m; amplitudes : (n,), m and rad; slow : standard deviation of the slow drift, (3,), or
+    None; warnings
+    by_current : part of the drift due to a current that carries the waves, (3,); None in still water
+    held : largest increase of the forces of each link by motions, (k, 6), N and N m; None without links.
+    With several bodies drift is (3,) for each moving body, one after another, and slow is that of all bodies about
+    the origin
     """
 
     drift: np.ndarray
@@ -80,8 +81,12 @@ def lacks_drift(db, body):
 
 
 def along_few(db, body, weather):
-    """Whether the waves of a `motion.weather.Weather` travel to headings of imported files that do not go all round;
-    a body that turns then takes the forces along.  Raises ValueError for other waves."""
+    """Whether the waves of a `motion.weather.Weather` travel along headings of imported files that do not cover the
+    circle.
+
+    Forces then keep these headings relative to a body that turns. Raises ValueError for waves in any other
+    direction.
+    """
     wave, ring = weather.waves, body.ring
     if wave is None or body.bodies or "imported" not in getattr(db, "attributes", ()) or _goes_round(ring):
         return False

@@ -16,7 +16,7 @@ MISSED = 0.02  # share of the far field that the sources may miss without a mess
 
 
 class Map(NamedTuple):
-    """x, y (n,) m; elevation (n, n) complex, m per m, by y and x, nan in the body; around : `WavesAround`"""
+    """x, y : (n,) m; elevation : over y and x, (n, n) complex, m per m, nan in the body; around : `WavesAround`"""
 
     x: np.ndarray
     y: np.ndarray
@@ -25,7 +25,7 @@ class Map(NamedTuple):
 
 
 def frequency(period, omega):
-    """rad/s from whichever of the two is given.  Raises ValueError."""
+    """Frequency, rad/s, from a period or a frequency, of which one is given. Raises ValueError."""
     if (period is None) == (omega is None):
         raise ValueError("give either period in s or omega in rad/s")
     value = omega if period is None else period
@@ -50,7 +50,7 @@ def around_body(db, omega, beta, fixed, amplitude=None):
 
 
 def half_width(around, width):
-    """m of a map: the given width, or a width that contains body and waves.  Raises ValueError."""
+    """Half width of a map, m: from the given width, or so that the map contains body and waves. Raises ValueError."""
     span = float(np.ptp(around.sources.plan, axis=0).max())
     if width is None:
         return max(SPANS * span, LENGTHS * 2 * np.pi / around.k)
@@ -68,7 +68,7 @@ def mapped(around, half, points):
 
 
 def sides(around):
-    """{name: (2,) m}, places half a body length before and behind the body, along the direction of the waves"""
+    """{name: (2,) m}, places half a body length ahead of and behind the body, along the wave direction"""
     way = np.array([math.cos(around.beta), math.sin(around.beta)])
     plan = around.sources.plan
     reach = 0.5 * float(np.ptp(plan, axis=0).max())
@@ -79,7 +79,7 @@ def sides(around):
 
 
 def remarks(around, db, amplitude=None):
-    """Remarks on effects that the waves neglect or depend on; amplitude : as in `around_body`"""
+    """Remarks on neglected effects, and on assumptions behind the waves; amplitude : as in `around_body`"""
     viscous = db.bodies_reader.viscous
     if around.motion is not None and viscous is not None:
         height = 2 * (viscous.wave_amplitude if amplitude is None else amplitude)

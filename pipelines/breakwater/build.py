@@ -1,4 +1,4 @@
-"""From a study of a breakwater to `mooring.studies.breakwater`, in SI."""
+"""Conversion of a breakwater study to values of `mooring.studies.breakwater`, in SI."""
 
 import math
 
@@ -43,7 +43,7 @@ def ranges_of(asked):
 
 
 def changing(breakwater):
-    """Function from values, named as in `ranges_of`, to the `Breakwater` with these values"""
+    """Function that gives the `Breakwater` with given values, named as in `ranges_of`"""
 
     def changed(angle_deg=None, **sizes):
         return breakwater.changed(**sizes, angle=None if angle_deg is None else math.radians(angle_deg))

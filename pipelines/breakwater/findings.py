@@ -1,4 +1,4 @@
-"""Failures of a breakwater, and the wanted design."""
+"""Failures of a breakwater, and the design that meets the target."""
 
 import numpy as np
 
@@ -71,7 +71,7 @@ def _of_pretension(held):
 
 
 def wanted(optimisation, front):
-    """The design with the least tension whose transmitted wave is within the target"""
+    """The design with the lowest tension whose transmitted wave meets the target"""
     wanted = optimisation.behind
     enough = [] if wanted is None else np.flatnonzero(front.behind <= wanted)
     if len(enough):

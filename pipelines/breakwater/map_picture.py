@@ -6,7 +6,7 @@ from ..common.picture import save
 
 
 def draw_map(path, name, lee):
-    """Write the map of a `Lee`: waves come from below"""
+    """Write the map of a `Lee`; waves come from the bottom of the picture"""
     import matplotlib
     from matplotlib.figure import Figure
 

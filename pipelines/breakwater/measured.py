@@ -1,6 +1,7 @@
 """Measured transmission and tensions for a study: CSV with columns `period_s,transmission`.
 
-`front_kN_per_m2` and `back_kN_per_m2`, if known, are amplitudes of tension per metre and m of amplitude.
+`front_kN_per_m2` and `back_kN_per_m2`, if known, are amplitudes of tension per metre of breakwater and per metre of
+wave amplitude.
 """
 
 from pathlib import Path

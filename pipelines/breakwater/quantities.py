@@ -41,7 +41,7 @@ def curves_of(asked, found):
 
 
 def natural_of(asked, found):
-    """Natural periods of what floats, with K_T and tension there"""
+    """Natural periods of floating sections, with K_T and tension at each period"""
     if not found.natural:
         return {}, {}
     title = "natural periods, by potential theory"
@@ -126,7 +126,7 @@ def anchors_of(asked, found):
 def behind_in_words(sea, asked=None):
     """Note on the height behind the breakwater for each way to hold it; nothing without a sea
 
-    asked : m, significant height in the study, which the constants of older spectra miss by a thousandth
+    asked : significant height in the study, m; constants of older spectra differ from it by a thousandth
     """
     if sea is None or not sea.heights:
         return
@@ -169,7 +169,7 @@ def behind_of(asked, found):
 
 
 def snapping_of(asked, found):
-    """Lines that go slack, in time"""
+    """Results in time of lines that go slack"""
     if found.snapping is None:
         return {}, {}
     level, period, snap = found.snapping

@@ -1,7 +1,7 @@
-"""Memory and time that a command needs, compared with the memory and time available. Too much is refused before the
-computation, in one line with a remedy.
+"""Memory and time that a command needs, compared with what is available. A command that needs too much is refused
+before the computation, in one line with a remedy.
 
-Estimates are within a factor of about three; refused work would exceed any available machine.
+Estimates are correct within a factor of about three; refused work would not fit on any available machine.
 """
 
 import math
@@ -36,13 +36,17 @@ def check_memory(what, needed, way_out, error=TooMuchError):
 
 
 def check_seconds(what, seconds, way_out, error=TooMuchError):
-    """Raise `error` for work of more than LONGEST; arguments as in `check_memory`, such as "5000 sections take"."""
+    """Raise `error` for work that takes longer than LONGEST; what : such as "5000 sections take"; way_out : as in
+    `check_memory`.
+    """
     if not seconds <= LONGEST:
         raise error(f"{what} about {duration(seconds)}; allowed: {duration(LONGEST)}; {way_out}")
 
 
 def told(what, seconds, say=None, memory=0.0):
-    """Report the time and memory of work of WORTH_TELLING or more, or of MUCH memory (bytes), by default to stderr."""
+    """Report the time and memory of work that takes WORTH_TELLING or longer, or MUCH memory (bytes); by default to
+    stderr.
+    """
     if seconds >= WORTH_TELLING or memory >= MUCH:
         (say or _to_stderr)(
             f"{what} about {duration(seconds)}" + (f", {memory / 1e9:.2g} GB" if memory >= MUCH else "")
@@ -50,9 +54,10 @@ def told(what, seconds, say=None, memory=0.0):
 
 
 class LongWaves:
-    """Callback of `bem.kernels.progress`: says what the forces of bound long waves on panels take, and the time left
+    """Callback of `bem.kernels.progress`: reports the time that forces of bound long waves on panels take, and the
+    time left
 
-    say : called with each line, by default to stderr
+    say : function that is called with each line; by default lines go to stderr
     """
 
     EVERY = 10.0  # s
@@ -127,7 +132,7 @@ def _to_stderr(text):
 
 
 def available_memory():
-    """Bytes available without swapping, of the machine or of the container of the process"""
+    """Memory, bytes, available without swapping on the machine or in the container of the process"""
     import psutil
 
     return min(float(psutil.virtual_memory().available), _left_to_container())

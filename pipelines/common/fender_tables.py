@@ -1,4 +1,4 @@
-"""A fender as a table of a study file or as flags, the same words in both."""
+"""A fender as a table of a study file or as flags, with equal names in both."""
 
 import math
 from pathlib import Path
@@ -23,14 +23,14 @@ BATCH = ("manufacture",)  # causes of scatter within a batch: 0.9 to 1.1, Ueda (
 
 
 class FenderTable(Table):
-    """A fender of a generic family or with its maker's table, and the dolphin behind it
+    """A fender of a generic family or by a maker's table, and the dolphin behind the fender
 
     family : generic family: cell, v, h, cone, foam, tyre or pneumatic; or give table, as for π and cylindrical fenders
     table : CSV file of the maker beside the study, with deflection and reaction
     height : m, height in the direction of compression; the diameter of a pneumatic fender
     length : m, length along the quay
-    rated_reaction : kN, reaction at the rated deflection, in place of that of the family
-    rated_reaction_kN, rated_reaction_tonf : the same with the unit in the name
+    rated_reaction : kN, reaction at the rated deflection, in place of the family's rated reaction
+    rated_reaction_kN, rated_reaction_tonf : rated reaction with the unit in the name of the key
     pressure : kPa, initial pressure of a pneumatic fender
     overload : kN/m, stiffness beyond the last deflection of the curve
     rated_strain : rated deflection over height, with a maker's table
@@ -41,10 +41,10 @@ class FenderTable(Table):
     causes : causes of scatter between the softest and the stiffest fender: manufacture, ageing, velocity, repetition,
         temperature; by default all
     angle_deg : inclination of the face that presses the fender, 0 to 45
-    width : m, width of that face across the inclination; by default the length, where it is given
+    width : m, width of the inclined face across the inclination; by default `length`, where it is given
     dolphin : kN/m, stiffness of the dolphin behind the fender; by default rigid
     dolphin_yield : kN, force at which the dolphin yields or the ground softens
-    dolphin_beyond : kN/m, stiffness of the dolphin beyond that force
+    dolphin_beyond : kN/m, stiffness of the dolphin beyond dolphin_yield
     """
 
     height: float
@@ -98,7 +98,7 @@ def fender_of(table, where="fender"):
 
 
 def upright(table):
-    """The FenderTable of the same fender under a face without inclination"""
+    """The FenderTable of the fender under a face without inclination"""
     return msgspec.structs.replace(table, angle_deg=0.0, width=None)
 
 
@@ -136,8 +136,9 @@ def pair_of(table, fender, where="fender"):
 
 
 def causes_of(table):
-    """The bands within which the reaction of a fender varies; for pneumatic fenders only ±10 % by manufacture is known
-    (SR179, 3.3.2)"""
+    """Bands within which the reaction of a fender varies; for pneumatic fenders only ±10 % by manufacture is known
+    (SR179, 3.3.2)
+    """
     if table.causes is not None:
         if not table.causes:
             raise StudyError(
@@ -150,7 +151,7 @@ def causes_of(table):
 def softest_and_stiffest(table, fender, causes=None):
     """Two fenders at the ends of the bands of `mooring.fenders.variability`, on the dolphin, and their factors
 
-    causes : names of the bands, by default all that the fender has
+    causes : names of the bands, by default all bands of the fender
     """
     factors = extremes(chosen(causes or causes_of(table)))
     return tuple(pair_of(table, fender.times(factor)) for factor in factors), factors
@@ -164,7 +165,7 @@ def on_dolphin(pair):
 def beyond_batch(what, energy, table, fender):
     """A message if an energy, J, exceeds the capacity of the softest fender of a batch at its rated strain
 
-    what : name of the energy; fender : `fender_of` the table, without its dolphin
+    what : name of the energy; fender : the fender from `fender_of`, without its dolphin
     """
     (soft, _), (factor, _) = softest_and_stiffest(table, fender, BATCH)
     if energy > soft.rated_energy * (1 + 1e-9):

@@ -8,7 +8,7 @@ from hakobune.bem.database.schema import QUANTITIES
 
 
 class Gaps(NamedTuple):
-    """asked : (n,) rad/s, of all frequencies; solved : (n,) whether each is; path : path of the file
+    """asked : all requested frequencies, (n,) rad/s; solved : (n,), whether each is solved; path : path of the file
 
     unknown : {quantity: {name of a motion, or "": (m,) indices, among solved frequencies, without a value}}
     """
@@ -20,8 +20,9 @@ class Gaps(NamedTuple):
 
     @property
     def spans(self):
-        """[(low, high) rad/s] between solved frequencies, or the ends of the range, that contain unsolved
-        frequencies"""
+        """[(low, high) rad/s], ranges with unsolved frequencies, between solved frequencies or the ends of the whole
+        range
+        """
         out, w, whole = [], self.asked, self.solved
         for i in np.flatnonzero(~whole):
             before, after = np.flatnonzero(whole[:i]), np.flatnonzero(whole[i:])

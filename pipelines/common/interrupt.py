@@ -32,11 +32,11 @@ def interrupted(command, arguments):
 
 
 class Interrupt:
-    """Signal handler: KeyboardInterrupt at a point where it cannot be lost and interrupts nothing halfway.
+    """Signal handler that raises KeyboardInterrupt at a point where it cannot be lost and leaves nothing half done.
 
-    An interrupt during the import of a module would leave the module half loaded. In a callback (of a weak reference,
-    of the compiler) it would be printed and lost.
-    The handler therefore waits until code of this program runs. Outside imports it waits no longer than PATIENCE.
+    An interrupt during the import of a module would leave the module half loaded. In a callback (of a weak
+    reference, of the compiler) an interrupt would be printed and lost. The handler therefore waits until code of
+    this program runs; outside imports it waits no longer than PATIENCE.
     """
 
     def __init__(self):
@@ -73,7 +73,7 @@ class Stop:
 
 @contextmanager
 def ctrl_c(say=None):
-    """A `Stop` that the first Ctrl-C sets; the second one interrupts at once.
+    """A `Stop` that the first Ctrl-C sets; the second Ctrl-C interrupts at once.
 
     say : called with one line at the first Ctrl-C; None if Ctrl-C should interrupt at once, as the second Ctrl-C does
     during compilation of kernels

@@ -26,7 +26,7 @@ IN_MOTION = {  # keys of a MaterialTable, and names in LineDynamics
 
 
 class MaterialTable(Table):
-    """Submerged weight, axial stiffness EA and breaking load, each in one of its units
+    """Submerged weight, axial stiffness EA and breaking load, each given in one of several units
 
     catalogue : name in the catalogue, such as "R3 studless 76 mm", for values that are not given
     weight : submerged weight for each metre
@@ -36,14 +36,14 @@ class MaterialTable(Table):
         "wedge socket" or "clips"
     efficiency : efficiency of the termination, above 0, at most 1, in place of its name
     corrosion_mm : loss of diameter of a chain of the catalogue by wear and corrosion
-    mass_kg_per_m : mass in air, of a line in motion; by default that of the catalogue
-    diameter : m, diameter of the displaced volume, of a line in motion; by default that of the catalogue
-    drag_normal : normal drag coefficient, over D; by default that of the catalogue, or 1.2
-    drag_tangential : tangential drag coefficient, over πD; by default that of the catalogue, or 0.1
-    added_normal : normal added mass coefficient; by default that of the catalogue, or 1
-    added_tangential : tangential added mass coefficient; by default that of the catalogue, or 0
-    damping_ratio : structural damping over the critical damping of one element, or of a fortieth of the segment where
-        elements are shorter; by default that of the catalogue, or 1
+    mass_kg_per_m : mass in air, for a line in motion; by default the catalogue's value
+    diameter : m, diameter of the displaced volume, for a line in motion; by default the catalogue's value
+    drag_normal : normal drag coefficient, referred to D; by default the catalogue's value, or 1.2
+    drag_tangential : tangential drag coefficient, referred to πD; by default the catalogue's value, or 0.1
+    added_normal : normal added mass coefficient; by default the catalogue's value, or 1
+    added_tangential : tangential added mass coefficient; by default the catalogue's value, or 0
+    damping_ratio : structural damping over the critical damping of one element, or of a fortieth of the segment
+        where elements are shorter; by default the catalogue's value, or 1
     bending_stiffness : bending stiffness EI of a line in motion, with hinged ends; by default 0
     """
 
@@ -105,7 +105,7 @@ class SegmentTable(Table):
 class AttachedTable(Table):
     """A clump weight or a buoy between two segments of a line
 
-    after_segment : number of the segment with the body at its upper end, from 1
+    after_segment : number, counted from 1, of the segment with the body at its upper end
     mass : kg, mass of the body
     volume : m³, volume of the displaced water
     weight_N : N, weight in water, negative for a buoy; by default from mass and volume in the water of the study
@@ -133,7 +133,7 @@ class OwnBedTable(Table):
 
 
 class LineTable(Table):
-    """Either type and length of a uniform line, or segments with the bodies between them
+    """A line: either type and length of a uniform line, or segments with the bodies between them
 
     type : name of one of the types
     length : m, unstretched length
@@ -147,7 +147,7 @@ class LineTable(Table):
 
 
 def line_type(where, table, density=1025.0, gravity=9.80665, name=None) -> LineType:
-    """The LineType of a MaterialTable; density : kg/m³ of the water; name : by default the catalogue name"""
+    """The LineType of a MaterialTable; density : density of the water, kg/m³; name : by default the catalogue name"""
     from hakobune.mooring.lines.catalogue import line_type as of_catalogue
 
     try:
@@ -226,7 +226,7 @@ def of_types(where, name, types):
 def line_of(where, name, table, types, ends=("", ""), density=1025.0, gravity=9.80665, level=-math.inf):
     """The UniformLine or CompositeLine of a LineTable between two points
 
-    types : {name: TypeTable}; level : m, z of its anchor, where its own bed begins
+    types : {name: TypeTable}; level : z of the anchor, where a bed of this line begins, m
     """
     whole = table.type, table.length
     if whole != (None, None) if table.segments else None in whole:
@@ -388,7 +388,9 @@ def _friction(where, bed, of_segments):
 
 
 def check_bed(where, points, level):
-    """Raise StudyError for a point [x, z] of a bed above still water; level : m, z of the first, under the anchor"""
+    """Raise StudyError for a bed with a point [x, z] above still water; level : z of the first point, under the
+    anchor, m
+    """
     for i, (x, z) in enumerate(points):
         height = level + z - points[0][1]
         if height > 0:

@@ -1,4 +1,4 @@
-"""Places where a result may be written: in an existing folder, over a result of the same kind or over nothing."""
+"""Checks of where a result may be written: in an existing folder, as a new file or over a result of its kind."""
 
 import os
 from pathlib import Path
@@ -20,7 +20,8 @@ def check_output(path, kind, is_one, endings, inputs=()):
     """Raise ValueError unless a file can be made under this name and no other file is lost; called before any work for
     the file.
 
-    kind : replaceable content, "the result of a study"; is_one : whether a path has such a file
+    kind : content that may be replaced, such as "the result of a study"; is_one : function that tells whether a path
+        has this content
     endings : allowed endings of the name; inputs : paths of files that are read; path : None for no output
     """
     if path is None:
@@ -46,8 +47,7 @@ def check_folder(path):
 
 
 def opening(path):
-    """First line of a text file, and the first line that does not begin with #, which has the column names; "" for
-    other files"""
+    """First line of a text file, and its first line without #, which has the column names; "" for any other file"""
     try:
         with Path(path).open(encoding="utf-8") as file:
             first = line = file.readline()

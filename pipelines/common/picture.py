@@ -29,8 +29,8 @@ def check_picture(path, kinds):
 def save(figure, path, dpi):
     """Write a matplotlib Figure in the format of its suffix.  Raises `meshing.whole_files.NotWritten`.
 
-    Letters missing in matplotlib's own font, such as those of Japanese names, come from an installed font that has
-    them; without one, a warning is given.
+    Letters missing in matplotlib's font, such as those of Japanese names, come from an installed font that has them;
+    if there is no such font, a warning is given.
     """
     _give_letters(figure)
     drawn, kind = io.BytesIO(), Path(path).suffix[1:].lower() or "png"
@@ -56,8 +56,9 @@ def draw_streams(axes, towards):
 
 
 def font_file(text):
-    """Path of an installed font that has the letters of a text, for VTK, whose own font has only Latin letters; None if
-    its own font suffices"""
+    """Path of an installed font with the letters of a text, for VTK, whose font has only Latin letters; None if that
+    is enough
+    """
     if text.isascii():
         return None
     found = font_with({letter for letter in text if not letter.isascii() and letter.isprintable()})
@@ -118,7 +119,9 @@ def font_with(letters):
 
 
 def data_address(draw):
-    """A picture (PNG) as a data address for an `img` without a file; draw : writes it to a path"""
+    """A picture (PNG) as a data address, for an `img` without a file; draw : function that writes the picture to a
+    path
+    """
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "picture.png"
         draw(path)

@@ -1,8 +1,8 @@
 """Quantities of a study file in SI, and the one-line message for an impossible value.
 
 A quantity outside SI has its unit in the key: `speed_knots`, `pretension_tonf`.  Wind, current and waves have either
-`direction_deg`, travelled to, 0 → +x, or `incidence_deg`, the angle χ of the reports, 0 from ahead: direction =
-incidence + 180°.
+`direction_deg`, the direction of travel, 0 → +x, or `incidence_deg`, the angle χ of the reports, 0 from ahead:
+direction = incidence + 180°.
 """
 
 import math
@@ -59,12 +59,12 @@ def friction(key, value):
 
 
 def water_depth(key, value):
-    """m, above 0 and at most DEEPEST.  Raises StudyError."""
+    """Water depth, m, above 0 and at most DEEPEST. Raises StudyError."""
     return below(key, value, DEEPEST, ", the deepest sea")
 
 
 def water_density(key, value):
-    """kg/m³ of water.  Raises StudyError."""
+    """Density of water, kg/m³. Raises StudyError."""
     low, high = DENSITIES
     if not low <= value <= high:
         raise StudyError(f"{key} is {value:g}; allowed: {low:g} to {high:g} kg/m³, as for water")
@@ -72,7 +72,9 @@ def water_density(key, value):
 
 
 def one_of(where, table, units, required=False):
-    """The value of the single given key of `units` {key: factor}, in SI; None if none is given and none is required."""
+    """The value, in SI, of the only given key of `units` {key: factor}; None if no key is given and none is
+    required.
+    """
     given = [key for key in units if getattr(table, key) is not None]
     if len(given) > 1 or (required and not given):
         state = " and ".join(given) + " are given" if given else "nothing is given"
@@ -85,7 +87,7 @@ def force(where, table, name, required=False):
 
 
 def speed(where, table):
-    """m/s, at least 0"""
+    """Speed, m/s, at least 0"""
     if table.speed == 0 and table.speed_knots is None:
         return 0.0
     return one_of(where, table, {"speed": 1.0, "speed_knots": KNOT}, required=True)
@@ -101,7 +103,9 @@ def waves_on(current):
 
 
 def in_radians(key, degrees):
-    """A message if all values of a key in degrees, but 0, are multiples of 15° in radians, as 0.52 and 1.57; else []"""
+    """A message if all nonzero values of a key in degrees look like multiples of 15° in radians, such as 0.52 and
+    1.57; else []
+    """
     step, near, whole = RADIANS
     given = [abs(value) for value in degrees if value]
     fits = all(

@@ -36,13 +36,13 @@ class QuayFenderTable(FenderTable, kw_only=True):
     """A fender of the berth in front of a flat side of the hull
 
     name : name of the fender in results and messages
-    position : m, x, y, z of its face with the body at rest
+    position : m, x, y, z of the fender's face with the body at rest
     on : name of the dolphin that carries it
-    friction : coefficient of friction μ of its face
+    friction : coefficient of friction μ of the fender's face
     shear : kN/m, stiffness along the face, up to the friction force; by default the face slides after a tenth of the
         height at the rated reaction
-    body : name of the body that presses it, where there are several
-    to : name of the body that carries it, in whose coordinates its position is
+    body : name of the body that presses the fender, where there are several bodies
+    to : name of the body that carries the fender; the position is then in this body's coordinates
     """
 
     name: str
@@ -59,8 +59,8 @@ class DolphinTable(Table):
 
     name : name of the dolphin, for the key on of a fender
     stiffness : kN/m, horizontal stiffness of the dolphin
-    yield_force : kN, force at which it yields or the ground softens
-    stiffness_beyond : kN/m, stiffness beyond that force
+    yield_force : kN, force at which the dolphin yields or the ground softens
+    stiffness_beyond : kN/m, stiffness beyond yield_force
     """
 
     name: str
@@ -77,15 +77,16 @@ class RopeTable(Table, kw_only=True):
     bollard : m, x, y, z of the bollard in space
     breaking_load : breaking load of the new rope
     break_strain : strain at the breaking load, 0.1 for 10 %
-    pretension : tension with the body where it is drawn; at rest fenders and other ropes have moved it; by default 0
+    pretension : tension with the body at its given position, from which fenders and other ropes move it to rest; by
+        default 0
     exponent : exponent n of T ∝ εⁿ
     hardening : factor on the stiffness of a used rope
     tail_length : m, length of the tail, 0 without one
-    tail_breaking_load : breaking load of the tail; by default that of the rope
+    tail_breaking_load : breaking load of the tail; by default the rope's breaking load
     tail_break_strain : strain of the tail at its breaking load
     tail_exponent : exponent n of T ∝ εⁿ of the tail
-    body : name of the body with the fairlead, in its coordinates, where there are several
-    to : name of the body with the bollard, in whose coordinates the bollard is
+    body : name of the body in whose coordinates the fairlead is given, where there are several bodies
+    to : name of the body in whose coordinates the bollard is given
     """
 
     name: str
@@ -208,8 +209,9 @@ def _check_bollard(name, place, box):
 
 
 def doubtful_holds(fenders, ropes, hull, held):
-    """Lines of text on ropes that cross the hull from side to side, and on fenders alone; held : whether lines hold the
-    body too"""
+    """Findings on ropes that cross the hull from side to side, and on fenders without ropes; held : whether lines
+    hold the body too
+    """
     across = [one.name for one in ropes if _crosses(np.array(one.fairlead, float), np.array(one.bollard, float), hull)]
     if across:
         yield (
@@ -329,9 +331,9 @@ class HingeTable(Table):
     axis : axis of rotation of a hinge or of motion of a slider, in the axes of the first body
     kind : "hinge", rotation about its axis; "ball", rotation about all axes; "rigid", no rotation; or "slider", motion
         along its axis without rotation
-    damping : linear damping, kN s/m along the axis of a slider, kN m s about that of a hinge
-    stiffness : spring stiffness, kN/m along the axis of a slider, kN m/rad about that of a hinge
-    rest : travel at which the spring is unloaded, from the given positions, m of a slider, ° of a hinge
+    damping : linear damping, kN s/m along a slider's axis, kN m s about a hinge's axis
+    stiffness : spring stiffness, kN/m along a slider's axis, kN m/rad about a hinge's axis
+    rest : travel from the given positions at which the spring is unloaded, m for a slider, ° for a hinge
     """
 
     name: str
@@ -411,7 +413,7 @@ class StationTable(Table):
 
 
 def linked(body, hinges, db):
-    """A Reader of the bodies of a database with hinges, HingeTables, between them.  Raises StudyError."""
+    """A Reader of a database's bodies with hinges (HingeTables) between them. Raises StudyError."""
     links = [one.link(f"hinges[{i}]", db) for i, one in enumerate(hinges)]
     names = [one.name for one in links]
     if len(set(names)) < len(names):

@@ -13,13 +13,13 @@ SEEN = 0.8  # fraction of a peak that stored frequencies should show
 def resonance_lines(found, omega=None, rao=None):
     """A line for each of `found`, of `bem.database.resonances`.
 
-    omega, rao : (n,) rad/s and (n, m, 6) stored; None for the motions of another body
+    omega, rao : stored frequencies, (n,) rad/s, and motions, (n, m, 6); None for motions of a different body
     """
     return [f"{_peak(one)}{_stored(one, omega, rao)}{_uncertain(one)}" for one in found]
 
 
 def underdamped(one):
-    """Whether viscous damping, which would lower a peak of heave, roll or pitch by a third or more, is missing"""
+    """Whether viscous damping is missing that would lower a peak of heave, roll or pitch by a third or more"""
     return not one.viscous and one.mode % 6 in (2, 3, 4) and one.damping < VISCOUS
 
 

@@ -1,4 +1,4 @@
-"""Tables of TOML as typed values, and one line on the first fault in the tables."""
+"""Tables of TOML as typed values, and a one-line message on the first fault in them."""
 
 import difflib
 import re
@@ -29,7 +29,7 @@ WORDS = {
 def read_toml(path, what, error):
     """Nested dictionaries of a TOML file, and the text of the file.
 
-    what : "a study", for messages; error : class raised with one line
+    what : words for messages, such as "a study"; error : class raised with one line
     """
     text = read_text(path, error, largest=LARGEST)
     try:
@@ -89,7 +89,7 @@ def _plain(value):
 
 
 def of_another(raw, kind):
-    """Commands that read a file of another kind without a fault; "" if there are none"""
+    """Commands that could read the file as one of a different kind without a fault; "" if there are none"""
     known = {field.encode_name for field in msgspec.structs.fields(kind)}
     strange = [key for key in raw if key not in known]
     if not strange:

@@ -1,9 +1,8 @@
 """The smallest sufficient change for each way of changing a mooring, found by running the governing cases.
 
-Each change is a new layout, since a heavier line has another shape and another pull.
-The changes of one kind are tried first in doubling steps, then between the last change that failed and the first that
-passed.  The change just below the advised one
-was therefore run, and failed.
+Each change is a new layout, since a heavier line has a different shape and pull. Changes of one kind are tried first
+in doubling steps, then between the last change that failed and the first that passed. The change just below the
+advised change has therefore been run and has failed.
 """
 
 import itertools
@@ -27,10 +26,8 @@ NOTHING = (
 
 
 class Tried(NamedTuple):
-    """way : from `changes.ways`; words : the change; utilisation : the largest with the change; passes : whether the
-    change makes all criteria met
-
-    criterion : that governs then
+    """way : from `changes.ways`; words : the change; utilisation : largest utilisation with the change
+    passes : whether all criteria are met with the change; criterion : criterion that then governs
     """
 
     way: str
@@ -43,7 +40,7 @@ class Tried(NamedTuple):
 class Advice(NamedTuple):
     """tried : names of the ways that were run; found : Tried of each helpful way; beyond : failures that no way changes
 
-    The Tried of a way is its smallest sufficient change, or else the best.
+    The Tried of a way is its smallest sufficient change, or the best change if none is sufficient.
     """
 
     tried: tuple
@@ -54,7 +51,7 @@ class Advice(NamedTuple):
 def advise(read, judged, cases, others, paths, folder, step):
     """The Advice on criteria that are not met; empty if all are met.
 
-    judged : every criterion judged; cases : {name: LoadCase} of all that ran; others : quantities of the project
+    judged : all judged criteria; cases : {name: LoadCase} of all cases that ran; others : quantities of the project
     paths : {level: database}; step : called with the number of changes tried, their largest number and the change
     """
     fixed = {*others, *(one.quantity for one in read.project.values)}
@@ -94,8 +91,9 @@ def _keys_of_fatigue(read, cases):
 
 
 def after_lines_move(advice, ran):
-    """An Advice that begins with static lines, if Ran of a design have them, since larger sizes and more pretension do
-    not prevent their snaps
+    """An Advice that begins with a remark on static lines, if Ran of a design have them.
+
+    Larger sizes and more pretension do not prevent the snaps of static lines
     """
     left = [
         line for one in ran if one.numbers is not None for line in one.numbers.warnings if line.startswith(OF_LINES)

@@ -1,4 +1,4 @@
-"""Load cases of a project, each a study of its own that the command of its kind can also run (`kinds`)."""
+"""Load cases of a project. Each load case is a separate study that the command of its kind can also run (`kinds`)."""
 
 import re
 from copy import deepcopy
@@ -24,7 +24,7 @@ MOTIONS = tuple(dof.lower() for dof in DOFS)
 class LoadCase(NamedTuple):
     """study : raw tables of a study; lost : name of the lost line, "" for none; factor : factor on motions
 
-    apart : whether it is another kind of study than the project's: an earthquake
+    apart : whether the case is a different kind of study than the project's: an earthquake
     """
 
     name: str
@@ -48,7 +48,8 @@ class LoadCase(NamedTuple):
 def intact_cases(read, base, factors):
     """LoadCases of all states, directions and levels with every line in place.
 
-    base : tables of the study with its layout, of its kind; factors : on the largest motions, as required by criteria
+    base : tables of the study with its layout, in the form of its kind; factors : factors on the largest motions, as
+        required by criteria
     """
     for state, raw in zip(read.project.states, read.raw["states"], strict=True):
         asked = product(state.levels, state.incidence_deg, state.wind_off_deg, state.current_off_deg, factors)

@@ -2,13 +2,13 @@
 
     D = Σ_cases p t_life / t_record  Σ nᵢ / N(sᵢ)       rainflow cycles of the kept records, Miner's sum
 
-Lines that wear have half of their wear, which is their mean diameter over the time of wear, and the breaking load of
-that diameter.  Only intact lines count.  The `share` of the time of a state is divided equally among its directions
-and levels.  The criterion is factor · D ≤ 1.  The record is taken at the fairlead, with the reference strength of the
-curve for the section of each type.
+Lines that wear are computed with half of their wear, which is their mean diameter over time, and with the breaking
+load of this diameter. Only cases with intact lines count.  The `share` of the time of a state is divided equally
+among its directions and levels.  The criterion is factor · D ≤ 1.  The record is taken at the fairlead, with the
+reference strength of the curve for the section of each type.
 
 No 90 % interval is computed if fewer cycles than `mooring.motion.extremes.FEWEST` cause the damage, as in a run with
-few slow oscillations. The same holds for a regular wave, whose cycles are not those of a sea.
+few slow oscillations; nor for a regular wave, whose cycles are not those of a sea.
 """
 
 import numpy as np
@@ -67,7 +67,7 @@ def fatigue(read, ran):
 
 
 def wear_words(read):
-    """The diameters that fatigue is computed with, in words"""
+    """Words on the diameters with which fatigue is computed"""
     lost = {name: wear_of(read, name) for name in read.study.get("types", {})}
     if not any(lost.values()):
         return "diameters of new lines, as no wear is given"
@@ -77,7 +77,7 @@ def wear_words(read):
 
 
 def wear_of(read, name):
-    """mm of its diameter that a type loses by [wear] or its corrosion_mm, 0 if it loses none"""
+    """Loss of diameter of a type, mm, by [wear] or by its corrosion_mm; 0 without wear"""
     worn = worn_diameters(read.project, read.study)
     return worn[name][1] if name in worn else read.study["types"][name].get("corrosion_mm") or 0.0
 

@@ -80,7 +80,7 @@ class Read(msgspec.Struct, frozen=True):
 
 
 def read_project(path):
-    """The Read of a TOML file.  Raises StudyError, or the one-line error of the study, the rules or a table in it."""
+    """The Read of a TOML file. Raises StudyError, or the one-line error of the project's study, rules or tables."""
     path = Path(path)
     raw, text = read_toml(path, "a project", StudyError)
     raw = _with_files(_at_site(raw, path.parent), path)

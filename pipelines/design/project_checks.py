@@ -36,7 +36,7 @@ def check_tables(project, study, kind):
 
 
 def check_criteria(project, study, kind, criteria, folder):
-    """Raises StudyError for limits that judge nothing, parts that nothing judges, and tables without use."""
+    """Raises StudyError for limits that apply to nothing, parts that no criterion judges, and tables without use."""
     finds, needs = kind.finds(study), kind.needs(study)
     _check_limits(project, finds)
     _check_own_rules(project, finds, folder)

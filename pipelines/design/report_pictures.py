@@ -17,7 +17,7 @@ ON_WHITE = {"boxstyle": "square,pad=0.05", "fc": "white", "ec": "none"}  # a num
 
 
 def plans(read, verdict, paths, folder):
-    """{"name", "data"} of the governing cases, the worst first"""
+    """[{"name", "data"}] of plans of the governing cases, the worst first"""
     for one in _governing(verdict)[:MOST_PLANS]:
         known = one.case.study, paths[one.case.level], one.numbers._replace(largest=one.largest)
         base = None if known[1] is None else Path(known[1])

@@ -78,7 +78,7 @@ def case_row(one):
 
 
 def farthest(numbers):
-    """Name of the body that steady loads move farthest, "" of one body alone, and its place (3,) m, m, rad"""
+    """Name of the body that steady loads move farthest ("" for a single body), and its position (3,), m, m, rad"""
     places = np.reshape(numbers.place, (-1, 3))
     number = int(np.hypot(*places[:, :2].T).argmax())
     return numbers.bodies[number] if numbers.bodies else "", places[number]
@@ -105,8 +105,9 @@ def _write_table(path, title, head, rows):
 
 
 def origin(read, ran, criterion):
-    """Return the place of a criterion's value in a load case, a Ran: path of a file, None for a value given in the
-    project, and its key there"""
+    """Origin of a criterion's value in a load case (Ran): path of a file, or None for a value given in the project;
+    and its key there
+    """
     quantity, path = criterion.quantity, ran.path
     if quantity == ANCHOR:
         return (

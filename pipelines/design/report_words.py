@@ -29,7 +29,7 @@ MARK = {True: "passes", False: "fails", None: "open"}
 
 
 def summary(verdict):
-    """The governing criterion in words, which follow "the mooring passes" in the report"""
+    """Words on the governing criterion, which follow "the mooring passes" in the report"""
     if verdict.broken:
         more = f", and {len(verdict.broken) - 1} more" if len(verdict.broken) > 1 else ""
         return f": {verdict.broken[0].removeprefix(MARKED)}{more}"
@@ -48,7 +48,7 @@ def summary(verdict):
 
 
 def method_words(verdict):
-    """Words on where the tensions of the load cases come from, "" for studies with one method only"""
+    """Words on the method of the load cases' tensions; "" for studies with only one method"""
     if any(one.runs is not None for one in verdict.ran):
         return ", in time"
     return ", simplified method" if any(len(one.numbers.motions) for one in verdict.ran if one.numbers) else ""
@@ -96,7 +96,7 @@ def _tried_words(one):
 
 
 def fatigue_words(verdict):
-    """The life of the line that governs fatigue, one line of text; nothing where it is not judged"""
+    """The life of the line that governs fatigue, as one line; nothing where fatigue is not judged"""
     for one in verdict.judged:
         if one.criterion.quantity == FATIGUE and one.governing is not None:
             yield f"fatigue of {one.governing.item}: {one.criterion.source}"
@@ -337,8 +337,11 @@ def _place_words(row, body=""):
 
 
 def warnings(verdict):
-    """Findings of the cases; of findings that differ only in numbers and names of lines, the one with the largest first
-    number; those of the simplified method beside runs in time are marked, without what the runs say too"""
+    """Findings of the cases.
+
+    Of findings that differ only in numbers and line names, the finding with the largest first number remains. Beside
+    runs in time, findings of the simplified method are marked, and left out if the runs report them too.
+    """
     found = {}
     for one in verdict.ran:
         for text in one.numbers.warnings if one.numbers else ():
@@ -360,7 +363,7 @@ def _alike(text, names):
 
 
 def band(verdict):
-    """Words on the band of frequencies that serves every load case, "" where no finding asks for a longer one"""
+    """Words on the frequency band that serves every load case; "" if no finding requests a wider band"""
     asked = []
     for one in verdict.ran:
         for text in (*(one.numbers.warnings if one.numbers else ()), one.fault or ""):

@@ -28,9 +28,9 @@ ROTATIONS = ("roll", "pitch", "yaw")
 
 @dataclass(frozen=True)
 class Ran:
-    """A load case that ran, or failed to run: numbers, from its files, None with the reason in `fault`
+    """A load case that ran or failed. numbers : from its files, or None with the reason in `fault`
 
-    path : path of their file; runs : from `kinds.in_time.simulated`, None for a project without simulation
+    path : path of the file of numbers; runs : from `kinds.in_time.simulated`, None for a project without simulation
     """
 
     case: LoadCase
@@ -92,7 +92,7 @@ def of_databases(read, paths):
 def run_cases(read, paths, folder, executor, step):
     """[Ran] of all load cases, first the intact cases, then the cases with a lost line.
 
-    paths : {level: database}; step : called with the number done, the number known and a name
+    paths : {level: database}; step : function called with the number of finished cases, of known cases, and a name
     """
     base, factors = base_of(read, paths), factors_of(read)
     (folder / "cases").mkdir(parents=True, exist_ok=True)
@@ -140,7 +140,9 @@ def judged_case(read, ran, others):
 
 
 def excursion(one):
-    """m, the largest horizontal distance of a Ran from rest: in its runs in time, else by steady offset and motions"""
+    """Largest horizontal distance of a Ran from rest, m: in its runs in time, otherwise by steady offset and
+    motions
+    """
     r = one.numbers
     if EXCURSION in r.parts:
         return max(r.parts[EXCURSION].values())
@@ -187,7 +189,7 @@ def grouped(ran):
 
 
 def key_of(case):
-    """Return (state, level, directions, lost line) of a LoadCase, without the factor on its motions"""
+    """(state, level, directions, lost line) of a LoadCase, without the factor on its motions"""
     return case.state, case.level, case.incidence, case.wind_off, case.current_off, case.lost
 
 

@@ -1,4 +1,6 @@
-"""The judgement of a whole project: cases, criteria, governing cases, whether it can be signed, every rule set."""
+"""The verdict on a project: cases, criteria, governing cases, every rule set, and whether the project can be
+signed.
+"""
 
 import re
 from typing import NamedTuple
@@ -73,9 +75,10 @@ def judged_project(read, ran, of_databases=()):
 
 
 def broken_in(ran):
-    """Failures that the studies of load cases report (lines that part, fenders beyond their capacity). There is one
-    line for each kind of failure, from the first case that has it. Tensions at multiples of motions, which some rules
-    require, are not such failures.
+    """Failures that studies of load cases report (lines that break, fenders beyond their capacity).
+
+    There is one line for each kind of failure, from the first case with this failure. Tensions at multiples of
+    motions, which some rules require, are not such failures.
     """
     found = {}
     for one in (one for one in ran if one.case.factor == 1):

@@ -24,11 +24,11 @@ NORMAL = 1.645  # standard deviations of an interval of 90 %
 
 
 class Verdicts(NamedTuple):
-    """known, down : (n, o) over hours and operations; chance : (n, o) probability that the operation stops in the hour,
-    0 or 1 if certain
+    """known, down : over hours and operations, (n, o); chance : probability that an operation stops in an hour, (n,
+    o), 0 or 1 if certain
 
     used, beyond : (n, l) utilisation of each limit, and the probability that it is exceeded
-    error : (o,) share of the time, standard deviation of the sum of probabilities, without the scatter of years
+    error : standard deviation of the sum of probabilities, as a share of time, without the scatter of years, (o,)
     """
 
     known: np.ndarray
@@ -137,7 +137,7 @@ def _by_year(down, known, hindcast, years):
 
 
 def sector_of(study, hindcast):
-    """Compass sector from which the highest wave system comes; shape (n,); −1 for a calm"""
+    """Compass sector from which the highest wave system comes, −1 for a calm; shape (n,)"""
     main = hindcast.main
     comes_from = study.hindcast.x_axis_compass_deg - np.degrees(main.direction) - 180.0
     sector = np.floor(np.mod(comes_from + SECTOR / 2, 360.0) / SECTOR).astype(int)

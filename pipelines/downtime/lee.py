@@ -1,4 +1,6 @@
-"""Wave height behind a floating breakwater in every hour:  S_t = K_T² S_i  of waves from all directions alike."""
+"""Wave height behind a floating breakwater in every hour: S_t = K_T² S_i, with one K_T for waves from all
+directions.
+"""
 
 import numpy as np
 

@@ -26,10 +26,10 @@ READ_IN = {"rad": ("deg", np.pi / 180), "m/s²": ("m/s²", 1.0)}
 
 
 class Limit(NamedTuple):
-    """operation : its number; criterion : from `mooring.criteria.rules`; label : for tables
+    """operation : number of the operation; criterion : from `mooring.criteria.rules`; label : label for tables
 
     kind : "response", "air gap", "keel", "weather" or SIMULATED; names : names of the responses that it needs
-    rest : (p,) m at rest, an air gap or the depth of water under points of the keel
+    rest : value at rest, (p,) m: an air gap, or the depth of water under points of the keel
     """
 
     operation: int
@@ -41,7 +41,9 @@ class Limit(NamedTuple):
 
 
 class Hours(NamedTuple):
-    """names, units : (c,) of responses; m0, m2 : (n, c) of every hour; duration : s, of a largest value"""
+    """names, units : of responses, (c,); m0, m2 : moments in every hour, (n, c); duration : duration of a largest
+    value, s
+    """
 
     names: tuple[str, ...]
     units: tuple[str, ...]
@@ -54,7 +56,7 @@ def limits_of(study, points, responses, moored=None):
     """[Limit] of a DowntimeStudy.
 
     points : points of its body; responses : {name: unit} of all responses of the body
-    moored : {name: unit} of simulation results of the moored body, in place of these; or None
+    moored : {name: unit} of simulation results of the moored body, in place of responses; or None
     raises : StudyError
     """
     found = []

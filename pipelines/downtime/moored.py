@@ -1,5 +1,6 @@
-"""Downtime of a moored body: simulated states give the downtime in every hour, the downtime of other moorings, and
-limiting seas."""
+"""Downtime of a moored body from simulated states: downtime in every hour, downtime of other moorings, and limiting
+seas.
+"""
 
 from __future__ import annotations
 
@@ -62,7 +63,8 @@ class Found(NamedTuple):
 def moored(read, folder, db, states, executor, say):
     """The Found of a DowntimeStudy with [simulation].
 
-    db : database; states : path of the file of states, or None; executor : its name; say : called with each line
+    db : database; states : path of the file of states, or None; executor : name of the executor; say : called with
+        each line
     """
     for key in ("points", "keel", "lee"):
         if getattr(read, key):
@@ -211,7 +213,9 @@ def _limiting(read, hindcast, found):
 
 
 def crossed(height, used):
-    """Values where ln of the utilisation (h, p, b) crosses 0, linear in ln of height (h,), m, else nan; shape (p, b)"""
+    """Heights, m, at which ln of the utilisation (h, p, b) crosses 0, linear in ln of height (h,); nan without a
+    crossing; shape (p, b)
+    """
     below, above = used[:-1], used[1:]
     passes = (below <= 0) & (above > 0)
     first = np.argmax(passes, axis=0)[None]

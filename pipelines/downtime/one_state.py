@@ -34,7 +34,7 @@ def state(task, raw, weather, seeds):
     """For each seed a dictionary {quantity: value, or {statistic: value}}.
 
     task : `simulate.work.Task` of the study without the weather of the state; raw : its tables
-    weather : {"waves": table, "wind": table, "current": table} in their place; raises ValueError
+    weather : {"waves": table, "wind": table, "current": table} of the state; raises ValueError
     """
     tables = deepcopy(raw)
     for name, table in weather.items():

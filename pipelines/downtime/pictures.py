@@ -85,7 +85,7 @@ def years(result, axes):
 
 
 def rose(result, axes):
-    """Hours per year by direction of the waves, over the share of time with that direction"""
+    """Hours per year by direction of the waves, divided by the share of time with this direction"""
     _compass(axes)
     operations, count = _operations(result), len(result.labels["sector"].values)
     at, width = np.arange(count) * 2 * np.pi / count, 1.6 * np.pi / count / len(operations)

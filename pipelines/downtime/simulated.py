@@ -35,10 +35,11 @@ REALISED = 19  # seed of the random course of stopped hours whose windows are co
 class Simulated(NamedTuple):
     """rows : (s,) indices of the simulated hours; hours : (o,) h per year in this record
 
-    used : (s, seeds, l) of the simulated limits, nan of others
-    verdicts : `answers.Verdicts`; error, sea : (o,) h per year, standard deviation by the interpolant, and by the sea
+    used : utilisation of the simulated limits, nan for all other limits, (s, seeds, l)
+    verdicts : `answers.Verdicts`; error, sea : standard deviations due to the interpolant and due to the sea, (o,) h
+        per year
     failed : ((row, reason), …); said : lines
-    hours_at : (r,) known rows; fits : [Fit]; each : from `_each`, over these
+    hours_at : known rows, (r,); fits : [Fit]; each : from `_each`, over the known rows
     """
 
     rows: np.ndarray
@@ -145,8 +146,10 @@ def _features(hindcast, rows):
 
 
 def columns_of(hindcast, rows):
-    """Numbers [(r,), …] and angles [(r,), …] from which features are computed: height, period and direction of each
-    wave system, and speed and direction of wind and current if both are known
+    """Numbers [(r,), …] and angles [(r,), …] from which features are computed.
+
+    They are height, period and direction of each wave system, and speed and direction of wind and current if both
+    are known
     """
     numbers, angles = [], []
     for one in hindcast.waves:

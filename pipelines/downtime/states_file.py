@@ -1,5 +1,4 @@
-"""The file of simulated states: one line for each state, written when the state is finished; a kill at any time keeps
-all whole lines.
+"""The file of simulated states: one line for each finished state. A kill at any time keeps all complete lines.
 
 The first line describes the states; each further line is JSON with its CRC-32.  A line cut by a kill is removed; a
 damaged line is an error.
@@ -16,7 +15,7 @@ MARK = "# hakobune downtime states "
 
 
 def read(path, identity):
-    """{index of the hour: results of its seeds} in a file, without a last line that was cut; {} without a file.
+    """{index of the hour: results of its seeds} in a file, without an incomplete last line; {} without a file.
 
     Raises StudyError for a file of other states, or for a damaged file.
     """
@@ -52,7 +51,7 @@ def read(path, identity):
 
 
 def append(path, row):
-    """Add a row {"hour": number, …} to the file, whole and on the disk"""
+    """Add a row {"hour": number, …} to the file, and make sure that it is on the disk"""
     text = json.dumps(row, sort_keys=True)
     with Path(path).open("ab") as file:
         file.write(f"{text} {zlib.crc32(text.encode())}\n".encode())

@@ -127,8 +127,9 @@ def check_import(kind, known, output, fresh, place):
 
 
 def asked_of(module, kind, place, known):
-    """What a format is asked for: what its files may not contain, or its inputs beside them; and which of these were
-    found there"""
+    """Properties that the user must give for a format because its files lack them, and those found in input files
+    beside them
+    """
     asked = {name: known[name] for name in (*kind.silent, "body")}
     if not hasattr(module, "inputs_of"):
         return asked, ()
@@ -139,7 +140,7 @@ def asked_of(module, kind, place, known):
 def hull_of(place, kind, module, mesh, known):
     """The hull in its water, from --mesh or from the file of the results.  Raises ValueError.
 
-    known["rotation_center"] : (3,) m, origin of the axes of that file; None or missing for those of the water
+    known["rotation_center"] : origin of the axes of that file, (3,) m; None or missing for axes at the water surface
     """
     origin = known.get("rotation_center")
     path = mesh
@@ -275,7 +276,7 @@ def _finite(values):
 
 
 def store(values, mesh, output, source):
-    """Make a database of Values on their hull, of which half or a quarter is kept if it has mirror planes
+    """Make a database of Values on their hull; half or a quarter of the hull is stored if it has mirror planes
 
     source : origin of the import
     """

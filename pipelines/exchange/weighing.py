@@ -1,8 +1,8 @@
 """`hakobune body`: mass, centre of gravity and radii of gyration added to an imported database, or replaced.
 
-Stiffness by weight, and motions of the free body, are recomputed. Drift of the free body depends on the old motions and
-is removed, unless no mass was known: then motions and drift are those of the files, and stay. Forces of pairs of waves
-are removed.
+Stiffness by weight, and motions of the free body, are recomputed. Drift of the free body depends on the old motions
+and is removed. If no mass was known, motions and drift are those of the files, and are kept. Forces of pairs of
+waves are removed.
 """
 
 from dataclasses import replace

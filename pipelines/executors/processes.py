@@ -11,7 +11,7 @@ from .beside import processors
 
 
 class Processes(ProcessPoolExecutor):
-    """Spawned processes, because a fork lacks the threads that BLAS may wait for; they end with their parent."""
+    """Spawned processes, which end with their parent. A fork would lack the threads for which BLAS may wait."""
 
     def __init__(self, count):
         self.count = count

@@ -19,7 +19,7 @@ MOST = 0.5  # rad, of a turn of the body
 
 
 class Coloured(NamedTuple):
-    """pressure : (n,) complex Pa per m on the panels of the whole hull; most : Pa per m, the largest"""
+    """pressure : on the panels of the full hull, (n,) complex, Pa per m; most : largest pressure, Pa per m"""
 
     pressure: np.ndarray
     most: float
@@ -28,7 +28,7 @@ class Coloured(NamedTuple):
 def film_of_database(path, output, period=None, omega=None, heading=180.0, height=None, fixed=False, field=None):
     """Write the film; returns the number of frames.
 
-    height : m, of the waves, crest to trough; field : "pressure" colours the panels
+    height : wave height, crest to trough, m; field : "pressure" colours the panels
     raises : ValueError, with a message of one line
     """
     check_film(output, (path,))

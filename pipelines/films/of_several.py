@@ -17,7 +17,8 @@ AROUND = 1.5  # of the largest hull, of the picture beyond the places of the bod
 
 
 class Moored(NamedTuple):
-    """names : names of the bodies that move; at_rest : (N, 6) m, rad, their places; system : system of lines, or None
+    """names : names of the moving bodies; at_rest : poses of these bodies at rest, (N, 6), m and rad; system :
+    system of lines, or None
 
     ends : [(points (ropes, 3) m in space at rest, numbers (ropes,) of the bodies that carry them, below 0 for none)]
     """
@@ -34,7 +35,7 @@ class Moored(NamedTuple):
         return poses_of(motion, self.at_rest)
 
     def threads(self, motion):
-        """Places along the lines while the bodies are displaced by their motions (6N,), m; shape (lines × POINTS, 3)"""
+        """Points along the lines, m, with the bodies displaced by their motions (6N,); shape (lines × POINTS, 3)"""
         from hakobune.mooring.lines.system.equilibrium import held_at, rest
         from hakobune.mooring.lines.system.shapes import line_shapes
 

@@ -16,8 +16,9 @@ OF_SPAN = 0.01  # radius of a drawn buoy, for visibility
 
 
 class Hull(NamedTuple):
-    """box : m, six sides in the hull's own coordinates; center : (3,) m, the point in these coordinates about which the
-    hull rotates"""
+    """box : six sides in the hull's coordinates, m; center : point in these coordinates about which the hull
+    rotates, (3,) m
+    """
 
     box: tuple
     center: np.ndarray
@@ -26,8 +27,9 @@ class Hull(NamedTuple):
 class Stage(NamedTuple):
     """hulls : (Hull, …); span : m, of anchors and hulls
 
-    depth : m; fenders : fenders of a `mooring.motion.contacts` berth; carriers : numbers of the hulls that carry them,
-    below 0 for a quay, or () for quays alone; rest : (n, 6) m, rad, poses of the hulls with which the fenders are given
+    depth : m; fenders : fenders of a `mooring.motion.contacts` berth; carriers : numbers of the hulls that carry the
+        fenders, below 0 for a quay, or () if all are on quays; rest : poses of the hulls for which the fenders are
+        given, (n, 6), m and rad
     """
 
     hulls: tuple
@@ -62,8 +64,9 @@ def moved(center, motion):
 
 
 def frames(stage, at, poses, threads=None, heights=None, buoys=None):
-    """Pictures, (height, width, 3) each, at times (n,) s of poses (n, hulls, 6) m, rad: the position of the center of
-    each hull in space, and its rotation.
+    """Pictures, each (height, width, 3), at times (n,) s.
+
+    poses : position of each hull's center in space, and its rotation, (n, hulls, 6), m and rad
 
     threads : function of the frame number that returns (lines × POINTS, 3) m; heights : function of x, y (g,) m that
     returns a function of t (s) → (g,) m; buoys : (n, 3) m

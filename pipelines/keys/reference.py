@@ -1,8 +1,8 @@
 """Every key of a file, from the typed table that reads the key: name, unit, type, default, meaning, example.
 
 The docstring of a table begins with a description; then each line `key, key : unit, meaning` explains keys. `pretension
-:` explains pretension_tonf and pretension_kN; keys that a table and its bases do not explain are in `words`, and a key
-that contains a table has the meaning of that table.
+:` explains pretension_tonf and pretension_kN; keys that a table and its bases do not explain are in `words`. A key
+that contains a table has the meaning of this table.
 """
 
 import inspect
@@ -58,7 +58,9 @@ def reference(kind):
 
 
 def unit_of(kind, path):
-    """Unit of a key of a kind of file by its path, such as "hawser.length"; empty without or with an unknown unit"""
+    """Unit of a key, given by its path such as "hawser.length", of a kind of file; empty if there is none or it is
+    unknown
+    """
     head, _, name = path.rpartition(".")
     found = (key.unit for table in reference(kind) if f"[{head}]" in table.places for key in table.keys
              if key.name == name)  # fmt: skip

@@ -25,8 +25,10 @@ def kinds_text(as_json, as_markdown):
 
 
 def having(tables, word):
-    """The tables with a word in their heading, and from the other tables the keys with the word in their name. If there
-    are none, the keys with the word in their meaning"""
+    """Tables with a word in the heading, and keys with the word in the name from all other tables.
+
+    If there are none, keys with the word in their meaning
+    """
     word, kept = word.strip("[]").lower(), []
     for table in tables:
         if any(word in place.lower().strip("[]").split(".") for place in table.places):

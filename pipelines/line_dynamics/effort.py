@@ -38,9 +38,9 @@ def check_finest(study):
 
 
 def check_effort(study, line, course, wave, frames, stations=0):
-    """Raise TooMuchError for a run that is too long or too large to store, and announce the time of a long one.
+    """Raise TooMuchError for a run that is too long or too large to store; announce the time of a long run.
 
-    The number of steps is estimated from the tolerance within a factor of three; snapping lines take most.
+    The number of steps is estimated from the tolerance within a factor of three; snapping lines need the most steps.
     """
     from hakobune.mooring.lines.dynamics.run import finer
     from hakobune.mooring.lines.dynamics.surroundings import PARTS_OF_PERIOD

@@ -17,7 +17,7 @@ TOGETHER = 1e-6  # largest relative deviation of the longest period from a multi
 
 @dataclass(frozen=True)
 class Course:
-    """motion : FairleadMotion; ramp, duration : s; cycle : s after which everything repeats, or None"""
+    """motion : FairleadMotion; ramp, duration : s; cycle : time after which everything repeats, s, or None"""
 
     motion: object
     ramp: float
@@ -25,9 +25,9 @@ class Course:
     cycle: float | None
 
     def window(self, begin=None):
-        """Begin and end (s) of the statistics, and their number of cycles: whole cycles, counted back from the end.
+        """Start and end (s) of the statistics, and the number of full cycles between them, counted back from the end.
 
-        begin : s, earliest begin; the end of the ramp by default.  Raises StudyError where no cycle remains.
+        begin : earliest start, s, by default the end of the ramp.  Raises StudyError where no cycle remains.
         """
         begin = self.ramp if begin is None else begin
         least = 0.0 if self.cycle is None else self.cycle

@@ -158,7 +158,7 @@ def current_of(study):
 def wave_of(study, ramp):
     """WaveTrain of the wave or the sea that fades in over `ramp` s, or None.
 
-    Raises ValueError, also for a wave that would break (Miche), or a sea of that height and period.
+    Raises ValueError, also for a wave, or a sea with its height and period, that would break (Miche).
     """
     from hakobune.mooring.lines.dynamics.simulation import WaveTrain
 

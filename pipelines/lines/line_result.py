@@ -50,10 +50,11 @@ def line(
 ) -> Result:
     """Forces of one mooring line, from its anchor on the bed to its fairlead.
 
-    length : m, unstretched; depth : m, of water at the anchor; fairlead_z : m, above still water
-    type : name in the catalogue; or weight : N/m in water, with stiffness : N, by default infinite
-    span : m, between both ends; or tension : N, horizontal at the fairlead; slope : rad, and friction coefficient, of
-        the bed
+    length : unstretched length, m; depth : water depth at the anchor, m; fairlead_z : height of the fairlead above
+        still water, m
+    type : name in the catalogue; or weight : in water, N/m, with stiffness : EA, N, by default infinite
+    span : between both ends, m; or tension : horizontal tension at the fairlead, N; slope : of the bed, rad;
+        friction : its coefficient
     characteristic : whether to include the curves from slack to taut
     returns : Result, in SI; its `detail` is a `mooring.lines.one_line.OneLine`, its span and its LineSolution
     raises : ValueError, with a message of one line
@@ -180,7 +181,7 @@ def _forces(one, span, found):
 
 
 def largest_in(found):
-    """N: the larger tension of both ends; at the anchor for a floating line or a higher anchor"""
+    """Larger tension of the two ends, N: that at the anchor for a floating line or a higher anchor"""
     return np.maximum(found.tension_fairlead, found.tension_anchor)
 
 

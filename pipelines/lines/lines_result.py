@@ -46,11 +46,11 @@ def lines(
     """Equilibrium of a system of lines.
 
     system : path of a TOML, MoorDyn or MoorPy file, its tables as a dictionary, or a
-        `mooring.lines.system.graph.System`; depth : m, for a MoorDyn or MoorPy file without it
+        `mooring.lines.system.graph.System`; depth : water depth, m, for a MoorDyn or MoorPy file without depth
     body : name of the body that `force` (Fx, Fy in N, Mz in N m) and offsets are for, by default the first
-    offset : m, largest offset to both sides along `directions`, rad
+    offset : largest offset to both sides, m; directions : rad
     characteristic : name of a line, for its forces from slack to taut; broken : whether each line is lost in turn
-    database : path of the body's, or an open one, for natural periods
+    database : path of the body's database, or an open database, for natural periods
     returns : Result, in SI; its `detail` is the SystemEquilibrium, [OffsetCurve] and {line lost: equilibrium without
         it}
     raises : ValueError, with a message of one line
@@ -69,7 +69,7 @@ def check_asked(offset, directions):
 
 
 def lines_of(given, *, body, force, offset, directions, characteristic, broken, database):
-    """Like `lines`, of a `system_file.Given`"""
+    """Like `lines`, for a `system_file.Given`"""
     db = None if database is None else database_of(database)
     name = _body(given.system, body, needed=force is not None or offset is not None or db is not None)
     with heard() as first:

@@ -114,7 +114,7 @@ class SystemTable(Table):
 class Given:
     """A system read from a file.
 
-    text : text of the file; said : warnings about it; moordyn : MoorDynFile, if it is one
+    text : text of the file; said : warnings about the file; moordyn : MoorDynFile, or None for other files
     """
 
     system: System
@@ -126,7 +126,7 @@ class Given:
 def read_system(path, depth=None) -> System:
     """The System of a file, by its suffix: .toml, .yaml or .yml, otherwise MoorDyn.
 
-    depth : m, for a MoorDyn or YAML file without it.  Warns of a file without anchors.
+    depth : water depth, m, for a MoorDyn or YAML file without depth. Warns of a file without anchors.
     Raises ValueError, with a message of one line.
     """
     given = read_given(path, depth)

@@ -60,7 +60,7 @@ class AnchorTable(Table):
 
 
 def anchors_of(tables, names, bollards=()):
-    """[Anchor or None] of each line by name; bollards : names of lines that end at none.  Raises StudyError."""
+    """[Anchor or None] of each line by name; bollards : names of lines that end at a bollard. Raises StudyError."""
     made = [_anchor(f"anchors[{i}]", table) for i, table in enumerate(tables)]
     found = {}
     for i, (table, one) in enumerate(zip(tables, made, strict=True)):
@@ -137,7 +137,9 @@ def _pile(where, table, safety):
 
 
 def quantities_of_anchors(anchors, along, up):
-    """{name: Quantity} over the lines: capacity, use and required size of anchors at pulls (n,) N; {} without any"""
+    """{name: Quantity} over the lines: capacity, utilisation and required size of anchors at pulls (n,) N; {}
+    without anchors
+    """
     if all(one is None for one in anchors):
         return {}
     rows = list(zip(anchors, along, up, strict=True))

@@ -1,5 +1,4 @@
-"""Check of a whole mooring study before any work: every name in the study, and the data of the hull that the weather of
-the study needs."""
+"""Check of a mooring study before any computation: every name in it, and the hull data that its weather needs."""
 
 from typing import NamedTuple
 
@@ -22,10 +21,11 @@ class Body(NamedTuple):
 
     name : name of its database or scene, for messages; dimensions : {name: m}, empty for a mesh file
     rotation_center : (3,) m; density : kg/m³; gravity : m/s²; water_depth : m
-    omega : (n,) rad/s, the first and last are its band; wall : m, y, or None
+    omega : (n,) rad/s, whose first and last are the band; wall : y of the wall, m, or None
     ring : `Ring` of the solved waves, None for a mesh file of unknown symmetry
     stored : names of the solved quantities; has_inertia : whether its radii of gyration are known
-    bodies : `bem.modes.Body` of each of several, () for one; boxes : {name: {"length", "beam", "draft"} m} of several
+    bodies : `bem.modes.Body` of each of several bodies, () for a single body; boxes : {name: {"length", "beam",
+        "draft"} m} of several bodies
     """
 
     name: str
@@ -44,7 +44,7 @@ class Body(NamedTuple):
 
     @property
     def sizes(self):
-        """Dimensions that are known before the hull is meshed, m; they replace `sizes` of a database"""
+        """Dimensions, m, known before the hull is meshed, in place of `sizes` of a database"""
         return self.dimensions
 
     @property
@@ -54,7 +54,7 @@ class Body(NamedTuple):
 
 
 def body_of_database(db):
-    """Body, or several bodies, of an open database.  Raises DatabaseError for one that bends."""
+    """Body, or several bodies, of an open database. Raises DatabaseError for a flexible body."""
     from .study import box_of
 
     db.require_rigid()
@@ -67,7 +67,7 @@ def body_of_database(db):
 
 
 def body_of_scene(name, scene):
-    """Body, or several bodies, of a Scene.  Raises StudyError for one of several bodies whose size is not known."""
+    """Body, or several bodies, of a Scene. Raises StudyError if one of several bodies has unknown dimensions."""
     from ..scene.places import bodies_of
 
     water, shape = scene.water, scene.body.shape

@@ -5,7 +5,7 @@
 
 Each line runs from an anchor to the only body of the file, the hull of the study. If the file has several bodies,
 `lines_body` names the hull.  The tables become part of the study, of a state of a design and of a result.  Breaking
-loads, which most of these files do not have, are given beside it:
+loads, which most of these files lack, are given beside lines_file:
 
     types = { chain = { breaking_load_kN = 2580.0 }, poly = { breaking_load_kN = 3727.0 } }
 """
@@ -64,7 +64,7 @@ def _breaking(types, given, file):
 
 
 def tables_of(file, depth=None):
-    """{"types": …, "lines": …} of a study from a file of lines; depth : m of the study.  Raises StudyError."""
+    """{"types": …, "lines": …} of a study from a file of lines; depth : depth of the study, m. Raises StudyError."""
     from ..lines.system_file import read_system
 
     try:

@@ -1,4 +1,4 @@
-"""The body of a study before its quay: by the far field of open water, or from a database solved with the wall."""
+"""The body of a study at its quay: by the far field of open water, or from a database solved with the wall."""
 
 from ..common.quantities import StudyError
 
@@ -12,7 +12,7 @@ _made = {}
 
 
 def body_of(study, db):
-    """`Reader` of a database's body before the quay of a `Study`, or unchanged without one, and messages
+    """`Reader` of a database's body at the quay of a `Study`, unchanged without a quay; and messages
 
     raises : StudyError where quay and database do not fit
     """
@@ -27,7 +27,7 @@ def body_of(study, db):
 def method_of(quay, wall, name):
     """far-field or panels, for a QuayTable.  Raises StudyError if quay and body do not match.
 
-    wall : m, y of the wall in the body's solution, None for open water; name : name of its database or scene
+    wall : y of the wall in the body's solution, m, None for open water; name : name of its database or scene
     """
     method = quay.method or ("far-field" if wall is None else "panels")
     if method not in METHODS:
@@ -46,7 +46,7 @@ def method_of(quay, wall, name):
 
 
 def by_far_field(db, y):
-    """`Reader` of a database of open water before a quay at y, m, and lines for the reader.  Raises StudyError."""
+    """`Reader` of a body of an open-water database at a quay at y, m, and remarks. Raises StudyError."""
     from hakobune.bem.wave_field.before_wall import WallError, before_wall, given_back, neglected
 
     try:

@@ -48,7 +48,7 @@ def document(result):
 
 
 def taken(arguments):
-    """Arguments without --csv and --json, and the requested one.  Raises ValueError for both."""
+    """Arguments without --csv and --json, and the requested format. Raises ValueError if both are given."""
     given = [form for form in FORMS if f"--{form}" in arguments]
     if len(given) > 1:
         raise ValueError("--csv and --json are both given; give one of them")

@@ -39,8 +39,7 @@ def significant(value, digits=DIGITS):
 
 
 def fixed(value, decimals=2):
-    """A number as text with the given decimals, or with three significant digits where these need more decimals: 12.35,
-    0.0123"""
+    """A number as text with the given decimals, or with more decimals for three significant digits: 12.35, 0.0123"""
     small = LEAST < abs(value) < 10.0 ** (2 - decimals)
     return (
         significant(value, 3) if small or not math.isfinite(value) else f"{round(value, decimals) + 0.0:.{decimals}f}"

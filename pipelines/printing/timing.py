@@ -14,10 +14,7 @@ _asked = None  # the `Timeline` of a command while one is requested
 
 
 class Timeline:
-    """Seconds of phases, by the wall and of the processor.
-
-    clock : returns both, from any zero
-    """
+    """Wall time and processor time of phases, s. clock : function that returns both times, from any zero"""
 
     def __init__(self, clock=lambda: (time.perf_counter(), time.process_time())):
         self.clock, self.last, self.open, self.seconds = clock, clock(), [REST], {}

@@ -1,5 +1,6 @@
-"""Time and memory of forces of wave pairs, reported before they are solved: first-order waves by measured rows of
-their matrices, what is kept of the flow by counting."""
+"""Time and memory of forces of wave pairs, reported before they are solved. Times of first-order waves follow from
+measured rows of their matrices, memory from counting the stored flow.
+"""
 
 import math
 
@@ -18,8 +19,9 @@ WAY_OUT = "give fewer frequencies (--omega) or headings (--heading), or fewer pa
 
 
 def foretell(problems, question):
-    """Report the time and memory of the first-order waves of a `Question` on each of `problems`, where they take more
-    than a minute or a gigabyte; other problems than on panels, of which little is known, are left out.
+    """Report the time and memory of the first-order waves of a `Question` on each of `problems`.
+
+    Only waves that take more than a minute or a gigabyte are reported, and only problems on panels.
 
     raises : TooMuchError for more memory than is free
     """

@@ -13,7 +13,7 @@ TOLERANCES = 1e-5, 1e-4
 
 @dataclass(frozen=True, eq=False)
 class Bodies:
-    """method : name; fine, rough : problems of `quadratic_forces`, rough None without a second resolution
+    """method : name; fine, rough : problems of `quadratic_forces`; rough is None without a second resolution
 
     errors : function of three arguments: the forces at `fine`, the whole force at `rough`, and the change of the
         squares at `rough` by the motions at `fine` (None for a fixed body)
@@ -28,7 +28,7 @@ class Bodies:
 def bodies(db, method, highest, of_force):
     """`Bodies` of an opened database for waves up to `highest` rad/s; `auto` selects contour for vertical cylinders
 
-    of_force : rad/s, highest frequency of the force, at which the body radiates
+    of_force : highest frequency of the force, at which the body radiates, rad/s
 
     raises : ValueError for the contour method on another body
     """

@@ -42,7 +42,7 @@ class Question:
         return self.omega, self.headings, self.highest
 
     def continued(self, stored):
-        """The question of the `StoredForces` of an interrupted run, if that question matches the present question"""
+        """The question of an interrupted run's `StoredForces`, if it matches the present question"""
         if stored.asked is None or self.waves_given or stored.held.floats != self.held.floats:
             return self
         forces = stored.forces
@@ -95,7 +95,7 @@ def waves_and_sums_of(db, omega, heading, highest):
 
 
 def carried_by(mesh, depth, gravity):
-    """rad/s, frequency of the wave that is as long as `A_WAVE` of the largest panels"""
+    """Frequency, rad/s, of the wave as long as `A_WAVE` of the largest panels"""
     k = 2 * math.pi / (A_WAVE * float(mesh.sizes.max()))
     return math.sqrt(gravity * k * math.tanh(min(k * depth, 50.0)))
 
@@ -160,10 +160,9 @@ def _said(values):
 
 
 def multiples(low, high):
-    """Multiples of a step that end at `high` and begin closest to `low`, rad/s; shape (n,); differences are multiples
-    too
+    """Multiples of a step from closest to `low` up to `high`, rad/s; shape (n,).
 
-    A frequency that is also a difference is solved once.
+    Differences are multiples too, so a frequency that is also a difference is solved only once.
     """
 
     def first_of(steps):

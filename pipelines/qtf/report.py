@@ -31,9 +31,9 @@ def newman(forces, mode, heading):
 
 
 def failures(stored, db=None):
-    """Failures of `StoredForces`: a mean drift by pressure that differs from the mean drift by the far field
+    """Failures of `StoredForces`: a mean drift by pressure that differs from that by the far field
 
-    db : its open database, whose panels may be too large for the waves; None for no message on them
+    db : open database, for a message if its panels are too large for the waves; None for no such message
     """
     failed = failed_gap(stored.forces)
     if failed is not None:

@@ -43,10 +43,10 @@ def failures(result, stiffness, years=None, words=ONE_BODY):
 
 
 def air_gaps(result, years=None):
-    """{point: (clearance m, clearance left m, how often water reaches the point)} by the largest expected rise, or by
-    the rise reached once in `years`
+    """{point: (clearance, m, remaining clearance, m, frequency of contact)} for the largest expected rise, or that
+    of `years`.
 
-    how often : the probability in a SeaState, the years between two events in a Climate
+    The frequency is the probability in a SeaState, and the years between two events in a Climate
     """
     if years is None:
         return result.air_gaps()
@@ -55,7 +55,9 @@ def air_gaps(result, years=None):
 
 
 def keel_gaps(result, years=None):
-    """The same for the water under points of the bottom and the largest drop"""
+    """{point: (clearance, m, remaining clearance, m, frequency of contact)} of points of the bottom, for the largest
+    drop
+    """
     if years is None:
         return result.under_keel()
     points = [p for p in result.points if isinstance(p, KeelPoint)]
@@ -69,7 +71,7 @@ def _left_in_years(result, name, gap, years):
 
 
 def notes(result, years=None):
-    """Lines on the sea, drift, air gap and duration"""
+    """Notes on the sea, drift, air gap and duration"""
     if years is None:
         lines = [sea_in_words(result), *_of_drift(result.slow), *_gap_lines(result), *_keel_lines(result)]
         named = result.errors.named(WORTH_NAMING)

@@ -84,7 +84,7 @@ def moored(path, read, db, sea, duration, points):
 
 
 def moored_together(path, read, db, sea, duration, points):
-    """As above for several bodies; the slow motions of each body follow one another"""
+    """`Moored` of several bodies; slow motions of the bodies follow one another"""
     from hakobune.bem.hinges import driven
     from hakobune.mooring.response.viscous import in_sea
     from hakobune.mooring.studies.conditions import Waves

@@ -6,7 +6,7 @@ from .tables import rich_table, tables
 
 
 def as_xarray(result):
-    """xarray.Dataset.  Raises ImportError, with the way out."""
+    """xarray.Dataset. Raises ImportError, whose message names the remedy."""
     try:
         import xarray
     except ImportError:

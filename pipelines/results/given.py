@@ -22,11 +22,11 @@ def given(
     read: Callable[[File], tuple[Typed, str]] | None,
     make: Callable[[Tables], Typed],
 ) -> tuple[Typed, str]:
-    """Return (typed study, its text) of any of the three.
+    """(typed study, its text) from a path, a dictionary or a typed study.
 
-    kind : class of the typed study; read : path → both, None if there are no such files
+    kind : class of the typed study; read : function path → (study, text), None if there are no such files
     make : nested dictionaries → study
-    raises : ValueError, with a message of one line, as these do; TypeError for other arguments
+    raises : ValueError, with a message of one line, from `read` and `make`; TypeError for any other argument
     """
     if isinstance(study, kind):
         return study, to_toml(study)

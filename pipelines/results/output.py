@@ -30,7 +30,8 @@ def write_result(result, path):
 def finish(result, *files):
     """Write the files of a result and print it, then print their names; returns the exit status
 
-    files : (path, function of the result and the path), paths that were checked before; None for a file not wanted
+    files : (path, function of the result and the path), with paths that were checked before; None for a file that is
+        not wanted
     """
     from .tables import printed
 

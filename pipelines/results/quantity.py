@@ -24,10 +24,11 @@ READ_IN = {  # SI unit: (print unit, its size); units a thousand times larger on
 class Quantity:
     """values : array of numbers, texts or truths, of any rank; numbers in SI
     axes : name of each of its axes
-    unit : "" for none; a tuple with one for each label of the first axis if they differ, as for surge and roll
+    unit : "" for none; if units differ, as for surge and roll, a tuple with one unit for each label of the first axis
     description : a noun with its attributes
     table : title of the table in which it is printed; "" for CSV, JSON and files only
-    share : whether it is printed in per cent; record : whether it is long, such as a time series, and only in files
+    share : whether it is printed in per cent; record : whether it is a long record, such as a time series, only
+        written to files
     """
 
     values: np.ndarray

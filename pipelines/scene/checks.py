@@ -37,7 +37,9 @@ def check(scene):
 
 
 def check_depth_given(raw):
-    """Depth, the only number without a default that every body needs: the message shows how to give it."""
+    """Raise SceneError without a depth, the only required number that has no default; the message shows how to give
+    it.
+    """
     water = raw.get("water", {})
     if isinstance(water, dict) and set(water) <= {"density", "gravity"}:
         raise SceneError(

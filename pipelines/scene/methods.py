@@ -40,15 +40,17 @@ METHODS = {
 
 
 def chosen_method(scene):
-    """Name of METHODS; `auto` selects contours if they can represent the scene of one body, transfer matrices if they
-    can represent that of several, and panels otherwise or where a number of them is given.
+    """Name of METHODS; `auto` selects contours, transfer matrices or panels.
+
+    Contours are selected if they can represent a scene of one body, transfer matrices if they can represent one of
+    several bodies, and panels otherwise, or if a number of panels is given.
 
     For boxes and vertical cylinders the contour method takes a twentieth of the panel method's time at equal error.
     Over a bed far below the keel it loses digits.
-    Several bodies whose circles do not overlap are solved one shape at a time. Jobs of four frequencies of two and
-    three bodies took a fifth to a third of the time of panels, and 1.2 times it with circles 0.03 of the depth apart.
-    The contour method around all bodies does not give the drift of each body, which moorings need, and takes longer
-    than panels where a gap is a twentieth of the beam.
+    Several bodies whose circles do not overlap are solved one shape at a time. Jobs with four frequencies and two or
+    three bodies took a fifth to a third of the panel method's time, but 1.2 times this time with circles 0.03 of the
+    depth apart. The contour method around all bodies does not give the drift of each body, which moorings need, and
+    takes longer than panels where a gap is a twentieth of the beam.
     """
     if scene.method != "auto":
         return scene.method
@@ -60,7 +62,7 @@ def names_given(scene, names, named):
     """Those `names` of the database that the scene's method and wall support.
 
     named : individually requested names
-    raises : ValueError if one of these is among them
+    raises : ValueError if one of `named` is not supported
     """
     method = scene.solved_by
     missing = _lacking(scene, METHODS[method])

@@ -21,8 +21,8 @@ def expand(want, motions_known, held=False):
 
     want : list of str, or None for everything but `bem.database.schema.ONLY_BY_NAME`
     motions_known : whether the body's inertia is known; otherwise motions are excluded
-    held : whether no body moves; then waves by motions are excluded too
-    Raises ValueError for an unknown word, and for motions requested by name that are not there.
+    held : whether no body moves; waves by motions are then excluded too.
+    Raises ValueError for an unknown word, and for unavailable motions that are requested by name.
     """
     if want is None:
         asked = set(QUANTITIES) - set(ONLY_BY_NAME)

@@ -21,9 +21,9 @@ SLOW = ("Surge", "Sway", "Yaw")
 
 @dataclass(frozen=True)
 class Beside:
-    """tension : (lines,) N and utilisation : (lines,) of the simplified method, empty without it
-    period : (3,) s of surge, sway and yaw on the lines under the mean loads, nan where unknown
-    slow : (3,) m, m, rad, σ of slow motion on springs as stiff as the lines under the mean loads, nan where unknown
+    """tension, utilisation : of the simplified method, (lines,) N and (lines,), empty without the method
+    period : natural periods of surge, sway and yaw on the lines under the mean loads, (3,) s, nan where unknown
+    slow : σ of slow motion on springs as stiff as the lines under the mean loads, (3,), m, m, rad, nan where unknown
     findings : a line each
     """
 

@@ -1,4 +1,4 @@
-"""The file of a simulation: one row for each seed, marked by the checksum of the row once the row is whole.
+"""The file of a simulation: one row for each seed, marked by its checksum once the row is complete.
 
 Data first, then the mark, as in a database (`bem.database.integrity`). After a kill at any instant the file opens, and
 the same command runs the seeds without a mark.
@@ -78,7 +78,8 @@ ROWS = {
 class Header:
     """Contents of the file that are known before the first run.
 
-    identity : hash of all inputs that results depend on, except the seeds; study : its text; attributes : numbers
+    identity : hash of all inputs on which results depend, except the seeds; study : text of the study; attributes :
+        numbers
     anchor, fairlead : (lines, 3) m in space with the body at rest
     time : (n,) s of the samples that are kept; quantities : names, units : of each
     motions : names, of several bodies barge__Surge and so on
@@ -241,7 +242,7 @@ def database_path(file):
 
 
 def whole_rows(file):
-    """Whether each row is stored and unchanged; shape (seeds,)"""
+    """Whether the row of each seed is stored and unchanged; shape (seeds,)"""
     marks = file["stored"][()]
     return np.array([bool(mark) and mark == _row_crc(file, row) for row, mark in enumerate(marks)], bool)
 

@@ -6,8 +6,8 @@
 at the significant period of the waves 4  the same at the natural period of the berth, in surge, or in sway or yaw
 without restoring in surge
 
-The paper computes 3 and 4 from strips by multipole expansion; here they come from the database, so that the methods
-differ only in the memory.
+The paper computes methods 3 and 4 from strips by multipole expansion. Here their coefficients come from the
+database, so that the methods differ only in the memory.
 """
 
 import warnings

@@ -40,10 +40,9 @@ def used_in_runs(file):
 
 
 def overloads(file, allowable=None):
-    """Failures of lines and ropes: lines and ropes that part or exceed the allowable tension in any run, and in how
-    many runs
+    """Failures of lines and ropes that break or exceed the allowable tension in any run, with the number of such runs
 
-    allowable : share of the breaking load instead of the study's, 1 if the utilisation is judged elsewhere
+    allowable : fraction of the breaking load, in place of the study's; 1 if the utilisation is judged elsewhere
     """
     used, allowable = used_in_runs(file), float(file.attrs["allowable"] if allowable is None else allowable)
     names, most = file["line"].asstr()[()], used.max(axis=0)
@@ -87,8 +86,9 @@ def _way_out(file, otherwise):
 
 
 def anchors_in_runs(file):
-    """Anchors of the lines, None without one, and the largest pulls there in all runs, (lines,) N along the bed and up;
-    () without lines"""
+    """Anchors of the lines (None without an anchor), and the largest pulls along the bed and up in all runs,
+    (lines,) N; () without lines
+    """
     if "anchor_pull" not in file:
         return ()
     given = json.loads(file.attrs["anchors"]) if "anchors" in file.attrs else [None] * len(file["line"])
@@ -96,14 +96,16 @@ def anchors_in_runs(file):
 
 
 def bed_in_runs(file):
-    """m of each line on the bed at rest, and the least at the largest tension of a run, (lines,); () without lines"""
+    """Length of each line on the bed, m, at rest, and smallest at the largest tension of a run, (lines,); () without
+    lines
+    """
     if "on_bed" not in file:
         return ()
     return np.asarray(file.attrs["on_bed_at_rest"], float), file["on_bed"][()][whole_rows(file)].min(axis=0)
 
 
 def excursion_in_runs(file):
-    """m, largest horizontal distance of a body from rest in all runs"""
+    """Largest horizontal distance of a body from rest in all runs, m"""
     return float(file["excursion"][()][whole_rows(file)].max())
 
 

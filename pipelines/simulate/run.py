@@ -80,7 +80,7 @@ class Outcome:
     """made : number of seeds run now; there : number of complete rows; total : number of seeds of the study; failures :
     (seed, reason)
 
-    interrupted : by Ctrl-C, even in the last seed: later steps are not wanted either
+    interrupted : whether Ctrl-C ended the run, even in the last seed; later steps are then omitted too
     """
 
     made: int
@@ -93,9 +93,10 @@ class Outcome:
 def simulate(asked, database, output, console, executor, seeds=None, duration=None, fresh=False, windows=None):
     """Complete the file of a simulation; returns its Outcome.
 
-    asked : Input of the study; database : open; console : for the progress, None for none
-    seeds : number of seeds instead of the study's; duration : s, instead of the study's; fresh : replace existing runs
-    windows : s, length of windows of a record, which must then be stored
+    asked : Input of the study; database : open database; console : console for the progress, or None
+    seeds : number of seeds, in place of the study's; duration : s, in place of the study's; fresh : whether to
+        replace existing runs
+    windows : length of windows of a record, which must then be stored, s
     raises : ValueError, with a message of one line, before anything is written
     """
     output, db, folder, (study, text) = Path(output), database, asked.folder, asked[:2]

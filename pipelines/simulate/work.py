@@ -43,7 +43,7 @@ _prepared = {}  # of this process: the last task, and its `Ready`
 class Task:
     """study : `moor.study.Study`; database : path; duration : s, or None for the duration of the study
 
-    memory : memory of the water, fitted, None before that
+    memory : fitted memory of the water, None until it is fitted
     folder : folder of the study, for the files that it names
     moving : names of the dynamic lines, if already chosen
     """
@@ -313,7 +313,7 @@ def farthest(motion, body):
 
 
 def on_bed(body, motion):
-    """m on the bed of each line with the bodies held in motion (n,), m, rad; shape (lines,)"""
+    """Length of each line on the bed, m, with the bodies held at a motion (n,), m and rad; shape (lines,)"""
     return _at_rest_in(body, motion).grounded_length
 
 
@@ -332,8 +332,8 @@ def _at_new_place(time, settled):
 
 
 def largest_use(body, motion, tension):
-    """Largest share of the breaking load, at the body, in motion (t, n), m, rad, and tension (t, lines), N; shape
-    (lines,)
+    """Largest utilisation of each line at the body, shape (lines,), from motion (t, n), m and rad, and tension (t,
+    lines) N
 
     Lines of segments include the utilisation of each segment, at the time of the largest pull on the body. Below a
     submerged buoy the tension exceeds the tension at the body.
@@ -348,8 +348,9 @@ def largest_use(body, motion, tension):
 
 def anchor_pulls(body, motion, tension):
     """Pull along the bed and up at the anchor of each line, N, and its length on the bed, m, where its pull on the body
-    is largest; shape (lines, 3); nan for ropes.  Of the static shape with that tension at the body, whose height it has
-    then: inertia and drag pull more than the statics there."""
+    is largest; shape (lines, 3); nan for ropes.  The static shape is used with this tension at the body and the
+    body's height at this time; with inertia and drag the anchor is pulled harder than in statics.
+    """
     from hakobune.mooring.lines.system.characteristic import at_tension
 
     found = np.full((tension.shape[1], 3), np.nan)

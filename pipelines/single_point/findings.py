@@ -55,7 +55,7 @@ def findings(found):
 
 
 def drafts_of(buoy, system, best):
-    """m, draft of a buoy with mass alone, and with its lines and the hull at an Equilibrium"""
+    """Draft of a buoy with mass, m: without lines, and with its lines and the hull at an Equilibrium"""
     alone = mass_of(buoy, system) / (system.density * 0.25 * np.pi * buoy.diameter**2)
     return alone, alone + system.bodies[0].position[2] - best.lines.position[0, 2]
 
@@ -89,7 +89,9 @@ def _resonant(study, system, best):
 
 
 def pulled_down(buoy, system, best):
-    """A line on a buoy that its lines pull down by more than `BALANCED` of its draft: [buoy] z is that without them"""
+    """A finding on a buoy that its lines pull down by more than `BALANCED` of its draft, since [buoy] z is given
+    without lines
+    """
     if buoy.mass is None:
         return
     area = 0.25 * np.pi * buoy.diameter**2

@@ -82,7 +82,7 @@ def computed(raw, number, db):
 
 
 def with_value(raw, key, value):
-    """The nested dictionaries with another number at a key.  Raises StudyError."""
+    """The nested dictionaries with a given number at a key. Raises StudyError."""
     out = copy.deepcopy(raw)
     if key == SLENDERNESS:
         return _slender(out, value)

@@ -99,7 +99,7 @@ class _Family(NamedTuple):
 
 
 def tsunami_state(table, depth):
-    """Current of a long wave whose elevation is the deviation, a√(g/h)"""
+    """Current a√(g/h) of a long wave whose elevation a is the deviation of a tsunami"""
     if table.tsunami is None:
         raise StudyError("levels.tsunami_period is given without levels.tsunami; give both, or neither")
     period = positive("levels.tsunami_period", table.tsunami_period, "s")

@@ -1,12 +1,12 @@
 """Few frequencies for a whole band, added where least is known until the estimated error is within tolerance.
 
 Each frequency is stored as usual; the error between frequencies is estimated from the stored values
-(`bem.database.between_frequencies`).  A resumed or repeated run therefore computes only the frequencies still missing.
-Their places do not depend on values (`bem.database.interpolant.chosen`). As many frequencies placed where the estimated
-error is largest would leave errors beyond the tolerance where no value has shown a resonance yet.  The tolerance is
-relative to the largest coefficient of a band. The height of a resonance depends on damping that can be a thousandth of
-it.  Resonances (`bem.database.resonances`) are therefore solved too. For drift a resonance is also solved if it
-amplifies the error ε of the radiated waves, by 1/2ζ, beyond the tolerance and no frequency lies within its width.
+(`bem.database.between_frequencies`).  A resumed or repeated run therefore computes only the missing frequencies. The
+places of frequencies do not depend on values (`bem.database.interpolant.chosen`): frequencies placed only where the
+estimated error is largest could miss a resonance that no value has shown yet. The tolerance is relative to the
+largest coefficient of a band, but the height of a resonance depends on damping that may be a thousandth of this
+coefficient. Resonances (`bem.database.resonances`) are therefore solved too. For drift a resonance is also solved if
+it amplifies the error ε of the radiated waves, by 1/2ζ, beyond the tolerance and no frequency lies within its width.
 """
 
 from dataclasses import replace
@@ -68,7 +68,9 @@ def _missing(scene, db):
 
 
 def controlled(names):
-    """The `names` under control of the tolerance: coefficients and excitation, or without these another quantity."""
+    """Those `names` that the tolerance controls: coefficients and excitation, or any other quantity if these are
+    missing.
+    """
     smooth = ("Froude_Krylov_force", "diffraction_force", "drift_force_fixed", "kochin_radiation", "kochin_diffraction")
     return [name for name in CONTROLLED if name in names] or [name for name in smooth if name in names][:1]
 

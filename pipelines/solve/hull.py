@@ -1,5 +1,4 @@
-"""From a scene to panels on its bodies and their lid, a coarser mesh of hull and lid, and the findings of the check of
-the meshes."""
+"""Panels on the bodies of a scene and on their lid, a coarser mesh of hull and lid, and findings on the meshes."""
 
 import math
 import tomllib
@@ -144,7 +143,7 @@ def panels_matter(scene):
 
 
 def make_lid(scene, mesh):
-    """Lid of a third as many panels as the hull, or fewer with edges of a fifth of the shortest wave.
+    """Lid with a third of the hull's number of panels, or fewer if its edges are then a fifth of the shortest wave.
 
     A coarser lid does not resolve short waves. For the series box the excitation has an error of 0.4 % with edges of a
     quarter of the wave, and of 1.4 % with a third.
@@ -167,8 +166,8 @@ def _smallest_waterplane(mesh):
 def lid_in_proportion(cover, mesh, other):
     """The lid of another mesh of a hull, with as many lid panels per hull panel as `cover` has; None for None
 
-    Otherwise the error of a lid would be common to both meshes and would not show. Of an error of 1.2 % in the damping
-    of the series box in its shortest waves, 0.9 % were not detected.
+    With an unchanged lid, the lid's error would be common to both meshes and would not show: of an error of 1.2 % in
+    the damping of the series box in its shortest waves, 0.9 % were not detected.
     """
     return None if cover is None else lid(other, math.sqrt(cover.areas.mean() * mesh.total / other.total))
 

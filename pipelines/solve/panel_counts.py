@@ -27,8 +27,8 @@ def panels_for(body, tolerance):
     """Panels on the whole hull of a box or buoy for a relative error of the coefficients.
 
     At one per cent 250 for a buoy; for a box 290, and more where the draft is about half the breadth: such a section
-    rolls with little effect on the water, its added moment is small relative to the discretisation error, and few
-    panels of a long box lie across it.  Most of 110 such boxes needed 220 for a length of two breadths, 400 for five,
+    moves little water in roll, so its added moment is small relative to the discretisation error; and few panels of
+    a long box lie across the section.  Most of 110 such boxes needed 220 for a length of two breadths, 400 for five,
     500 for seven, the longest.  Of the scenes of tests/bench/tolerance.py 97 % are then within the tolerance.
     `fine_counts` gives more in short waves.
     """

@@ -32,11 +32,12 @@ KOCHIN = {"kochin_radiation", "kochin_diffraction"}
 class Plan:
     """Content and means of a run.
 
-    scene : with the method that solves it (`scene.solved_by`)
+    scene : scene with the method that solves it (`scene.solved_by`)
     omegas : (n,) rad/s and headings : (m,) rad, ascending; names : names of the database, wanted
     header : header of the database, with the mesh, the lid, the body at rest and the scene as text
     problem : `bem.methods` problem to be solved; remarks : for the reader, one line each
-    anew : names of the database that depend on another mass, gyration, centre of gravity or viscous damping
+    anew : names of the database to be recomputed after a change of mass, gyration, centre of gravity or viscous
+        damping
     """
 
     scene: Scene

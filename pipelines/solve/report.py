@@ -45,7 +45,7 @@ class Check:
 
     @property
     def passed(self):
-        """False if a frequency exceeds the limit"""
+        """Whether no frequency exceeds the limit"""
         return self.exceeding == 0
 
 
@@ -121,14 +121,14 @@ def _of_gaps(db):
 
 
 def way_out(law):
-    """What helps against a violated law of stored numbers"""
+    """Remedy for a violated law of stored numbers"""
     if law.endswith(SUMS):
         return "the drift of each body, by pressure, is too uncertain there; solve with more panels"
     return "solve it again with --fresh"
 
 
 def uncertain_drift(db):
-    """One line on drift forces of each body that do not sum up to those of the far field, "" if they do"""
+    """One line on drift forces of single bodies whose sum differs from the far field's, "" if they agree"""
     said = ", ".join(
         f"{law} is broken by {worst:.2g} at ω = {omega:.4g} rad/s" for law, worst, omega, _ in unequal_drift(db)
     )

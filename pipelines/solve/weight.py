@@ -3,8 +3,8 @@
     M = m g (x_G − x_B),    tan θ = M / C        trim and heel at rest, C the hydrostatic stiffness
     kᵢ² ≤ kⱼ² + kₖ²                               radii of gyration, since ∫(y² + z²) ≤ ∫(x² + y²) + ∫(x² + z²)
 
-The body is solved in the position of its mesh.  If a hull of length L trims by 2°, its draft at one end grows by L/57,
-for a barge a sixth of its draft. The mesh is then not that of the floating body.
+The body is solved in the position of its mesh.  If a hull of length L trims by 2°, its draft at one end grows by
+L/57, which is a sixth of the draft for a barge. The mesh is then not that of the floating body.
 """
 
 import numpy as np

@@ -46,8 +46,8 @@ def one_case(command, raw, study, given, keep):
     """Return (exit status, what fails, {name: Quantity}, {axis: labels}) of a study; its tables are written to a
     temporary file beside the study.
 
-    given : from `given_to`; keep : names of quantities, () for all short ones; a failed case may lack some, and
-    its message names them
+    given : from `given_to`; keep : names of quantities, () for all short quantities. A failed case may lack some;
+        its message names them
     """
     if command == SOLVE:
         status, message, quantities, axes = solved(raw, Path(study))

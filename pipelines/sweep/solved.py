@@ -19,8 +19,7 @@ def solved(raw, scene_file):
     """Return (exit status, message, {name: Quantity}, {axis: labels}) of a scene; mesh files are seen beside
     `scene_file`.
 
-    Axes and units are those of a database, with the index of a frequency and of a heading instead of their values,
-    which are arrays too.
+    Axes and units are those of a database. Frequencies and headings are counted by index; their values are arrays too.
     """
     from hakobune.bem.database import open_database
 

@@ -28,8 +28,9 @@ MOST_LISTED = 12  # headings in a message
 
 @dataclass(frozen=True, eq=False)
 class Picture:
-    """Content of a picture: hull, lid or None, depth in m, and a value on each panel of the stored part or of the whole
-    hull, or None"""
+    """Content of a picture: hull; lid or None; depth, m; and a value on each panel of the stored part or of the full
+    hull, or None
+    """
 
     mesh: object
     lid: object = None

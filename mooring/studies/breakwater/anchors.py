@@ -1,4 +1,4 @@
-"""Anchors required for the greatest tension of a breakwater's lines, beside the given ones."""
+"""Anchors required for the greatest tension of a breakwater's lines, compared with the given anchors."""
 
 import warnings
 from typing import NamedTuple
@@ -15,8 +15,9 @@ HIGH_SINKER = 0.5  # height of a sinker, over the water under the keel, above wh
 
 class Sinker(NamedTuple):
     """A block on the bed. friction : coefficient; width : m; unit_weight : N/m³
-    weight : submerged, N/m, of a given block, or None
-    lifted : whether the block also carries a line's upward pull"""
+    weight : submerged weight of a given block, N/m, or None
+    lifted : whether the block also carries a line's upward pull
+    """
 
     friction: float
     width: float
@@ -26,7 +27,9 @@ class Sinker(NamedTuple):
 
 
 class Pile(NamedTuple):
-    """diameter, length : m; cohesion : N/m²; safety : factor; spacing : m, between given piles, or None"""
+    """diameter, length : m; cohesion : N/m²; safety : factor of safety; spacing : distance between given piles, m,
+    or None
+    """
 
     diameter: float
     length: float

@@ -22,11 +22,13 @@ THEORIES = ("potential flow", "long waves")
 
 
 class BreakwaterError(ValueError):
-    """A breakwater that is impossible or outside a theory; the message names the value and the limit."""
+    """Error for a breakwater that is impossible or outside a theory; the message names the value and the limit."""
 
 
 class Water(NamedTuple):
-    """depth : m, at mean level; tide : m, amplitude above and below mean level; density : kg/m³; gravity : m/s²"""
+    """depth : depth at mean level, m; tide : amplitude above and below mean level, m; density : kg/m³; gravity :
+    m/s²
+    """
 
     depth: float
     tide: float = 0.0
@@ -35,8 +37,9 @@ class Water(NamedTuple):
 
 
 class Section(NamedTuple):
-    """shape : rectangle of beam and height, circle of diameter, outline of points [y, z] or [y, z, bulge], the last
-    equal to the first; draft : on its lines, at mean level; all m"""
+    """shape : rectangle (beam, height), circle (diameter), or outline (points [y, z] or [y, z, bulge], the last
+    equal to the first); draft : draft on the lines at mean level; all in m
+    """
 
     shape: str
     draft: float
@@ -47,8 +50,9 @@ class Section(NamedTuple):
 
 
 class Body(NamedTuple):
-    """center_of_gravity : m above the lowest point; gyration : m; mass : kg/m, or free_draft : m, or neither, where the
-    weight follows from the pretension of the lines"""
+    """center_of_gravity : height above the lowest point, m; gyration : m; mass : kg/m, or free_draft : m. Without
+    both the weight follows from the pretension of the lines
+    """
 
     center_of_gravity: float
     gyration: float
@@ -57,9 +61,11 @@ class Body(NamedTuple):
 
 
 class Lines(NamedTuple):
-    """Pairs of lines.  angle : rad, with the bed; attachment : m, half the distance of their upper ends;
-    attachment_height : m above the lowest point; length : m, None: to the bed; spacing : m between pairs
-    pretension : N per metre of body, instead of its weight; allowable, axial_stiffness : N, of one line"""
+    """Pairs of lines. angle : angle with the bed, rad; attachment : half the distance of their upper ends, m;
+    attachment_height : above the lowest point, m; length : m, None for lines to the bed; spacing : distance between
+        pairs, m
+    pretension : N per metre of body, in place of its weight; allowable, axial_stiffness : of one line, N
+    """
 
     angle: float
     attachment: float
@@ -72,7 +78,7 @@ class Lines(NamedTuple):
 
     @property
     def stretch(self):
-        """EA, N per metre of body, None for inextensible lines"""
+        """Axial stiffness EA of the lines, N per metre of body, None for inextensible lines"""
         return None if self.axial_stiffness is None else self.axial_stiffness / self.spacing
 
 
@@ -89,9 +95,10 @@ class Breakwater:
     """A breakwater and its waves. `rise` is the height of the water above its mean level, m.
 
     body : None for a fixed one; sea : its direction is the angle to the normal; duration : s, of the sea
-    holdings, theories : those compared, of `holdings.HOLDINGS` and THEORIES; loss : C of C U²/2g under the keel
-    chosen : (holding, theory) for the tensions; holding None for the first with lines
-    Raises BreakwaterError for impossible bodies and lines.
+    holdings, theories : compared holdings and theories, of `holdings.HOLDINGS` and THEORIES; loss : C of C U²/2g
+        under the keel
+    chosen : (holding, theory) for the tensions; a holding None means the first holding with lines. Raises
+        BreakwaterError for impossible bodies and lines.
     """
 
     water: Water
@@ -148,7 +155,7 @@ class Breakwater:
 
     @property
     def design(self):
-        """Return (holding, theory) for the tensions: as chosen, else the first holding with lines"""
+        """(holding, theory) for the tensions: as chosen, otherwise the first holding with lines"""
         held = [holding for holding in self.holdings if holding in ("taut", "elastic")]
         return self.chosen[0] or (held or self.holdings)[0], self.chosen[1]
 
@@ -286,8 +293,10 @@ class Breakwater:
         return wetted
 
     def changed(self, draft=None, width=None, angle=None):
-        """The breakwater with another draft, width (m) or line angle (rad). The body scales with its section: vertical
-        dimensions with the height of the section, horizontal dimensions with its width"""
+        """The breakwater with a changed draft, width (m) or line angle (rad).
+
+        The body scales with its section: vertical dimensions with its height, horizontal dimensions with its width
+        """
         section, body, lines = self.section, self.body, self.lines
         across = "diameter" if section.shape == "circle" else "beam"
         wide = getattr(section, across)
@@ -349,7 +358,7 @@ class Breakwater:
 
 
 def outline_of(points):
-    """`Outline` of rows y, z and bulge that end where they began.  Raises OutlineError."""
+    """`Outline` of rows y, z and bulge, where the last point equals the first.  Raises OutlineError."""
     rows = np.array([[*point, 0.0][:3] for point in points])
     places = rows[:, 0] + 1j * rows[:, 1]
     if len(rows) < 3 or places[0] != places[-1]:

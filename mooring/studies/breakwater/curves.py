@@ -26,7 +26,7 @@ class Curve(NamedTuple):
 
 
 def curves(breakwater, omega):
-    """All curves of a study at mean level, and messages on omitted ones; omega : (n,) rad/s"""
+    """All curves of a study at mean level, and messages on omitted curves; omega : (n,) rad/s"""
     made, left_out = [], []
     for theory in breakwater.theories:
         for holding in breakwater.holdings:
@@ -42,8 +42,8 @@ def curves(breakwater, omega):
 def response(breakwater, holding, theory, rise, omega, amplitude=None, obliquity=None):
     """`Response` at frequencies (n,) rad/s.  Raises BreakwaterError for a holding that a theory does not support.
 
-    amplitude : m, of the waves, for the head loss; obliquity : (n,) rad, angle with the normal; by default those of the
-    study's regular waves
+    amplitude : wave amplitude for the head loss, m; obliquity : angle with the normal, (n,) rad; by default both are
+        those of the study's regular waves
     """
     obliquity = breakwater.waves.obliquity if obliquity is None else obliquity
     angle = breakwater.angle

@@ -21,9 +21,12 @@ MOST_OBLIQUE = np.radians(85)
 class SeaBehind(NamedTuple):
     """cells : `Cells`; heights : {curve: 4√m₀ behind, m}; transmission : {curve: (m,) |K_T|}
 
-    deviation : (front, back) of tensions of the design curve, N/m, or None; waves : their number
-    greatest : (front, back) expected greatest amplitude; slack : share of cycles at the worst level
-    tension : (front, back) expected greatest tension at the worst level, N/m; least : pretension that keeps both taut
+    deviation : standard deviations (front, back) of tensions by the design curve, N/m, or None; waves : number of
+        waves
+    greatest : (front, back), expected greatest amplitude; slack : fraction of cycles with a slack line at the worst
+        level
+    tension : (front, back), expected greatest tension at the worst level, N/m; least : smallest pretension that
+        keeps both lines taut
     """
 
     cells: Cells
@@ -38,7 +41,7 @@ class SeaBehind(NamedTuple):
 
 
 def sea_behind(breakwater, curves, tides, held):
-    """`SeaBehind` of [Curve], and of tensions where there is a `Pretension` held over [Tide]"""
+    """`SeaBehind` for [Curve]; with tensions if a `Pretension` is given for the levels [Tide]"""
     spectrum = breakwater.sea.spectrum
     sea = equal_cells(spectrum, SEA_CELLS)
     amplitude, behind, ways = GAUSSIAN * sea.height / 4, {}, ways_of(breakwater, sea.omega)
@@ -73,13 +76,14 @@ def sea_behind(breakwater, curves, tides, held):
 
 
 def response_in_sea(breakwater, holding, theory, rise, omega, amplitude, ways):
-    """`Response` (m,) in moduli: root mean squares over the directions (d, m) rad of the sea's waves"""
+    """`Response` (m,) as moduli: root mean squares over the directions (d, m) rad of the sea's waves"""
     over = [response(breakwater, holding, theory, rise, omega, amplitude, way) for way in ways]
     return Response(*(np.sqrt(np.mean(np.abs(part) ** 2, axis=0)) for part in zip(*over, strict=True)))
 
 
 def ways_of(breakwater, omega, count=WAYS, any_section=False):
-    """Angles to the normal of waves of equal energy in the sea at frequencies (m,), rad/s, rad; shape (d, m).
+    """Angles to the normal, rad, of waves with equal shares of the sea's energy at frequencies (m,) rad/s; shape (d,
+    m).
 
     Raises BreakwaterError.
     """

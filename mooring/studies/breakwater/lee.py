@@ -1,6 +1,7 @@
 """Waves around breakwaters of finite length, from a database of one unit: their height over the incident height.
 
-    K(x, y)² = Σ_ω,β |η(x, y; ω, β)|² S_i Δω Δβ / Σ S_i Δω Δβ,      η with what every unit scatters and radiates
+    K(x, y)² = Σ_ω,β |η(x, y; ω, β)|² S_i Δω Δβ / Σ S_i Δω Δβ, η including the waves that every unit scatters and
+    radiates
 
 x is along the row of units, y to leeward. A unit is the study's section over the database's length, moored as in the
 study (`mooring.breakwater.unit`); a gap separates it from its neighbours (`bem.wave_field.units`).
@@ -46,10 +47,13 @@ class Row(NamedTuple):
 
 
 class Lee(NamedTuple):
-    """x (a,), y (b,) m; ratio : (b, a) K, nan in the bodies; units : (u, 2) m, middles; half : (2,) m of one
+    """x (a,), y (b,) m; ratio : K, (b, a), nan in the bodies; units : middles of the units, (u, 2) m; half : half
+    dimensions of a unit, (2,) m
     behind : [(y m, mean K over the breadth of the row)]; waves : in words; warned : one line each
-    lines : (p,) m, x of a unit's pairs of lines; tension : (2, p) N/m², δP of its front and back lines over the
-    amplitude of the incident waves, of a unit alone, root mean squares of a sea; None without lines"""
+    lines : x of the pairs of lines of a unit, (p,) m
+    tension : δP of the front and back lines of a single unit over the amplitude of the incident waves, (2, p) N/m²;
+        in a sea root mean squares; None without lines
+    """
 
     x: np.ndarray
     y: np.ndarray

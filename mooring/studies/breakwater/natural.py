@@ -1,7 +1,7 @@
-"""Natural periods of a breakwater that floats freely or on elastic lines, by potential theory, and periods that show
-them.
+"""Natural periods of a breakwater that floats freely or on elastic lines, by potential theory, and wave periods
+around them.
 
-    Re{C − ω²(M + A(ω))} = 0        of heave; of sway and roll together, det of their two by two
+    Re{C − ω²(M + A(ω))} = 0 for heave; the determinant of the 2 × 2 matrix for sway and roll
 
 C is the stiffness of water and lines about the centre of gravity.
 """
@@ -23,8 +23,9 @@ AROUND = np.array(
 
 
 class Natural(NamedTuple):
-    """holding, motion : names; period : s; transmission : K_T there; front : N/m² of the front line per wave amplitude,
-    nan without lines"""
+    """holding, motion : names; period : s; transmission : K_T at this period; front : tension of the front line per
+    wave amplitude, N/m², nan without lines
+    """
 
     holding: str
     motion: str
@@ -49,7 +50,7 @@ def natural(breakwater):
 
 
 def around(period, found):
-    """Periods (n,) s with more of them around those of Natural, inside their range, for curves without corners"""
+    """Periods (n,) s, with further periods inserted around those of Natural, within their range, for smooth curves"""
     more = [one.period * (1 + side * AROUND) for one in found for side in (-1, 1)]
     whole = np.unique(np.concatenate([period, [one.period for one in found], *more]))
     return whole[(whole >= period[0]) & (whole <= period[-1])]

@@ -1,7 +1,8 @@
 """Trade-off of draft, width and line angle: the lowest wave behind a breakwater for every tension.
 
-Sobol's points are taken over the given ranges. Then, for tension limits between the best of them, COBYLA (Powell 1994)
-lowers the wave behind under each limit. Designs that have slack lines, are unstable or are impossible are excluded.
+First, Sobol's points over the given ranges are tried. Then COBYLA (Powell 1994) lowers the wave behind the
+breakwater under tension limits between the best of these points. Designs that have slack lines, are unstable or are
+impossible are excluded.
 """
 
 import warnings
@@ -40,7 +41,7 @@ def front(changed, ranges, samples=64, limits=6):
 
     changed : function of named values that returns a `Breakwater`, as its `changed`
     ranges : {name: (from, to)} of the values
-    samples : number of initial designs, a power of two; limits : tensions under which the wave behind is lowered
+    samples : number of initial designs, a power of two; limits : tension limits under which the wave behind is lowered
     """
     from scipy.stats import qmc
 
@@ -121,8 +122,9 @@ def _better(one, other):
 
 
 def objectives(changed, values, few):
-    """Return (greatest tension, N/m; height behind, m, or K_T) of a breakwater of these values, None where the
-    breakwater does not hold"""
+    """(greatest tension, N/m; height behind, m, or K_T) of a breakwater with these values, None if the breakwater
+    does not hold
+    """
     try:
         made = changed(**values)
         period = made.waves.period

@@ -10,7 +10,7 @@ GUST_DEFAULTS = {"surface_drag": 0.003, "gust_height": 10.0, "gust_exponent": 1 
 
 
 def gusts_of(table):
-    """The GustSpectrum of a WindTable, None without.  Raises StudyError."""
+    """The GustSpectrum of a WindTable, None without gusts.  Raises StudyError."""
     if table is None or table.gusts is None:
         return None
     if table.gusts not in GUSTS:

@@ -31,12 +31,12 @@ class SpectrumTable(Table):
 
 
 class SeaTable(SpectrumTable):
-    """A sea of one wave system, as swell, with a height and one period, or from a file of a spectrum
+    """A sea of one wave system, such as swell, from a height and one period or from a spectrum file
 
     file : file of a spectrum (SWAN, NDBC, WAVEWATCH III, CSV) beside the study, in place of height and period
     x_axis_compass_deg : compass heading of the x axis, for nautical directions of a file
-    time : time of the spectrum, of a file with several
-    location : number of the place, from 1, of a file with several
+    time : time of the spectrum, needed for a file with several times
+    location : number of the place, counted from 1, needed for a file with several places
     """
 
     direction_deg: float | None = None
@@ -62,7 +62,7 @@ class SeaTable(SpectrumTable):
 class SystemsTable(SeaTable):
     """A sea of one wave system or several
 
-    swell : further wave systems, each with a direction of its own
+    swell : further wave systems, each with its own direction
     """
 
     swell: list[SeaTable] = msgspec.field(default_factory=list)
@@ -74,7 +74,7 @@ class WavesTable(SystemsTable):
     method : "irregular", waves of a spectrum, or "regular_wave", a regular wave of this height and mean period as in
         the SR179 report
     duration_hours : duration of the sea whose largest motions are computed
-    motion_factor : factor on the motions before lines are tightened by them, 1.5 in some rules
+    motion_factor : factor on the motions from which line tensions are computed, 1.5 in some rules
     """
 
     method: str = "irregular"
@@ -106,8 +106,7 @@ def spectrum_of(where, table, depth):
 
 
 def mean_wave(waves, spectrum):
-    """Height m and mean period s of a WavesTable: as given, else the height and mean period of its spectrum, including
-    the swell"""
+    """Height, m, and mean period, s, of a WavesTable: as given, otherwise those of its spectrum, including swell"""
     given = waves.period if waves.mean_period is None else waves.mean_period
     if waves.swell or waves.file is not None:
         return float(spectrum.significant_height), float(spectrum.T01)
@@ -115,8 +114,9 @@ def mean_wave(waves, spectrum):
 
 
 def mean_period(where, table, depth):
-    """s, mean, of a SpectrumTable or SeaTable in `depth` m: as given, else the mean period of its spectrum.  Raises
-    StudyError."""
+    """Mean period, s, of a SpectrumTable or SeaTable in `depth` m: as given, otherwise that of its spectrum.  Raises
+    StudyError.
+    """
     if getattr(table, "file", None) is not None:
         return float(table.sea(where, depth).spectrum.T01)
     period = period_of(where, table)
@@ -143,7 +143,7 @@ def files_at(table, folder):
 
 
 def seas_at(raw, folder):
-    """Nested dictionaries of a study with `files_at` of its seas, and the paths of these files"""
+    """Nested dictionaries of a study with its seas changed by `files_at`, and the paths of their files"""
     changed, files = dict(raw), []
     for key in ("waves", "sea"):
         if isinstance(raw.get(key), dict):
@@ -217,7 +217,7 @@ def spreading_of(where, table, spectrum):
 
 
 def spreading(text, spectrum):
-    """The Spreading in words as `SPREADINGS`, None for None.  Raises ValueError."""
+    """The Spreading named by words as in `SPREADINGS`, None for None. Raises ValueError."""
     from hakobune.mooring.environment.spreading import CosinePower, HalfCosinePower, Mitsuyasu, WrappedNormal
 
     if text is None:

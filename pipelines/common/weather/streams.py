@@ -1,8 +1,8 @@
 """Wind and current of a study: the tables [wind], [current] and [hull], and their loads.
 
-One table for every study of a hull.  Coefficients are those of a box, of given numbers, of a file in the form of
-OCIMF's, or, for wind, of a type of ship.  A file is read relative to its study and replaced by its numbers, so that a
-state of a design and a result contain them.
+All studies of a hull share these tables. Coefficients are those of a box, given numbers, from a file in the form of
+OCIMF's curves, or, for wind, those of a type of ship.  A file is read relative to its study and replaced by its
+numbers, so that design states and results contain these numbers.
 """
 
 import math
@@ -40,16 +40,16 @@ class SuperstructureTable(Table):
 class Coefficients(Table):
     """Force and moment coefficients of wind or current on a hull
 
-    angles_deg : angles 0 to 90 between stream and x axis, for a box; or directions that the stream goes to, from the
-        bow towards port, 0 to 180 for a hull with port and starboard alike, or 0 to 360
-    x : coefficients of the force along x, over the frontal area
-    y : coefficients of the force along y, over the lateral area
-    lever : lever of the moment over the length, with angles to 90
-    n : coefficients of the moment about z, over lateral area times length, with angles to 180 or 360
-    area_x : m², area of the force along x; by default the frontal area of the hull in the stream
-    area_y : m², area of the force along y; by default the lateral area of the hull in the stream
-    area_n : m², area of the moment; by default area_y
-    length : m, length of the moment; by default that of the hull
+    angles_deg : angles 0 to 90 between stream and x axis, for a box; or directions of flow, from the bow towards
+        port, 0 to 180 for a hull symmetric to its centre plane, or 0 to 360
+    x : coefficients of the force along x, referred to the frontal area
+    y : coefficients of the force along y, referred to the lateral area
+    lever : lever of the moment, divided by the length, with angles to 90
+    n : coefficients of the moment about z, referred to lateral area times length, with angles to 180 or 360
+    area_x : m², reference area of the force along x; by default the frontal area of the hull in the stream
+    area_y : m², reference area of the force along y; by default the lateral area of the hull in the stream
+    area_n : m², reference area of the moment; by default area_y
+    length : m, reference length of the moment; by default the length of the hull
     height : m, height of the force above still water, if it is known
     """
 
@@ -86,8 +86,8 @@ class CurrentTable(StreamTable):
     """A uniform current
 
     ship : "tanker" for generic coefficients of a loaded tanker by its sizes and the depth (UFC 4-159-03, 2005)
-    waves : how the spectrum of the waves in this current was measured: "intrinsic", in the moving water, as wave models
-        give it; "absolute", at a fixed place, as by a moored buoy; or "still", in water without current
+    waves : reference of the wave spectrum in this current: "intrinsic", in the moving water, as from wave models;
+        "absolute", at a fixed place, as from a moored buoy; or "still", in water without current
     """
 
     ship: str | None = None
@@ -97,7 +97,7 @@ class CurrentTable(StreamTable):
 class WindTable(StreamTable):
     """Wind at 10 m above the sea
 
-    ship : type of the ship whose coefficients are used (Blendermann 1994), as "tanker, loaded"; for a bulk carrier
+    ship : type of ship whose coefficients are used (Blendermann 1994), such as "tanker, loaded"; for a bulk carrier
         "cargo vessel, loaded"
     gusts : gust spectrum about the mean wind, for simulate: davenport, hino, npd or kaimal
     surface_drag : surface drag coefficient K of the gust spectrum, where it has one
@@ -140,7 +140,7 @@ def current_of(table):
 
 
 def wind_table(table):
-    """Coefficients of a WindTable as `coefficients_of`, or of its ship.  Raises StudyError."""
+    """Coefficients of a WindTable from `coefficients_of`, or from its type of ship. Raises StudyError."""
     from hakobune.mooring.loads.ship_wind import ships
 
     if table.ship is None:
@@ -238,14 +238,16 @@ def superstructures(hull):
 
 
 def with_hull(table, of_hull):
-    """A raw table of wind or current, completed by the study's keys of its hull"""
+    """A raw table of wind or current, completed with the study's keys of the hull"""
     own = any(way in table for way in WAYS)
     return {key: value for key, value in of_hull.items() if not (own and key in (*WAYS, "turning"))} | table
 
 
 def with_files(raw, text, path):
     """Nested dictionaries and text of a study at `path`, with the numbers of its coefficient files for wind and
-    current, and the folder of its sea files, of which the text has a checksum.
+    current.
+
+    The paths of sea files are completed; the text contains a checksum of each.
 
     raises : StudyError
     """
@@ -285,8 +287,10 @@ def _with_numbers(where, table, folder):
 
 
 def doubtful_weather(study):
-    """Messages on a wind above all that were measured, and on directions that look like radians; study : with wind,
-    current and waves, each None or a table"""
+    """Messages on a wind stronger than any measured wind, and on directions that look like radians.
+
+    study : with wind, current and waves, each None or a table
+    """
     said = []
     if study.wind is not None and (given := speed("wind", study.wind)) > STRONGEST:
         said.append(

@@ -37,11 +37,10 @@ class WaveTable(Table):
 
 
 def check_solved_depth(depth, solved, name, period=None):
-    """Raise StudyError if the waves of a body solved in `solved` m differ in `depth` m.
+    """Raise StudyError if waves in `depth` m differ from those in `solved` m, the depth in which a body is solved.
 
-    Deep-water waves are the same in any depth above half their length.
-
-    name : name of what is solved; period : s, mean, of the waves, None in still water
+    Deep-water waves are equal in all depths above half their length.
+    name : name of the solved body or file; period : mean period of the waves, s, None in still water
     """
     if math.isclose(depth, solved, rel_tol=1e-6):
         return

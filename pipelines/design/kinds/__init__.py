@@ -1,4 +1,4 @@
-"""Kinds of studies that a project may design, each a module with the same names.
+"""Kinds of studies that a project may design; each kind is a module with these names.
 
     NAME, DATABASE, MOVED      for messages; "needed", "allowed" or "none"; whether motions may have a factor
     check(project, raw)        raises StudyError for a part of the project that this kind does not have

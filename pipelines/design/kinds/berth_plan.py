@@ -98,7 +98,9 @@ def in_rows(words, scale):
 
 
 def write_rows(axes, rows, edge, step):
-    """Names of `in_rows` with a line to what they name; the last row at y = `edge` m, each before it `step` m on"""
+    """Write the names of `in_rows`, each with a line to the named part; the last row is at y = `edge` m, each
+    earlier row `step` m on
+    """
     for i, row in enumerate(rows):
         for text, (x, y) in row:
             axes.annotate(

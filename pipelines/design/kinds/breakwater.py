@@ -1,8 +1,8 @@
 """A floating breakwater: `hakobune breakwater`, each state of the project as the incident sea.
 
-The waves of a state are the sea.  Anchors and tide are sized with regular waves of the largest height in the duration,
-H₁/₃ √(½ ln N) for N waves of a Rayleigh distribution.  Incidence is the angle to the normal; the water levels are those
-of the tide in the study.
+The waves of a state are the incident sea. Anchors and pretension are sized with regular waves of the largest height
+in the duration, H₁/₃ √(½ ln N) for N waves of a Rayleigh distribution.  Incidence is the angle to the normal; the
+water levels are those of the tide in the study.
 """
 
 from copy import deepcopy
@@ -133,7 +133,7 @@ def without(study, name):
 
 
 def run(study, database, path, _):
-    """`Numbers` of a case, computed if its file is missing or of another study, and None"""
+    """(`Numbers`, None) of a case, computed if its file is missing or belongs to a different study"""
     return numbers_of(path, tomli_w.dumps(study), None, lambda: _found(study, path)), None
 
 

@@ -1,8 +1,8 @@
 """Possible changes of a study that fails: sizes of lines and ropes, pretension, number of lines.
 
-Each way is a series of studies, with increasing changes.  Sizes are those of the catalogue; a rope of a berth, given by
-its breaking load, is strengthened in steps of a tenth at the same strain.  Lines given one by one by anchor and length
-keep their pretension and their number.
+Each way is a series of studies, with increasing changes.  Sizes are those of the catalogue; a rope of a berth, given
+by its breaking load, is strengthened in steps of a tenth at constant strain. Lines given individually by anchor and
+length keep their pretension and their number.
 """
 
 from copy import deepcopy

@@ -2,8 +2,7 @@
 
 Every method for which its study has values (seismic coefficient, response spectrum, record in time) gives the reaction
 and the deflection of the fenders of one side. Criteria are judged by all these methods.
-The case gives no rope tensions and
-no motions, so criteria on those are not judged by it.
+The case gives neither rope tensions nor motions, so it does not judge criteria on these.
 """
 
 from pathlib import Path

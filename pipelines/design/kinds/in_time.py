@@ -1,9 +1,9 @@
 """A load case in time: its runs by `hakobune simulate`, and the largest values of all runs for the criteria.
 
-Some rules require the tension at a multiple of the dynamic displacement.  For these the body is moved from its mean, to
-the multiple of its displacement at the largest tension of a line, in each kept run; the tension is the static one there
-times the ratio of the largest simulated tension to the static tension at the displacement itself.  A multiple above 1
-never gives less than the simulated tension.
+Some rules require the tension at a multiple of the dynamic displacement. For these rules, in each kept run, the body
+is moved from its mean to the multiple of its displacement at the largest tension of a line. The tension is the
+static tension in this position, times the ratio of the largest simulated tension to the static tension at the
+displacement itself. A multiple above 1 never gives less than the simulated tension.
 """
 
 import tomllib
@@ -23,7 +23,7 @@ def simulated(study, database, path, factors):
     """Numbers of a load case in time, simulated if the file of its runs lacks them; stored in NAME_extremes.json beside
     that file.
 
-    study : path of its TOML file, with [simulation]; database : path of the database; path : that of the file of runs
+    study : path of its TOML file, with [simulation]; database : path of the database; path : path of the file of runs
     factors : factors of the dynamic displacement
     returns : {"mean", "breaking" (n,) N of the lines and ropes, "largest": {factor: (n,) N}, "horizontal", "uplift":
         (n,) N at the anchor at the same time, "cycles": of `cycles_of`, "motions": (6N,) m, rad, largest from their
@@ -106,7 +106,7 @@ def _simulated(study, database, path, factors):
 
 
 def cycles_of(tension, step):
-    """[(duration s, Cycles)] of each line, of records (runs, t, n) N every `step` s, all runs together"""
+    """[(duration s, Cycles)] of each line over all runs, from records (runs, t, n) N at steps of `step` s"""
     runs, count, lines = tension.shape
     found = []
     for line in range(lines):

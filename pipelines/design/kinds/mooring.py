@@ -156,7 +156,7 @@ def lost(study):
 
 
 def without(study, name):
-    """Tables without a line or rope, and without the anchor of that line alone"""
+    """Tables without a line or rope, and without an anchor that only this line has"""
     left = deepcopy(study)
     left |= {key: [table for table in study[key] if table["name"] != name] for key in HELD if key in study}
     if "anchors" in left:
@@ -189,10 +189,9 @@ def laid_lines(raw, db):
 
 
 def run(study, database, path, factors):
-    """`Numbers` of a case, computed if its file is missing or of another study or database, and those of its runs in
-    time, or None.
+    """`Numbers` of a case, computed if its file is missing or outdated, and the numbers of its runs in time, or None.
 
-    database : path of the database; path : that of the result; factors : factors of motions in time
+    database : path of the database; path : path of the result; factors : factors on motions in time
     """
     from .in_time import simulated
 

@@ -1,6 +1,6 @@
 """Breakable parts of a study, and the quantities that judge these parts.
 
-A mooring with criteria for none of them would pass without a check of its lines, fenders or anchors.
+A mooring without criteria for these parts would pass although its lines, fenders or anchors were not checked.
 """
 
 from typing import NamedTuple
@@ -21,7 +21,8 @@ LOADS = tuple(quantity for quantity in OF_TENSIONS if quantity not in (PRETENSIO
 
 
 class Need(NamedTuple):
-    """what : with the name of its table; quantities : quantities of which one must be limited, the first as an example
+    """what : name of the part with the name of its table; quantities : quantities of which at least one must be
+    limited; the first serves as example
 
     hawser : True if the limit must be one for hawsers, False for other lines, None for either
     """

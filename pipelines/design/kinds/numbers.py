@@ -1,4 +1,4 @@
-"""Results of a load case for report and criteria, the same for every kind of study."""
+"""Results of a load case for report and criteria, in one form for every kind of study."""
 
 from typing import NamedTuple
 
@@ -8,13 +8,15 @@ from .needs import HINGE_FORCE, HINGE_MOMENT
 
 
 class Numbers(NamedTuple):
-    """n lines, ropes or hawsers, SI.
+    """Numbers of n lines, ropes or hawsers, SI.
 
-    types : names of the types that each is made of; fairlead, anchor : (n, 3) m, at rest
+    types : names of the types in each line; fairlead, anchor : (n, 3) m, at rest
     pretension, static, largest, breaking : (n,) N, at rest, under steady loads, largest, inf if unknown
-    horizontal, uplift : (n,) N, largest at the anchor
-    place : (3,) m, m, rad, under steady loads, of several bodies (N, 3), nan for a method without it
-    motions : (6,) m, rad, largest, of several bodies (6N,), () if there are none; bodies : names of several
+    horizontal, uplift : largest pulls at the anchor, (n,) N
+    place : position under steady loads, (3,), m, m, rad; for several bodies (N, 3); nan for a method that does not
+        compute it
+    motions : largest motions, (6,), m and rad; for several bodies (6N,); () if there are none; bodies : names of
+        several bodies
     parts : {quantity: {part: value}}, other than tensions and motions; hawsers : names of the hawsers
     warnings : findings, one line each
     """
@@ -39,8 +41,8 @@ class Numbers(NamedTuple):
 
 
 def strength(breaking, largest, used):
-    """Breaking loads (n,), N, reduced where the utilisation exceeds the utilisation of the largest pull on the body
-    (n,), N; shape (n,)
+    """Breaking loads, N, shape (n,), reduced where the utilisation inside a line exceeds that of its largest pull on
+    the body.
 
     used : (n,) largest utilisation of any segment; below a buoy the tension of a line exceeds its pull on the body
     """
@@ -51,7 +53,7 @@ def strength(breaking, largest, used):
 def held_by_hinges(names, largest):
     """{quantity: {name: kN or kN m}} of forces and moments of hinges, N and N m, along and about their axes
 
-    names : each of a hinge and an axis, as "bow force x"; others, as travel, are left out
+    names : names of a hinge and an axis, as "bow force x"; all other names, such as travel, are left out
     """
     found = {}
     for name, value in zip(names, largest, strict=True):

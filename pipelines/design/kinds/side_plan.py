@@ -57,8 +57,10 @@ def draw_between(made, db, numbers, path):
 
 
 def outlines(hull, place):
-    """(5, 2) m in space of the box of an `Afloat`, at rest and at its mean place (3,). The place belongs to its
-    rotation centre, along its axes at rest."""
+    """Outlines (5, 2) m in space of the box of an `Afloat`, at rest and at its mean position.
+
+    The mean position (3,) is that of the rotation centre, along the axes at rest.
+    """
     corners = 0.5 * np.array([[1, 1], [-1, 1], [-1, -1], [1, -1], [1, 1]]) * [hull.box.length, hull.box.beam]
     center, turn, (c, s) = hull.rotation_center[:2], hull.axes[:2, :2], (np.cos(place[2]), np.sin(place[2]))
     moved = center + place[:2] + (corners - center) @ np.array([[c, s], [-s, c]])

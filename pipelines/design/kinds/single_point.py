@@ -113,12 +113,12 @@ def needs(raw):
 
 
 def finds(raw):
-    """Headings of rest, excursion of the buoy, and slewing if the study computes slewing"""
+    """Headings at rest, excursion of the buoy, and slewing if the study computes it"""
     return (STABLE, SLEWING, EXCURSION) if "slewing" in raw else (STABLE, EXCURSION)
 
 
 def lost(study):
-    """Names of the lines by their headings, since the command renumbers the lines when one is lost"""
+    """Names of the lines by their headings, since the command renumbers the lines when a line is lost"""
     return [f"line at {heading:g}°" for heading in study["mooring"]["headings_deg"]]
 
 
@@ -130,7 +130,7 @@ def without(study, name):
 
 
 def run(study, database, path, _):
-    """`Numbers` of a case, computed if its file is missing or of another study or database, and None"""
+    """(`Numbers`, None) of a case, computed if its file is missing or belongs to a different study or database"""
     return numbers_of(path, tomli_w.dumps(study), database, lambda: _found(study, database, path)), None
 
 

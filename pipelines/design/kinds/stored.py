@@ -1,8 +1,8 @@
-"""Results of a load case, stored beside the other files of the case, so that a second run neither computes nor draws
-the results again.
+"""Results of a load case, stored beside the other files of the case, so that a second run need not compute or draw
+them again.
 
 A stored file names its inputs (texts, databases, results, versions of the libraries, the code version) and has a
-checksum.  With other inputs, other code, or damage, a result is computed again.
+checksum.  If inputs or code have changed, or the file is damaged, the result is computed again.
 """
 
 import base64
@@ -32,8 +32,8 @@ def key_of(*parts):
 
 
 def kept(place, key, made):
-    """JSON values of the file `place` if the file has this key and is undamaged, else the values of `made()`, which are
-    stored
+    """JSON values of the file `place` if it has this key and is undamaged; otherwise the values of `made()`, which
+    are then stored
 
     key : () → a digest, or OSError where one of its inputs does not exist yet; called again after `made`
     """
@@ -47,7 +47,9 @@ def kept(place, key, made):
 
 
 def numbers_of(path, text, database, made):
-    """`Numbers` of the study `text` with the result file `path`: from NAME_numbers.json, or from `made()` and stored"""
+    """`Numbers` of the study `text` with the result file `path`, from NAME_numbers.json; or from `made()`, then
+    stored
+    """
     place = path.with_name(f"{path.stem}_numbers.json")
     base = None if database is None else Path(database)
     return read_numbers(kept(place, lambda: key_of(text, base, path), lambda: plain(made())))
@@ -59,7 +61,7 @@ def plain(numbers):
 
 
 def picture(place, key, draw):
-    """Address of a picture (PNG) in `place`, drawn if the file is missing, damaged or of another key
+    """Address of a picture (PNG) in `place`; it is drawn if the file is missing, damaged or has a different key
 
     place : .png; key : from `key_of`; draw : writes the picture to a path
     """

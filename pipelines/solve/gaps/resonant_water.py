@@ -1,5 +1,5 @@
-"""Water between hulls and in moonpools that oscillates vertically as one mass, reported if no damping lid covers this
-water.
+"""Water between hulls and in moonpools that oscillates vertically as one mass; it is reported if no damping lid
+covers it.
 
 The natural frequency follows from the mass of this water and of the water below that moves with it:
 
@@ -8,11 +8,11 @@ The natural frequency follows from the mass of this water and of the water below
 
 The first formula is for two dimensions and deep water. In water twice as deep as the draft it is 5 % too high, in
 shallower water 10 %.
-Around its frequency two equal rectangles are solved (`bem.sections.side_by_side`): they give the period,
-and how far the water rises between long hulls.  Before a wall the gap counts twice, with the image of the hull.
+Around this frequency two equal rectangles are solved (`bem.sections.side_by_side`). They give the period, and the
+rise of the water between long hulls. At a wall the gap counts twice, because of the image of the hull.
 
-The second formula is for deep water. Over a low gap under the keel it is up to 40 % too high.  Around its frequency the
-hull itself is solved (`bem.methods.moonpool`), if it has not too many panels, a draft, and no wall beside it.
+The second formula is for deep water. Over a low gap under the keel it is up to 40 % too high.  Around this frequency
+the hull itself is solved (`bem.methods.moonpool`), if it has a draft, few enough panels, and no wall beside it.
 """
 
 import math

@@ -25,7 +25,8 @@ class Row(NamedTuple):
 
     error : relative, of the worst coefficient; estimate : the program's own
     warm_ms : per frequency; cpu_ms : the same in processor time of all threads
-    body_ms : a body and its first frequency, everything loaded; first_s : the same from the start of the process
+    body_ms : time of a body and its first frequency, with all code loaded; first_s : this time from the start of the
+        process
     load : load of the machine in the minute before
     """
 

@@ -3,9 +3,10 @@
 SR179 report (1982), appendix 2, digitised in appendix_2.csv: three chains, an intermediate buoy of 5.8 kg on two
 hawsers, or a contact buoy at the bow.  What the report does not tell is taken as: lines at ±60° and 180° of the waves,
 0.72 and 0.82 kgf in them at rest; nylon hawsers of 5 mm, T = 4 kN (ε/0.25)², 0.4 m apart at the bow; chains made fast
-0.05 m under water, hawsers 0.05 m over it, on a gauge on the deck of the buoy, so that their pull tilts it: by that it
-yields three times as far as they stretch.  A buoy that stays upright snaps two to three times as hard as was measured
-in waves alone.  Significant loads are means of the highest third of the crests, as for records of a tank.
+0.05 m under water, hawsers 0.05 m over it, on a gauge on the deck of the buoy, so that their pull tilts the buoy. By
+this tilt the buoy yields three times as far as the hawsers stretch. With a buoy that stays upright, snap loads are
+two to three times the loads measured in waves alone.  Significant loads are means of the highest third of the
+crests, as for records of a tank.
 
 Pitch is taken from the run on the intermediate buoy, in which buoy and body are one equation.  With a contact buoy it
 is that of the

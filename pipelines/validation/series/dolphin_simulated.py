@@ -15,10 +15,10 @@ full         memory of the water, Newman's drift; T₀₁ = T̄/1.1
 Y₀ is the mean of the body's displacement at the fenders less their clearance, the strain (Y₀ + 3.87 σ)/H.
 
 σ depends on the waves more than on anything else. Gusts, drift and the frequency of the coefficients change σ by a few
-per cent, the fender by ten per cent.  Heave and roll, on which fenders hardly act, are printed smaller than computed
-here in every row, as in waves of 0.64 to 0.86 times the printed mean period. That reading of the period is the reason
-for σ.  If the return is 0.65 of the loading, as for the generic fender, the mean of B changes by a tenth to a fifth,
-and two verdicts change.
+per cent, the fender by ten per cent.  Printed heave and roll, on which fenders hardly act, are smaller than computed
+here in every row; they correspond to waves of 0.64 to 0.86 times the printed mean period. This reading of the period
+also explains σ.  If the return is 0.65 of the loading, as for the generic fender, the mean of B changes by a tenth
+to a fifth, and two verdicts change.
 """
 
 import warnings

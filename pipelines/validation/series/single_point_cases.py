@@ -4,8 +4,8 @@ Tables 3.6.5.1 to 3.6.5.5 of the SR179 report (1982), digitised in single_point.
 tell follows from its tables: six lines at ±30°, ±90° and ±150° of the wind, those of 12 and 18 as six of two and three
 times the weight; lines made fast at the buoy's draft; freeboards of 10 m; turning tests of B/d = 10; a drift of c H²
 along the waves at any heading, c of the head-on rows of 14 m (A) and 40 m (B) in waves of 10 s, elsewhere in proportion
-to the drift that is computed; no moment of the wind, by which the headings in an oblique current would be 3 to 8°
-larger than printed.  Head-on forces that are printed for B at 40 m hold a current force 12 % above that of the turning
+to the drift that is computed; no wind moment, which would make the headings in an oblique current 3 to 8° larger
+than printed.  Head-on forces that are printed for B at 40 m hold a current force 12 % above that of the turning
 tests at H/d = 2 (76.8 t at 1.5 kn against 68.5 t), so that its tensions at 3 kn are computed 4 to 8 % too low.
 """
 

@@ -8,8 +8,9 @@ If Z and X each have errors of at most e of their size, theory allows these viol
 
 and e is at least `FLOOR`, the digits that rounding leaves.  A violation above one is a failure.
 
-Smooth: of three values at equal steps δ of a parameter's logarithm the second difference is the curvature times δ²,
-and four errors.  Powers of a parameter and waves whose phase moves by δ have a curvature of a few times their size.
+Smoothness: the second difference of three values at equal steps δ of a parameter's logarithm is the curvature times
+δ², plus four errors.  Powers of a parameter and waves whose phase moves by δ have a curvature of a few times their
+size.
 """
 
 import numpy as np
