@@ -97,7 +97,7 @@ def resonances(result, wave_period):
         if near:
             yield (
                 f"natural periods {state} near the wave period {wave_period:g} s: {', '.join(near)} lie within "
-                f"{low:g} to {high:g} of it; free motions underestimate the tension, {IN_TIME}"
+                f"{low:g} to {high:g} times this period; free motions underestimate the tension, {IN_TIME}"
             )
 
 

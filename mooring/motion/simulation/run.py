@@ -260,8 +260,7 @@ def _of_lost(settings):
     for name, at in settings.lines_lost:
         if at < settings.duration:
             yield (
-                f"line {name} breaks {at:g} s after the ramp: its mean and σ come from a record that is zero "
-                f"from then on"
+                f"line {name} breaks {at:g} s after the ramp: its mean and σ include the zero tension after the break"
             )
         else:
             yield (

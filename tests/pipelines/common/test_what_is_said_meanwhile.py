@@ -188,7 +188,7 @@ def test_a_hull_of_a_passage_is_drawn_about_the_middle_of_its_waterline(monkeypa
     asked.append(Hull(of_passing.MOST * 100, 19.9))
     (kind, dx, dy), middle = of_passing._hull(study, "moored")
     assert (kind, dx, dy) == ("moved", -20.0, -2.0) and middle.tolist() == [20.0, 2.0, 0.0]
-    for hull, says in ((Hull(of_passing.MOST * 100 + 1), f"allowed: {of_passing.MOST * 100}"),
+    for hull, says in ((Hull(of_passing.MOST * 100 + 1), f"allowed: up to {of_passing.MOST * 100}"),
                        (Hull(10, 20.0), "m has a draft of 20 m in water of 20 m; allowed: less")):  # fmt: skip
         asked.append(hull)
         with pytest.raises(StudyError, match=says):
