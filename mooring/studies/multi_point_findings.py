@@ -168,8 +168,8 @@ def _outside_the_method(result, depth):
         )
     if result.conditions.waves and result.conditions.method == "regular_wave" and depth <= SHALLOW:
         yield (
-            f"water depth {depth:g} m is not above {SHALLOW:g} m: in such depths, simulations in heavy seas give more "
-            f"than this method (SR179 report, section 5.5.3); {IN_TIME}"
+            f"water depth {depth:g} m is not above {SHALLOW:g} m: in such depths, simulations in heavy seas "
+            f"exceed the results of this method (SR179 report, section 5.5.3); {IN_TIME}"
         )
 
 

@@ -174,7 +174,7 @@ def test_lines_beside_the_body_and_waves_that_break_are_warned_of(tmp_path, caps
     )
     assert run(tmp_path, text.replace("[6.0,", "[2.0, 6.0,").replace("height = 1.5", "height = 1.0")) == 0
     said = capsys.readouterr().out
-    assert "2 m off the body: the lines are computed as held there by rigid arms" in said
+    assert "2 m off the body: the lines are computed as if rigid arms held them there" in said
     assert "waves of 1 m break at 1 of 4 periods, up to 2 s, where the highest possible wave is 0.887 m (Miche)" in said
 
 
