@@ -141,7 +141,7 @@ FAULTS = {
     ("height = 6.7", "height = 4.9"): "draft is 5 m, but the section is 4.9 m high",
     ("draft = 5.0", "draft = 5.0\nradius = 3"): "section.radius is unknown",
     ("depth = 10.0", "depth = 4.0"): "draft is 5 m in 4 m of water",
-    ("depth = 10.0", "depth = 10.0\ntide = 2.0"): "with the water at +2 m: draft is 7 m, the section is 6.7 m high",
+    ("depth = 10.0", "depth = 10.0\ntide = 2.0"): "with the water at +2 m: draft is 7 m, but the section is 6.7 m high",
     ("height = 1.5", "height = 90.0"): "waves break at every period;",
     ("periods = [6.0, 8.0, 10.0]", "periods = [0]"): "waves.periods has 0 s",
     ("[waves]", "[optimisation]\ndraft = [5.0, 4.0]\n[waves]"): "optimisation.draft is from 5 to 4",

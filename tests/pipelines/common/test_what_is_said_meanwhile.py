@@ -56,7 +56,7 @@ def test_memory_of_a_container_is_what_is_left_below_its_limit_with_its_files(li
 
 @pytest.mark.parametrize("pace, moves, words", [
     ((0.01, np.nan), False, ["told", "one seed takes about 1 s, and all 5 seeds 3 s"]),
-    ((0.01, 0.1), True, ["told", 'a seed takes about 10 s (dynamic_lines = "none": 1 s), 5 of them 30 s']),
+    ((0.01, 0.1), True, ["told", 'one seed takes about 10 s (dynamic_lines = "none": 1 s), and all 5 seeds 30 s']),
     ((np.nan, np.nan), False, ["told"]),
     ((np.nan, 0.1), True, ["told", "one seed takes about 10 s, and all 5 seeds 30 s"]),
 ])  # fmt: skip
