@@ -1,19 +1,20 @@
-"""Laws that every solved frequency must satisfy, and error estimates from two meshes.
+"""Laws that the results of every solved frequency must satisfy, and error estimates from two meshes.
 
 Each function takes the quantities of one frequency (`bem.frequency.FrequencyRun`) and returns the largest relative
 violation.  Radiation is relative to √|Zᵢᵢ Zⱼⱼ| with Z = A + iB/ω, forces to the larger of excitation and diffraction
 force over the headings.
 
-At resonance damping alone matters: its error is also measured relative to √(bᵢ bⱼ) (`damping_error`), about the
-rotation centre, with
+Damping governs the motion at resonance. Its error is therefore also measured relative to √(bᵢ bⱼ) (`damping_error`),
+about the rotation centre, with
 
-    b = max(B, ωA / πN)       damping of its own size, or of that by which oscillations exp(−Bt / 2(M + A)) of any
-                              mass M take N periods and more to die
+    b = max(B, ωA / πN)       the damping itself, or the damping with which oscillations exp(−Bt / 2(M + A)) of
+               any mass M take N periods and more to die out
 
 for any inertia and restoring forces, which moorings change.  A resonance with so little damping does not develop fully
 within N periods; its height depends on the duration of the waves.  N = 1000 is three hours of waves of 11 s.  In
-waves from rest, N periods long, the variance of the resonant motion is ∝ (1 − (1 − e⁻ˣ)/x)/x in the mean, x = 2B/b₀ ≤ 2
-for B ≤ b₀ = ωA / πN: an error of b₀ε changes its standard deviation by ε/3 at most (tests/bench/damping_floor.py).
+waves that start from rest and last N periods, the mean variance of the resonant motion is proportional to (1 − (1 −
+e⁻ˣ)/x)/x, with x = 2B/b₀ ≤ 2 for B ≤ b₀ = ωA / πN. An error b₀ε of B then changes the standard deviation by ε/3 at
+most (tests/bench/damping_floor.py).
 """
 
 import numpy as np
@@ -28,7 +29,8 @@ PERIODS = 1000  # N, in a sea state
 
 
 def sufficient_accuracy(panels):
-    """Relative accuracy sufficient for approximate equations: a twentieth of the discretisation error of so many panels
+    """Relative accuracy that suffices for approximate equations: a twentieth of the discretisation error of `panels`
+    panels
 
     The discretisation error falls with `ERROR_ORDER` from one per cent at 250 panels.
     """
@@ -54,26 +56,26 @@ def check(run):
 
 
 def reciprocity(run):
-    """Z = Zᵀ"""
+    """Violation of reciprocity, Z = Zᵀ"""
     Z = _wanted(run)
     return float((np.abs(Z - Z.T) / radiation_scale(run)).max())
 
 
 def haskind(run):
-    """Violation between the excitation force by the diffraction potential and by the radiation potentials"""
+    """Difference between the excitation force from the diffraction potential and that from the radiation potentials"""
     gap = np.abs(run.haskind - run.excitation)[:, run.dofs]
     return float((gap / excitation_scale(run)).max())
 
 
 def radiated_energy(run):
-    """Violation of energy conservation: damping B from the work of a motion against B from the power of the radiated
-    waves"""
+    """Violation of energy conservation: difference between the damping from the work of a motion and the damping from
+    the power of the radiated waves"""
     far = run.radiated[np.ix_(run.dofs, run.dofs)]
     return float((np.abs(far - _wanted(run).imag) / radiation_scale(run)).max())
 
 
 def scattered_energy(run):
-    """(1/2π) ∫ |H|² dθ = −Re H(β) of the fixed body, minus the absorption by damping lids"""
+    """Violation of (1/2π) ∫ |H|² dθ = −Re H(β) of the fixed body, corrected for the absorption by damping lids"""
     H, t, m = run.kochin[1][0], len(run.theta), np.arange(len(run.headings))
     return float(np.abs(energy_defect(H[:, :t], H[m, t + m] + run.taken_at_rest)).max())
 
@@ -81,22 +83,23 @@ def scattered_energy(run):
 def estimate(run, rough, refinement):
     """Errors, computed minus exact, of radiation (6, 6) and excitation (m, 6), from a coarser mesh of the same body.
 
-    refinement : ratio of the panel number to that of the coarse mesh
+    refinement : number of panels over the number of panels of the coarse mesh
     """
     share = share_left(refinement)
     return share * (rough.radiation - run.radiation), share * (rough.excitation - run.excitation)
 
 
 def share_left(refinement):
-    """Error of a mesh over its difference from a coarser mesh; refinement as in `estimate`"""
+    """Error of the results of a mesh over their difference from those of a coarser mesh; refinement : as in
+    `estimate`"""
     return 1 / (refinement**ERROR_ORDER - 1)
 
 
 def at_least_haskind(error, excitation, haskind, dofs):
-    """Errors of excitation (m, 6); in `dofs` an error is at least the difference between two computations of the same
-    force.
+    """Errors of excitation (m, 6), raised in `dofs` to at least the difference between two computations of the force.
 
-    error : errors estimated otherwise; excitation, haskind : (m, 6) of diffraction and of radiation
+    error : errors from another estimate, (m, 6); excitation, haskind : forces by diffraction and by Haskind's
+        relation, (m, 6)
     """
     out, gap = np.array(error), excitation - haskind
     out[:, dofs] = np.where(np.abs(gap) > np.abs(error), gap, error)[:, dofs]
@@ -110,7 +113,7 @@ def enlarged(error, by):
 
 
 def largest_error(run, radiation, excitation):
-    """The largest of errors of radiation (6, 6) and excitation (m, 6), relative"""
+    """The largest relative error, from errors of radiation (6, 6) and excitation (m, 6)"""
     out = []
     if run.radiates:
         out.append(np.abs(radiation[np.ix_(run.dofs, run.dofs)]) / radiation_scale(run))
@@ -140,7 +143,8 @@ def radiation_scale(run):
 
 
 def damping_scale(radiation, displacing, periods=PERIODS):
-    """√(bᵢ bⱼ)/ω of A + iB/ω (…, d, d) about the rotation centre; infinite for modes that are not `displacing` (d,)"""
+    """√(bᵢ bⱼ)/ω from radiation A + iB/ω (…, d, d) about the rotation centre; infinite for modes that are not
+    `displacing` (d,)"""
     Z = np.einsum("...ii->...i", radiation)
     b = np.maximum(np.abs(Z.imag), np.abs(Z.real) / (np.pi * periods))
     b = np.where(displacing & (b > 0), b, np.inf)
@@ -148,11 +152,10 @@ def damping_scale(radiation, displacing, periods=PERIODS):
 
 
 def excitation_scale(run, of=None):
-    """Scale of the forces with numbers `of`, by default of all motions; infinite for modes that move no water; shape
-    (of,)
+    """Scale of the forces with numbers `of` (None: all); infinite for modes that move no water; shape (of,)
 
-    Sway in a head sea and heave in short waves are nothing but error. Therefore no force counts as less than a fifth of
-    the largest force. No moment counts as less than that smallest force at half the hull's radius.
+    Sway in a head sea and heave in short waves contain only error. The scale of a force is therefore at least a fifth
+    of the largest force, and the scale of a moment at least this smallest force at half the hull's radius.
     """
     size = np.maximum(np.abs(run.excitation), np.abs(run.diffraction)).max(axis=0)
     turns = turning(run.problem.bodies, run.problem.modes)

@@ -3,7 +3,7 @@
 With the body's waves η ~ A √(2/(πkR)) exp(i(kR − π/4)) H(θ) in an incident wave of amplitude A towards β and
 n = C_g/C, momentum and angular momentum through a distant cylinder give
 
-    F_x = (ρgA²/πk) n [−2π cosβ Re H(β) − ∫ |H|² cosθ dθ],    F_y alike with sin
+    F_x = (ρgA²/πk) n [−2π cosβ Re H(β) − ∫ |H|² cosθ dθ],    F_y with sin in place of cos
     M_z = −(ρgA²/πk²) n [2π Im H′(β) + ∫ Im(H̄ H′) dθ]
 
 The prime is the exact derivative.  A body without absorption has (1/2π) ∫ |H|² dθ = −Re H(β).
@@ -18,8 +18,8 @@ def mean_drift(H, slope, forward, forward_slope, theta, beta, k, n, density, gra
     """Mean surge and sway force (N/m²) and yaw moment (N m/m²) about the origin; shape (headings, 3)
 
     k, n : numbers, or arrays that broadcast over the headings; other arguments may then have more leading axes
-    H, slope : (headings, t) total Kochin function and derivative at equally spaced `theta`
-    forward, forward_slope : (headings,) the same at θ = β; beta : (headings,) rad
+    H, slope : total Kochin function and its derivative at equally spaced `theta`, (headings, t)
+    forward, forward_slope : total Kochin function and its derivative at θ = β, (headings,); beta : rad, (headings,)
     """
     step = 2 * np.pi / len(theta)
     power = np.abs(H) ** 2
@@ -28,14 +28,15 @@ def mean_drift(H, slope, forward, forward_slope, theta, beta, k, n, density, gra
 
 
 def drift_of_two(H, slope, ahead, ahead_slope, theta, beta, k, n, density, gravity):
-    """Complex matrix D for pairs of waves of one frequency; shape (headings, headings, 3): waves of amplitudes a_i
-    together have the mean drift Re Σ Σ a_i conj(a_j) D_ij.
+    """Complex matrix D for pairs of waves of one frequency; shape (headings, headings, 3)
 
-    ahead, ahead_slope : (headings, headings) H and H′ of each wave in the direction of each; the rest as in
-    `mean_drift`, which gives D_ii.  The far field contains the interference of both waves with the waves that the body
-    sends out in each of them:
+    In waves of amplitudes a_i the mean drift is Re Σ Σ a_i conj(a_j) D_ij.
 
-        −2π cosβ Re H(β) becomes −π {cosβⱼ Hᵢ(βⱼ) + cosβᵢ H̄ⱼ(βᵢ)},    Im H′(β) alike,    |H|² becomes Hᵢ H̄ⱼ
+    ahead, ahead_slope : H and H′ of each wave in the direction of every wave, (headings, headings)
+    The other arguments are those of `mean_drift`, which gives D_ii.  The far field of a pair contains the
+    interference of each incident wave with the scattered wave of the other:
+
+        −2π cosβ Re H(β) becomes −π {cosβⱼ Hᵢ(βⱼ) + cosβᵢ H̄ⱼ(βᵢ)},    Im H′(β) in the same way,    |H|² becomes Hᵢ H̄ⱼ
     """
     step, back, turn = 2 * np.pi / len(theta), H.conj().T, ahead.conj().T
     out = [
@@ -51,7 +52,7 @@ def mean_drift_of_series(order, series, forward, forward_slope, beta, k, n, dens
     """`mean_drift` of Kochin functions Σ_m c_m exp(imθ): ∫|H|² exp(iθ) dθ = 2π Σ c_m c̄_m₊₁, ∫Im(H̄H′) dθ = 2π Σ
     m|c_m|²
 
-    order : (t,) m, rising by one; series : (headings, t) c_m, as `harmonics` gives them
+    order : orders m, rising by one, (t,); series : coefficients c_m from `harmonics`, (headings, t)
     """
     momentum = 2 * np.pi * np.einsum("...m,...m->...", series[..., :-1], series[..., 1:].conj())
     turning = 2 * np.pi * (np.abs(series) ** 2 @ order)
@@ -82,7 +83,7 @@ def harmonics(H, theta):
 
 
 def slope_and_ahead(H, theta, beta):
-    """H′ (…, m, t), and H and H′ (…, m) of the m rows of H (…, m, t), each row at its own beta (m,) rad."""
+    """H′ (…, m, t), and H and H′ (…, m) at beta (m,) rad, one angle for each of the m rows of H (…, m, t)."""
     order, series = harmonics(H, theta)
     turn = 1j * np.where(np.abs(order) == len(theta) / 2, 0.0, order)  # the highest has no phase of its own
     back = np.fft.ifftshift(turn * series * np.exp(1j * order * theta[0]) * len(theta), axes=-1)
@@ -90,7 +91,7 @@ def slope_and_ahead(H, theta, beta):
 
 
 def ahead(order, series, beta):
-    """H and H′ (…, m) of a series (…, m, t), each of its m rows at its own beta (m,) rad"""
+    """H and H′ (…, m) of a series (…, m, t) at beta (m,) rad, one angle for each of the m rows"""
     wave = np.exp(1j * np.multiply.outer(beta, order))
     turn = 1j * np.where(np.abs(order) == len(order) / 2, 0.0, order)
     return np.einsum("...mt,mt->...m", series, wave), np.einsum("...mt,mt->...m", series, turn * wave)
@@ -107,7 +108,7 @@ def energy_defect(H, forward):
 
 
 def about(force, center):
-    """The same loads (…, 3) with the moment about the vertical through `center`."""
+    """Loads (…, 3) whose moment, now about the origin, is changed to the vertical through `center`."""
     moved = force.copy()
     moved[..., 2] -= center[0] * force[..., 1] - center[1] * force[..., 0]
     return moved

@@ -1,4 +1,4 @@
-"""First-order quantities of one frequency, as all methods return them."""
+"""First-order quantities of one frequency, in the form in which all methods return them."""
 
 from typing import NamedTuple
 
@@ -8,9 +8,10 @@ import numpy as np
 class FirstOrder(NamedTuple):
     """Moments and rotations are about the origin at the centre of the waterplane; SI.
 
-    Signs are those of `bem`; what was not requested is zero.
+    Signs are those of `bem`; quantities that were not requested are zero.
 
-    m headings, t angles; Kochin functions are H and dH/dθ, per metre or radian of motion and of wave amplitude.
+    Shapes are for m headings and t angles; Kochin functions are H and dH/dθ, per metre or radian of motion, and per
+    metre of wave amplitude.
     """
 
     radiation: np.ndarray  # (6, 6) complex A + iB/ω

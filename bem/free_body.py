@@ -23,9 +23,10 @@ def needed(want):
 
 
 def motions(problem, omega, added_mass, damping, excitation):
-    """Motions X (m, 6), m/m and rad/m, of a `bem.problem.Problem`; X and all arguments are about its rotation centre.
+    """Motions X (m, 6), m/m and rad/m, of a `bem.problem.Problem`, about its rotation centre like all arguments.
 
-    added_mass, damping : (6, 6); excitation : (m, 6); of several bodies (6N, moving), (m, 6N) and X (m, moving)
+    added_mass, damping : (6, 6); excitation : (m, 6)
+    For N bodies the shapes are (6N, moving), (m, 6N), and (m, moving) for X.
     """
     if problem.structural_damping is not None:
         damping = damping + problem.structural_damping

@@ -1,4 +1,4 @@
-"""Computes one frequency of one problem: the wanted quantities, and nothing that they do not need."""
+"""Solution of one frequency of one problem: the wanted quantities, and only the quantities needed for them."""
 
 import time
 from functools import cached_property
@@ -30,11 +30,11 @@ TRUSTED = 0.6
 def solve_frequency(prepared, omega, headings, want, theta=None, dofs=None):
     """All quantities in `want` at one frequency, as a dictionary with the names of the database.
 
-    prepared : from `bem.methods.panel_problem.prepare`
-    omega : rad/s, headings : (m,) rad that the waves travel to, want : names of datasets
-    theta : (t,) rad equally spaced, angles of the Kochin functions; dofs : names that are needed, None: all
+    prepared : prepared problem from `bem.methods.panel_problem.prepare`
+    omega : frequency, rad/s; headings : directions that the waves travel to, rad, (m,); want : names of datasets
+    theta : equally spaced angles of the Kochin functions, rad, (t,); dofs : names of the needed motions; None: all
     returns : arrays over the forces and motions of the problem (NaN where not in `dofs`), "checks", "wall_time" (s)
-        and, where the method has one, "estimated_error" of names in `schema.ESTIMATES`
+        and, if the method estimates errors, "estimated_error" of names in `schema.ESTIMATES`
     """
     start = time.perf_counter()
     run = prepared.run(omega, headings, want, theta, dofs).within_tolerance()
@@ -50,12 +50,12 @@ def solve_frequency(prepared, omega, headings, want, theta=None, dofs=None):
 
 
 class FrequencyRun:
-    """The quantities of one frequency, each computed once, on first use; subclasses implement a method.
+    """The quantities of one frequency, each computed once, when first used; every method of solution is a subclass.
 
     A method provides `radiation`, `froude_krylov`, `diffraction`, `haskind`, `kochin` and `residual` as in
-    `bem.first_order.FirstOrder` (`kochin` at `theta` and at the headings, `haskind` None where it is unknown), `solves`
-    and `differences`: errors, with signs, of `radiation` (6, 6) and `excitation` (m, 6) from two resolutions, or None;
-    `kochin_errors` likewise.
+    `bem.first_order.FirstOrder`; `kochin` is at `theta` and at the headings, and `haskind` is None where it is
+    unknown. It also provides `solves`, and `differences`: signed errors of `radiation` (6, 6) and `excitation` (m, 6)
+    from two resolutions, or None; `kochin_errors` are the signed errors of `kochin`.
     """
 
     most_sharper = 0  # largest number of sharper runs, one after another
@@ -88,7 +88,7 @@ class FrequencyRun:
 
     @property
     def question(self):
-        """Arguments, after the prepared problem, with which a run of the same frequency is made"""
+        """Arguments of a run of this frequency that follow the prepared problem"""
         return self.omega, self.headings, self.want, self.theta, [self.problem.dofs[d] for d in self.asked]
 
     def _timed(self, name, start):
@@ -101,7 +101,7 @@ class FrequencyRun:
 
     @property
     def radiated(self):
-        """B/ω from the far field, B = 2ρgC_g/(πkω²) ∫ Hᵢ H̄ⱼ dθ; None if it is not computed; shape (6, 6)"""
+        """B/ω from the far field, with B = 2ρgC_g/(πkω²) ∫ Hᵢ H̄ⱼ dθ; shape (6, 6); None if it is not computed"""
         if not self.far_field:
             return None
         H = self.kochin[0][0][:, : len(self.theta)]
@@ -113,11 +113,13 @@ class FrequencyRun:
         return self.froude_krylov + self.diffraction
 
     def within_tolerance(self):
-        """The run whose estimated errors are within the tolerance; errors of damping are relative to the size of
+        """A run whose estimated errors are within the tolerance; errors of damping are relative to the size of
         damping.
 
-        Otherwise the same frequency is run again by `sharper`, up to `most_sharper` times while the error decreases. On
-        panels a thousand times as long as wide the error remains, while work and memory grow fourfold.
+        While the errors of a run exceed the tolerance, the frequency is run again by `sharper`, up to `most_sharper`
+        times while the error decreases.
+        The number of repetitions is limited because, on panels a thousand times as long as wide, the error remains
+        while work and memory grow fourfold.
         """
         run = self
         for _ in range(self.most_sharper if self.solves else 0):
@@ -133,7 +135,8 @@ class FrequencyRun:
 
     @cached_property
     def tolerances(self):
-        """Largest difference between two resolutions divided by the tolerance, or for damping by a fraction of it"""
+        """Largest difference between two resolutions, divided by the tolerance, or, for damping, by a fraction of the
+        tolerance"""
         errors = self._at_least_haskind(*self.bounds)
         return max(largest_error(self, *errors), damping_error(self, errors[0]) / TRUSTED) / self.problem.tolerance
 
@@ -149,11 +152,12 @@ class FrequencyRun:
 
     @cached_property
     def errors(self):
-        """Estimated errors of `radiation` and `excitation`, the latter at least as shown by `haskind`, or None"""
+        """Estimated errors of `radiation` and `excitation`, or None; errors of excitation are at least the difference
+        from `haskind`"""
         return None if self.bounds is None else self.enlarged(*self._at_least_haskind(*self.bounds))
 
     def enlarged(self, radiation, excitation):
-        """Errors enlarged by contributions that a comparison of resolutions does not show"""
+        """Errors enlarged by the contributions that the difference between two resolutions does not contain"""
         return radiation, excitation
 
     def _at_least_haskind(self, radiation, excitation):
@@ -168,8 +172,7 @@ class FrequencyRun:
 
     @property
     def of_motion(self):
-        """Matrix from the motions of `rao` to those about the origin; shape (moving, 6); for several bodies (moving,
-        6N)"""
+        """Matrix from the motions of `rao` to motions about the origin; shape (moving, 6); for N bodies (moving, 6N)"""
         return self.problem.transform[self.problem.moving]
 
     def _motions(self, radiation, excitation):
@@ -221,7 +224,7 @@ class FrequencyRun:
         return self.asked_only(self.asked_only(T @ radiation @ T.T).T).T[:, self.problem.moving]
 
     def asked_motions(self, rao):
-        """Motions (m, moving) with NaN for those not requested"""
+        """Motions (m, moving), with NaN for motions that were not requested"""
         left_out = ~np.isin(self.problem.moving, self.asked)
         return np.where(left_out, np.nan, rao)
 
@@ -234,8 +237,8 @@ class FrequencyRun:
 
         Errors of motions and drift are their changes when coefficients, forces and Kochin functions change by their
         errors. In long waves these changes nearly cancel, and at resonance the dependence is not linear.
-        All errors are then differences between two resolutions. `haskind` would raise one of them and destroy the
-        cancellation.
+        For this purpose all errors are differences between two resolutions: errors raised by `haskind` would destroy
+        the cancellation.
         """
         if self.errors is None:
             return {}

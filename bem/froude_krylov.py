@@ -1,4 +1,4 @@
-"""The force of the undisturbed wave on a rectangle: closed form.
+"""Force of the undisturbed wave on a rectangular section and on a box, in closed form.
 
     ∮ Z₀ exp(iκy) (−n) dl · {1, 1, arm},      n out of the body
 
@@ -18,8 +18,8 @@ from .waves import depth_factor
 def side_integrals(draft, depth, k):
     """∫ Z₀ dz and ∫ z Z₀ dz over −d < z < 0, m and m²
 
-    Z₀ = (exp kz + exp(−k(z + 2h))) / (1 + exp(−2kh)), term by term with ∫₀¹ exp(−xt) dt and ∫₀¹ t exp(−xt) dt,
-    because the closed form of the whole loses every digit to cancellation at kd = 1e-8.
+    Z₀ = (exp kz + exp(−k(z + 2h))) / (1 + exp(−2kh)), is integrated term by term with ∫₀¹ exp(−xt) dt and ∫₀¹ t
+    exp(−xt) dt, because the closed form of the sum loses every digit to cancellation at kd = 1e-8.
     """
     x = k * draft
     plain, moment = -np.expm1(-x) / x, gammainc(2, x) / x**2
@@ -28,8 +28,9 @@ def side_integrals(draft, depth, k):
 
 
 def incident_force(half, draft, depth, k, kappa):
-    """Force of the incident wave per unit of ρg and amplitude, m and m²; shape (m, 3); half : half the beam b, m; kappa
-    : (m,) rad/m"""
+    """Force of the incident wave per unit of ρg and amplitude, m and m²; shape (m, 3)
+
+    half : half the beam, b, m; kappa : κ, rad/m, (m,)"""
     plain, moment = side_integrals(draft, depth, k)
     edge, x = float(depth_factor(-draft, k, depth)), kappa * half
     sway = -2j * np.sin(x) * plain
@@ -48,10 +49,9 @@ def first_moment(x):
 
 
 def box_incident_force(length, beam, draft, depth, k, headings):
-    """−∬ Z₀ exp(ik(x cosβ + y sinβ)) n dS over a box, with n and r × n about the origin, n out of the box; (m, 6) m²
-    and m³
+    """Froude–Krylov force on a box per unit of ρg and amplitude, m² and m³, about the origin; shape (m, 6)
 
-    headings : β (m,) rad.  Per unit of ρg and amplitude this is the Froude–Krylov force.
+    The integrals are −∬ Z₀ exp(ik(x cosβ + y sinβ)) n dS, with n and r × n, n out of the box; headings : β, rad, (m,)
     """
     a, b = length / 2, beam / 2
     X, Y = k * a * np.cos(headings), k * b * np.sin(headings)

@@ -1,13 +1,12 @@
-"""Hinges, balls, sliders and rigid links between bodies of a database, exact: constraints, not stiff springs.
+"""Hinges, balls, sliders and rigid links between bodies of a database, as exact constraints instead of stiff springs.
 
     G X = 0,    D X = F + Gᵀμ,    X = Z q,  G Z = 0,    (Zᵀ D Z) q = Zᵀ F,    μ = (G Gᵀ)⁻¹ G (D X − F)
 
 A row of G requires that the point of the link moves equally on both bodies along an axis of the first body, or that
 both bodies rotate equally about such an axis. μ is the force and moment that the first body exerts on the second.
 A spring and a damper act along a slider or about a hinge (a power take-off). The travel s is the displacement of the
-second body from the first along or about the axis, and the force is k (s − rest) + c ṡ.
-One of the bodies may be SPACE, which stands for the
-scene; a single body is called ALONE.
+second body from the first along or about the axis, and the force is k (s − rest) + c ṡ. One of the two bodies may be
+SPACE, which means the scene at rest; a single body is called ALONE.
 """
 
 from functools import partial
@@ -26,11 +25,13 @@ SAME = 1e-9  # singular value, relative to the largest, below which a constraint
 
 
 class Link(NamedTuple):
-    """name; bodies : names of the two bodies; position (3,) m and axis (3,) in coordinates of the first body
+    """name : name of the link; bodies : names of the two bodies
+    position, axis : a point of the link, m, (3,), and its axis, (3,), in coordinates of the first body
 
-    kind : "hinge" turns about its axis, "ball" about all, "rigid" about none; "slider" slides along it without a turn
-    stiffness, damping : N/m, N s/m along the axis of a slider, N m, N m s about that of a hinge
-    rest : m, rad, travel at which its spring exerts no force
+    kind : "hinge" turns about the axis, "ball" about every axis, "rigid" about no axis; "slider" slides along the axis
+        without turning
+    stiffness, damping : of a slider along its axis, N/m and N s/m; of a hinge about its axis, N m and N m s
+    rest : travel at which the spring exerts no force, m or rad
     """
 
     name: str
@@ -96,7 +97,7 @@ def travel_of(reader, link):
 def told_of(links):
     """Return (name, unit, column) of the results of links: each force and moment, and the travel of links in DRIVEN
 
-    column : one of SHOWN numbers for each link
+    column : index of the result among the SHOWN numbers of a link
     """
     found = []
     for i, link in enumerate(links):
@@ -109,10 +110,10 @@ def told_of(links):
 
 
 def pulls_of(reader, omega, motions):
-    """Forces, N and N m per m, of the springs and dampers of links alone, signs as in `forces_of`; shape (q, p, links,
-    6)
+    """Forces of the springs and dampers of links alone, N and N m per m, with the signs of `forces_of`; shape (q, p,
+    links, 6)
 
-    omega : (q,) rad/s, of motions (q, p, n)
+    omega : frequencies, rad/s, (q,); motions : motions at these frequencies, (q, p, n)
     """
     out = np.zeros((*motions.shape[:2], len(reader.links), 6), complex)
     for i, link in enumerate(reader.links):
@@ -142,8 +143,10 @@ def _all_rows(reader, link):
 
 
 def of_shapes(reader, body, point):
-    """Displacement (3, f), m, and rotation (3, f), rad (half the curl), of a point (3,) m of a body per unit of each
-    shape of a Reader, in coordinates of the body
+    """Displacement, m, (3, f), and rotation (half the curl), rad, (3, f), of a point of a body per unit of each of f
+    shapes
+
+    point : the point, m, (3,); point and results are in coordinates of the body
     """
     moved, turned = np.zeros((2, 3, len(reader.modes)))
     number = [one.name for one in reader.bodies].index(body.name) if reader.bodies else 0
@@ -169,8 +172,9 @@ def free_of(rows):
 
 
 def forces_of(links, rows, left):
-    """Forces of links along the axes of the first body of each, from D X − F (…, n), N and N m per m; shape (…, links,
-    6)"""
+    """Forces of links along the axes of the first body of each link, N and N m per m; shape (…, links, 6)
+
+    left : D X − F, (…, n)"""
     mu = np.linalg.solve(rows @ rows.T, rows @ left[..., None])[..., 0]
     out, at = np.zeros((*mu.shape[:-1], len(links), 6), mu.dtype), 0
     for i, link in enumerate(links):

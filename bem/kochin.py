@@ -5,7 +5,7 @@
 
 with n = C_g/C and Z(z) = cosh k(z+h)/cosh kh.  In diffraction H is per unit wave amplitude, in radiation per unit
 amplitude of the motion, m or rad.  The function of the SR179 report (1982), eq. 2.1.5.15, is −2g/ω times this one, per
-unit velocity. It has source strengths where a direct solution has φ and ∂φ/∂n.
+unit velocity. That equation uses source strengths where a direct solution uses φ and ∂φ/∂n.
 """
 
 import math
@@ -23,7 +23,8 @@ BLOCK = 32  # directions at a time: four complex numbers each for every point
 class Folded(NamedTuple):
     """Directions of one part of the circle; mirror images give the values at all other directions.
 
-    angles : (u,) rad; place, image : (t,) index of each direction in `angles` and in `images` (i, 2), ±1
+    angles : directions of the part, rad, (u,); images : signs of x and y of each mirror image, ±1, (i, 2)
+    place, image : indices in `angles` and `images` for each direction, (t,)
     """
 
     angles: np.ndarray
@@ -32,8 +33,9 @@ class Folded(NamedTuple):
     images: np.ndarray
 
     def unfolded(self, value, slope, signs):
-        """H and H′ (…, t) of a symmetry class at all angles, from those at `angles` (…, u); signs : (i,) ±1 of the
-        class in the images
+        """H and H′ (…, t) of a symmetry class at all angles, from values (…, u) at `angles`
+
+        signs : sign of the class in each image, ±1, (i,)
 
         An image has the sign of its class. Its derivative also has the sign of the change of angle.
         """
@@ -42,7 +44,8 @@ class Folded(NamedTuple):
 
 
 def folded(theta, images):
-    """`Folded` of directions theta (t,) rad for the mirror images (i, 2) of a body; a quarter circle with four
+    """`Folded` of directions theta (t,) rad for the mirror images (i, 2) of a body; for four images `angles` is a
+    quarter of the circle
 
     The result is kept, since every symmetry class at every frequency needs it.
     """
@@ -63,9 +66,11 @@ def _folded(theta, images):
 def far_field_integrals(theta, k, points, weights, normals, Z, images, signs, phi, velocity):
     """∬ (φ ∂ψ/∂n − ψ ∂φ/∂n) dS and its θ-derivative for potentials of one symmetry class, over the whole hull.
 
-    theta : (t,) rad; k : rad/m; points (q, 3) m, weights (q,) m² and normals (q, 3) of one of its symmetric parts
-    Z : (q, 2) Z(z) and Z'(z), 1/m; images : (i, 2) ±1 for x and y; signs : (i,) ±1 of the potential there
-    phi, velocity : (r, q) complex, m²/s and m/s, or the same per unit of anything
+    theta : angles, rad, (t,); k : wavenumber, rad/m
+    points, weights, normals : m, (q, 3), m², (q,), and (q, 3), of one of the symmetric parts of the hull
+    Z : Z(z) and Z'(z), 1/m, (q, 2); images : signs of x and y, ±1, (i, 2); signs : sign of the potential in each image,
+        ±1, (i,)
+    phi, velocity : potential and normal velocity, m²/s and m/s, or these per unit of an amplitude, complex, (r, q)
     returns : two (r, t) complex arrays, m³/s and m³/s per rad
     """
     directions = folded(theta, images)

@@ -1,4 +1,4 @@
-"""Modes of motion: normal velocities, parity under reflection, change of reference point.
+"""Modes of motion: their normal velocities, parity under reflection, and change of reference point.
 
 With several bodies the rigid modes are six per body, one body after another; mode d is motion d mod 6 of body d div 6.
 Shapes of flexible bodies (`Mode`) come after the rigid modes of all bodies.
@@ -18,9 +18,9 @@ PARITY = ((-1, 1), (1, -1), (1, 1), (1, -1), (-1, 1), (-1, -1))
 class Body(NamedTuple):
     """One of several bodies.
 
-    name : before the names of its motions
-    rotation_center : (3,) m; heading : rad about z of the axes for its motions, forces and moments
-    fixed : True for a body that scatters waves and does not move; place : (2,) m, of its own origin
+    name : name of the body, which precedes the names of its motions; rotation_center : rotation centre, m, (3,)
+    heading : angle about z of the axes for motions, forces and moments of the body, rad
+    fixed : True for a body that scatters waves and does not move; place : origin of the body's coordinates, m, (2,)
     """
 
     name: str
@@ -47,10 +47,12 @@ class Body(NamedTuple):
 class Mode(NamedTuple):
     """A mode shape of one or several bodies in addition to their six rigid motions.
 
-    name : without that of its body; turns : whether its amplitude is in rad; body : number of its body
-    shape : with displacement((…, 3) m) → (…, 3), both in coordinates of the body
-    place : (2,) m and heading : rad, of the body
-    on : numbers of all bodies of a shape between several, `body` the first, in coordinates of the scene; empty of one
+    name : name of the shape, without the name of the body; turns : whether its amplitude is in rad; body : index of
+        the body
+    shape : object with displacement((…, 3) m) → (…, 3); points and displacement are in coordinates of the body
+    place, heading : origin of the body's coordinates, m, (2,), and angle of its axes, rad
+    on : indices of all bodies that a shape moves, `body` first; such a shape is in coordinates of the scene. Empty
+        for one body
     """
 
     name: str
@@ -63,26 +65,27 @@ class Mode(NamedTuple):
 
     @property
     def moves(self):
-        """Numbers of the bodies that move in the shape"""
+        """Indices of the bodies that move in the shape"""
         return self.on or (self.body,)
 
     def in_body(self, body, points):
-        """Displacement per m or rad at points (…, 3), m, both in coordinates of a `Body`, or of the single body (None);
-        shape (…, 3)"""
+        """Displacement, per m or rad of amplitude, at points (…, 3), m; shape (…, 3). Points and displacement are in
+        coordinates of the `Body`, or of the single body (None)"""
         if not self.on:
             return self.shape.displacement(points)
         return self.shape.displacement(body.in_scene(points)) @ body.axes
 
     def displacement(self, points):
-        """Displacement per m or rad at points (…, 3), m, in coordinates of the scene; shape (…, 3)"""
+        """Displacement, per m or rad of amplitude, at points (…, 3), m, in coordinates of the scene; shape (…, 3)"""
         if not (self.heading or any(self.place)):
             return self.shape.displacement(points)
         own = turned(self.heading)[:3, :3]
         return self.shape.displacement((np.asarray(points, float) - (*self.place, 0.0)) @ own.T) @ own
 
     def parity(self, points):
-        """Signs of the shape under x → −x and under y → −y, 0 where it has no symmetry; shape (2,); points : (n, 3), m,
-        of the body"""
+        """Signs of the shape under x → −x and under y → −y, 0 for no symmetry; shape (2,)
+
+        points : points of the body, m, (n, 3)"""
         here = self.displacement(points)
         out = []
         for mirror in ((-1, 1, 1), (1, -1, 1)):
@@ -101,7 +104,7 @@ def words_of(bodies, modes=()):
 
 
 def names_of(bodies, modes=()):
-    """Names of the modes of several bodies, as in Capytaine; for an empty list the names for one body"""
+    """Names of the modes of several bodies, as in Capytaine; an empty list gives the names for one body"""
     rigid = [f"{body.name}__{dof}" for body in bodies for dof in DOFS] or DOFS
     return (*rigid, *(_of_body(bodies, mode, "__") for mode in modes))
 
@@ -111,20 +114,20 @@ def _of_body(bodies, mode, between):
 
 
 def moving(bodies, modes=()):
-    """Numbers of the modes of all bodies that are not fixed"""
+    """Indices of the modes of all bodies that are not fixed"""
     rigid = 6 * max(1, len(bodies))
     own = [d for d in range(rigid) if not (bodies and bodies[d // 6].fixed)]
     return own + list(range(rigid, rigid + len(modes)))
 
 
 def turning(bodies, modes=()):
-    """Whether a mode is a rotation; shape (n,)"""
+    """Whether each mode is a rotation; shape (n,)"""
     return np.array([False, False, False, True, True, True] * max(1, len(bodies)) + [mode.turns for mode in modes])
 
 
 def transform_of(bodies, rotation_center, modes=()):
-    """Matrix from generalized normals about the origin to generalized normals about `rotation_center`, for several
-    bodies about the rotation centre of each body; shape (n, n)"""
+    """Matrix from generalized normals about the origin to generalized normals about `rotation_center`; shape (n, n).
+    For several bodies it is about the rotation centre of each body"""
     rigid = axes_of(bodies) if bodies else reference_change(rotation_center)
     out = np.eye(len(rigid) + len(modes))
     out[: len(rigid), : len(rigid)] = rigid
@@ -132,8 +135,8 @@ def transform_of(bodies, rotation_center, modes=()):
 
 
 def axes_of(bodies):
-    """Matrix from generalized normals about the origin to generalized normals of each body about its own point in its
-    own axes; shape (6N, 6N)"""
+    """Matrix from generalized normals about the origin to generalized normals about the rotation centre of each body,
+    along the axes of the body; shape (6N, 6N)"""
     out = np.zeros((6 * len(bodies), 6 * len(bodies)))
     for i, body in enumerate(bodies):
         own = slice(6 * i, 6 * i + 6)
@@ -148,9 +151,9 @@ def turned(heading):
 
 
 def modes_of(bodies, body_of_point, points, normals, modes=()):
-    """Normal velocities about the origin; shape (n, 6N + m); each body moves only its own points
+    """Normal velocities of all modes, rotations about the origin; shape (n, 6N + m). A body moves only its own points
 
-    body_of_point : (n,) numbers; modes : m `Mode`s
+    body_of_point : index of the body of each point, (n,); modes : m `Mode`s
     """
     each = normal_velocities(points, normals)
     out = [each * (body_of_point == i)[:, None] for i in range(bodies)]
@@ -167,14 +170,14 @@ def normal_velocities(centroids, normals):
 
 
 def displacing(mesh, modes=()):
-    """Whether each mode displaces water, of a hull that is a `meshing.panels.PanelMesh`; shape (6,)
+    """Whether each mode of a hull, a `meshing.panels.PanelMesh`, displaces water; shape (6,)
 
     Yaw of a round buoy moves no water, apart from the corners of its polygon, nor does heave of a pile on the bed.
     Relative errors of such modes have no meaning.
     A rotation counts if the mean square of its normal velocity is at least two per cent of the mean square of its arms.
-    Both are
-    about the vertical axis through the middle of the hull's surface, so the place of the mesh does not matter.
-    For several bodies (6N,), followed by True for each of `modes`.
+    Velocity and arms are about the vertical axis through the middle of the hull's surface, so the place of the mesh
+    does not matter.
+    The result for N bodies has shape (6N,), followed by True for each of `modes`.
     """
     if modes:
         return np.append(displacing(mesh), [True] * len(modes))
@@ -189,7 +192,7 @@ def displacing(mesh, modes=()):
 
 
 def reference_change(center):
-    """T (6, 6) with generalized normal about `center` = T · generalized normal about the origin."""
+    """Matrix T (6, 6): generalized normal about `center` = T · generalized normal about the origin."""
     x, y, z = center
     T = np.eye(6)
     T[3:, :3] = [[0, z, -y], [-z, 0, x], [y, -x, 0]]
@@ -197,14 +200,15 @@ def reference_change(center):
 
 
 def class_of(dof, symmetry):
-    """Symmetry class (sign in x, sign in y) of mode number `dof`."""
+    """Symmetry class (sign in x, sign in y) of the mode with index `dof`."""
     x, y = PARITY[dof % 6]
     return (x if "x" in symmetry else 1, y if "y" in symmetry else 1)
 
 
 def with_net_flux(added_mass, flux, area):
-    """`added_mass` with infinite entries between modes whose net flux (6,) m² exceeds the rounding error of `area`
-    m²"""
+    """`added_mass` in which entries between modes with a net flux are infinite
+
+    flux : net flux of each mode, m², (6,); a flux below the rounding error of `area` m² counts as zero"""
     product = np.outer(flux, flux)
     significant = np.abs(product) > 1e-9 * area * area
     return np.where(significant, np.copysign(np.inf, product), added_mass)

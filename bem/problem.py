@@ -14,13 +14,14 @@ class Problem:
     """A floating body, or several, in water; subclasses add the shape and the method's parameters.
 
     depth : m, may be inf; density : kg/m³; gravity : m/s²; rotation_center : m
-    bodies : `bem.modes.Body` of each of several bodies, whose motions refer to their own points; empty for one body
+    bodies : `bem.modes.Body` of each of several bodies; the motions of each are about its rotation centre. Empty for
+        one body
     modes : `bem.modes.Mode` of each shape beyond the rigid motions
-    inertia_matrix, hydrostatic_stiffness : (6, 6) about `rotation_center`, for several bodies or with shapes (n,
-        moving); None for no motions; the stiffness of a structure is included
+    inertia_matrix, hydrostatic_stiffness : matrices about `rotation_center`, (6, 6), for several bodies or with
+        shapes (n, moving); None if motions are not computed. The stiffness includes that of the structure
     structural_damping : (n, moving), or None
     viscous : `bem.viscous.Viscous` or None
-    tolerance : relative error asked for
+    tolerance : requested relative error
     """
 
     depth: float = np.inf
@@ -37,23 +38,23 @@ class Problem:
 
     @property
     def transform(self):
-        """Matrix from generalized normals about the origin to generalized normals about the rotation centre; shape (6,
-        6); for several bodies (6N, 6N)"""
+        """Matrix from generalized normals about the origin to generalized normals about the rotation centre; shape
+        (6, 6), for N bodies (6N, 6N)"""
         return transform_of(self.bodies, self.rotation_center, self.modes)
 
     @property
     def dofs(self):
-        """Names of the forces, and of the motions of bodies that are not fixed"""
+        """Names of all forces; the names with indices `moving` are also those of the motions"""
         return names_of(self.bodies, self.modes)
 
     @property
     def moving(self):
-        """Numbers of the `dofs` of bodies that are not fixed"""
+        """Indices of the `dofs` of bodies that are not fixed"""
         return moving(self.bodies, self.modes)
 
 
 def check_gap(draft, depth):
-    """Raises ValueError for a gap under the keel too thin to be resolved; draft, depth : m"""
+    """Raise ValueError if the gap under the keel is too thin to be resolved; draft, depth : m"""
     if depth - draft < SMALLEST_GAP * draft:
         raise ValueError(
             f"the gap under the keel (depth − draft) is {depth - draft:.3g} m; allowed: "

@@ -1,12 +1,12 @@
-"""Laws between the stored numbers of a database, checked on these numbers.
+"""Laws that the stored numbers of a database must obey.
 
 With Z = A + iB/ω, relative to √|Zᵢᵢ Zⱼⱼ|, for every frequency separately:
 
     Z = Zᵀ;  B ≥ 0;  B/ω = (4ρg n/(kω)²) (1/2π) ∫ Re HᵢH̄ⱼ dθ;  F = F_FK + F_D;  (1/2π) ∫ |H_D|² dθ = −Re H_D(β)
     {−ω²[M + A] − iωB + C} X = F;  mean drift of H_D and of H_D + Σ XⱼHⱼ
 
-The signs are those of `bem.kochin`, `bem.motions` and `bem.drift`.  A doubled number, or one of another frequency,
-violates one of the laws.
+The signs are those of `bem.kochin`, `bem.motions` and `bem.drift`.  A number that is doubled, or stored at a wrong
+frequency, violates one of the laws.
 """
 
 from typing import NamedTuple
@@ -26,8 +26,8 @@ PRINTED = 1e-4  # the same for files of other programs with seven digits, whose 
 
 
 class Broken(NamedTuple):
-    """A law violated by stored numbers: the largest relative violation, the frequency of this violation, rad/s, and the
-    limit"""
+    """A law that stored numbers violate: its largest relative violation, the frequency of this violation, rad/s, and
+    the limit"""
 
     law: str
     worst: float
@@ -38,7 +38,7 @@ class Broken(NamedTuple):
 def broken_laws(db, tolerance):
     """[Broken] of a `bem.database.Database`.
 
-    tolerance : relative; where the checks stored with a frequency are larger, these are the limit
+    tolerance : allowed relative violation; checks stored with a frequency replace this limit where they are larger
     """
     stored = np.array(list(db.checks().values()))
     allowed = 1.01 * np.fmax(tolerance, np.fmax.reduce(np.vstack([stored, np.zeros((1, len(db.omega)))])))
@@ -58,13 +58,13 @@ def _violated(db, laws, allowed):
 
 
 def reciprocity_defects(db):
-    """Largest |Z − Zᵀ| over √|Zᵢᵢ Zⱼⱼ| of a database with added mass and damping; shape (n,)"""
+    """Largest |Z − Zᵀ| / √|Zᵢᵢ Zⱼⱼ| at each frequency of a database with added mass and damping; shape (n,)"""
     return next(values for law, values, _ in _radiation_laws(db, set()) if law == "reciprocity")
 
 
 def damping_errors(db):
-    """Largest estimated error of stored damping over the size of damping, `bem.checks.damping_scale`; NaN without any;
-    shape (n,)"""
+    """Largest estimated error of stored damping over the size of damping, `bem.checks.damping_scale`; shape (n,); NaN
+    without estimated errors"""
     relative = _relative_to_damping(db)
     if relative is None:
         return np.full(len(db.omega), np.nan)
@@ -73,7 +73,7 @@ def damping_errors(db):
 
 
 def worst_damping(db):
-    """Names (force, motion) of the damping with the largest of `damping_errors`"""
+    """Names (force, motion) of the damping coefficient whose error is the largest of `damping_errors`"""
     relative, names = np.nan_to_num(_relative_to_damping(db)), names_of(db.bodies, db.modes)
     own = moving(db.bodies, db.modes)
     _, i, j = np.unravel_index(relative.argmax(), relative.shape)
@@ -112,7 +112,7 @@ def _laws(db, rounding):
 
 
 def unequal_drift(db):
-    """[Broken] of drift forces whose sum over the bodies, by pressure, differs from the drift by the far field"""
+    """[Broken] of drift: the sum over the bodies of the drift by pressure must equal the drift by the far field"""
     return _violated(db, _drift_laws(db, set(db.names)), None)
 
 

@@ -1,7 +1,7 @@
 """Viscous damping of heave, roll and pitch that depends on the amplitude of the motion.
 
-A law gives the linear damping that dissipates the same energy per cycle.  For a drag N₂ |v| v on a motion of amplitude
-a at frequency ω, and in irregular motion with standard deviation σ,
+A law is replaced by the linear damping N that dissipates the same energy per cycle. For a drag N₂ |v| v this is, in
+regular motion of amplitude a at frequency ω, and in irregular motion with standard deviation σ,
 
     N = (8/3π) ω a N₂,      N = √(8/π) σ_v N₂       (equal for a = EQUIVALENT_AMPLITUDE · σ)
 
@@ -32,7 +32,7 @@ YAMASHITA = {5.0: 0.0155, 10.0: 0.0276}
 
 @dataclass(frozen=True)
 class Quadratic:
-    """N₂ of a drag N₂ |v| v: N s²/m², for rotations N m s²."""
+    """Coefficient N₂ of a drag N₂ |v| v: N s²/m², for rotations N m s²."""
 
     drag: float
 
@@ -43,8 +43,8 @@ class Quadratic:
 
 @dataclass(frozen=True)
 class Tabulated:
-    """N = scale ω² b(a): b at rising amplitudes (m, rad), zero at zero amplitude and constant beyond the last
-    amplitude.
+    """N = scale ω² b(a) from values of b at rising amplitudes (m, rad). b is zero at zero amplitude and constant
+    beyond the last amplitude.
 
     scale : ρBdL √(B/2g) in heave, times (B/2)² in roll
     """
@@ -68,9 +68,11 @@ class Tabulated:
 
 @dataclass(frozen=True)
 class Viscous:
-    """Laws by degree of freedom, about the rotation centre, and the wave amplitude (m) for their linearisation.
+    """Laws of damping by degree of freedom, about the rotation centre, and the wave amplitude at which they are
+    linearised.
 
-    wave_amplitude : m, of a regular wave; names : (n,) of the motions, for several bodies "barge__Roll" and so on
+    wave_amplitude : amplitude of a regular wave, m; names : names of the motions, (n,), for several bodies
+        "barge__Roll" and so on
     """
 
     laws: dict
@@ -78,7 +80,7 @@ class Viscous:
     names: tuple = DOFS
 
     def damping(self, omega, amplitudes):
-        """Damping for motion amplitudes (n,), m, rad; shape (n, n)"""
+        """Linear damping at motion amplitudes (n,), m or rad; shape (n, n)"""
         out = np.zeros((len(self.names), len(self.names)))
         for dof, law in self.laws.items():
             i = self.names.index(dof)
@@ -87,9 +89,9 @@ class Viscous:
 
 
 def yamashita_roll(length, beam, draft, density):
-    """`Quadratic` roll damping of a box in deep water, for B/d from 5 to 10, linear between.
+    """`Quadratic` roll damping of a box in deep water, interpolated linearly for B/d from 5 to 10
 
-    raises : ValueError outside
+    raises : ValueError for other B/d
     """
     ratio = beam / draft
     known = sorted(YAMASHITA)
@@ -111,8 +113,8 @@ def linearised_response(omega, added_mass, damping, excitation, inertia, stiffne
     """Motion amplitudes (headings, n) per unit wave amplitude in waves of `viscous.wave_amplitude`, and B' (m, n, n).
 
     The assumed amplitude and the resulting amplitude change in opposite directions. Their geometric mean is the
-    solution where damping alone limits the motion, and the iteration converges elsewhere. raises : FloatingPointError
-    if it does not
+    solution where damping alone limits the motion, and the iteration converges elsewhere. raises :
+    FloatingPointError if the iteration does not converge
     """
     motions, equivalent = [], []
     size = np.diag(stiffness) + omega**2 * np.diag(inertia + added_mass)

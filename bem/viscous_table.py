@@ -1,10 +1,9 @@
 """The table [viscous] of a scene: damping of heave, roll and pitch that depends on the amplitude of the motion.
 
-    [viscous]
-    wave_height = 2.0                                        # m, of the regular waves it is linearised in
+    [viscous] wave_height = 2.0 # height of the waves in which damping is linearised, m
     roll = "Yamashita"                                       # boxes in deep water, B/d from 5 to 10
     heave = { amplitudes = [0.5, 1.0], b = [0.02, 0.05] }    # b_H of SR179 report (1982), eq. 2.1.4.6
-    pitch = { drag = 1.0e9 }                                 # N m s², moment over the square of the velocity
+    pitch = { drag = 1.0e9 }                                 # moment over the square of the angular velocity, N m s²
 
 Roll and pitch use the key amplitudes_deg instead of amplitudes.  With several bodies [viscous] has only the wave
 height, and
@@ -61,9 +60,9 @@ class ViscousTable(Laws, frozen=True, kw_only=True):
 
 
 def viscous_of_text(scene, box, density, gravity):
-    """`bem.viscous.Viscous` of the text of a scene that has the table.
+    """`bem.viscous.Viscous` from the text of a scene with the table [viscous].
 
-    box : {"length", "beam", "draft"} m, empty for other bodies, and for several
+    box : {"length", "beam", "draft"} m; empty for a body that is no box, and for several bodies
     Raises ValueError, with a message of one line.
     """
     tables = tomllib.loads(scene)
@@ -77,12 +76,14 @@ def viscous_of_text(scene, box, density, gravity):
 
 
 def box_of(body):
-    """{"length", "beam", "draft"} m from the table of a body, empty for other shapes than a box"""
+    """{"length", "beam", "draft"}, m, from the table of a body; empty for a body that is no box"""
     return {key: body[key] for key in ("length", "beam", "draft")} if body.get("shape", "box") == "box" else {}
 
 
 def viscous_of_several(table, bodies, density, gravity):
-    """`bem.viscous.Viscous` of several bodies that move: (name, `Laws` or None, box) of each; raises ValueError"""
+    """`bem.viscous.Viscous` of several moving bodies.  Raises ValueError.
+
+    bodies : (name, `Laws` or None, box) of each body; box : as in `viscous_of_text`"""
     laws = {}
     for name, own, box in bodies:
         found = {} if own is None else laws_of(f"viscous of {name}", own, box, density, gravity)
@@ -97,14 +98,14 @@ def viscous_of_several(table, bodies, density, gravity):
 
 
 def viscous_of_table(table, box, density, gravity):
-    """`bem.viscous.Viscous` of a `ViscousTable`, arguments as in `viscous_of_text`"""
+    """`bem.viscous.Viscous` from a `ViscousTable`; other arguments as in `viscous_of_text`"""
     return Viscous(laws_of("viscous", table, box, density, gravity), 0.5 * table.wave_height)
 
 
 def laws_of(where, table, box, density, gravity):
     """{degree of freedom: law} of a table of `Laws`.
 
-    where : the table's name, for messages; box : {"length", "beam", "draft"} m, empty for other bodies
+    where : name of the table, for messages; box : {"length", "beam", "draft"} m; empty for a body that is no box
     Raises ValueError, with a message of one line.
     """
     given = {mode: getattr(table, mode) for mode in MODES if getattr(table, mode) is not None}

@@ -41,7 +41,7 @@ def depth_factor_slope(z, k, depth):
 
 
 def depth_values(k, depth):
-    """z (…) in m → (…, 2) of `depth_factor` Z and its slope Z′ in 1/m, from two exponentials"""
+    """`depth_factor` Z and its slope Z′, 1/m, at z (…) m, from two exponentials; shape (…, 2)"""
 
     def values(z):
         down = np.exp(k * z)
@@ -54,7 +54,7 @@ def depth_values(k, depth):
 
 
 def group_factor(k, depth):
-    """n = C_g / C = ½ (1 + 2kh / sinh 2kh): ½ in deep, 1 in shallow water."""
+    """n = C_g / C = ½ (1 + 2kh / sinh 2kh), which is ½ in deep water and 1 in shallow water."""
     if np.isinf(depth):
         return np.full_like(np.asarray(k, float), 0.5)
     x = 2 * np.asarray(k, float) * depth
@@ -80,13 +80,14 @@ def incident_wave(points, beta, omega, k, depth, gravity=9.80665):
 
 
 def exponential_part(sign, phase):
-    """The even part (sign 1) or the odd part (sign −1) of exp(i phase), or the whole (sign 0), and its derivative"""
+    """The even part (sign 1) or odd part (sign −1) of exp(i phase), or exp(i phase) itself (sign 0), and the
+    derivative"""
     factor, value, slope = real_part(sign, phase)
     return factor * value, factor * slope
 
 
 def real_part(sign, phase):
-    """`exponential_part` as a factor and values, which are real except for sign 0"""
+    """`exponential_part` as a product of a factor and values; the values are real for sign 1 and −1"""
     if sign == 0:
         whole = np.exp(1j * phase)
         return 1.0, whole, 1j * whole

@@ -1,10 +1,9 @@
 """A hull drawn from its parts in a TOML file: cylinders, cones, spheres, boxes and extruded outlines, as one body.
 
     size = 2.0                      # m, edges of panels
-    symmetry = "xy"                 # "x", "y", "xy" or left out: its mirror planes; one part is meshed
-    around = 24                     # panels on a circle, at least
-    [[parts]]
-    shape = "cylinder"              # from, to : m, the ends of its axis; radius : m; end_radius : m, of a cone
+    symmetry = "xy"                 # mirror planes, "x", "y" or "xy"; omit the key for a body without mirror planes
+    around = 24                     # smallest number of panels on a circle
+    [[parts]] shape = "cylinder" # from, to : ends of the axis, m; radius : m; end_radius : m, for a cone
     from = [0, 0, -120]
     to = [0, 0, 10]
     radius = 4.7
@@ -13,7 +12,7 @@
 
     box : center, m, size, [length, breadth, height]
     sphere : center, radius
-    outline : points, [[x, z], …] of a side view, breadth, m: a barge with raked ends, a bow; y : m, of its middle
+    outline : points, [[x, z], …] of a side view, m; breadth, m; y, m, of the middle: a barge with raked ends, a bow
 
 The parts below still water, z = 0, are joined, and gmsh meshes their surface.  The waterplane in z = 0 is left open.
 Flat panels with corners on a circle enclose less volume than the circle. All radii are therefore enlarged by about 1 %,
@@ -52,7 +51,8 @@ AT_SURFACE = 1e-6  # distance from z = 0 below which a point lies in the surface
 
 
 class Drawn(NamedTuple):
-    """A body as drawn, without panels: volume, m³, centre of buoyancy (3,), m, and waterplane, m²"""
+    """Properties of the exact drawing, without panels: volume, m³, centre of buoyancy, m, (3,), and waterplane area,
+    m²"""
 
     volume: float
     center: np.ndarray
@@ -61,7 +61,8 @@ class Drawn(NamedTuple):
 
 @dataclass
 class Drawing:
-    """size : m, panel size; symmetry : as in PanelMesh; around : panels on a circle; parts : [(table, turn rad)]"""
+    """size : edge length of panels, m; symmetry : mirror planes, as in PanelMesh; around : smallest number of panels
+    on a circle; parts : [(table of the part, turn in rad)]"""
 
     size: float
     symmetry: str = ""
@@ -82,7 +83,7 @@ def read_drawing(path):
 
 
 def drawing_of(raw):
-    """`Drawing` of nested dictionaries read from TOML.  Raises ValueError."""
+    """`Drawing` from nested dictionaries read from TOML.  Raises ValueError."""
     unknown = set(raw) - {"size", "symmetry", "around", "parts"}
     if unknown or not isinstance(raw.get("parts"), list) or not 1 <= len(raw["parts"]) <= MOST_PARTS:
         what = f"{min(unknown)} is unknown" if unknown else "there are no parts"
@@ -139,11 +140,9 @@ def _number(table, key, where):
 
 
 def meshed(drawing, name=""):
-    """PanelMesh of a `Drawing`: the first of `TRIES` whose centre in plan, volume and waterplane agree with the
-    drawing, or else the nearest
+    """PanelMesh of a `Drawing`: the first of several meshes (`TRIES`) whose volume, waterplane and centre agree with it
 
-    Warns where none is within their limits.
-
+    If no mesh agrees within the limits, the nearest mesh is returned with a warning.
     Raises ValueError where nothing lies below the surface, or where the panels fail a check.
     """
     if not any(part["shape"] == "cylinder" for part, _ in drawing.parts):
@@ -238,7 +237,8 @@ def _panels(drawing, name, grown, seam, algorithm):
 
 
 def outwards(mesh):
-    """The same panels with outward normals: neighbouring panels agree, and each piece has a positive volume"""
+    """The same panels with outward normals: neighbouring panels have consistent normals, and each connected piece
+    encloses a positive volume"""
     sides = {}
     for i, corners in enumerate(mesh.corners.tolist()):
         ring = [a for a, b in zip(corners, corners[1:] + corners[:1], strict=True) if a != b]

@@ -1,8 +1,8 @@
 """Reading and writing panel meshes; the suffix of the file determines the format.
 
 .gdf (WAMIT), .nemoh, .mar and .dat (Nemoh), .pnl (HAMS) and .vtu are read and written; .msh is read through meshio and
-written by gmsh; .vtk, .vtp, .stl, .ply, .obj, .off, .hst (HydroStar) and .dat of Diodore, Salome and AQWA are read, and
-.toml, a drawing that gmsh meshes (`drawing`).
+written by gmsh; .vtk, .vtp, .stl, .ply, .obj, .off, .hst (HydroStar) and .dat of Diodore, Salome and AQWA are read.
+A .toml is a drawing, which gmsh meshes (`drawing`).
 """
 
 import contextlib
@@ -54,9 +54,9 @@ def read_mesh(path):
 
     Points closer than 1e-6 of the mesh size are merged; points within `DRAWN` of a typical edge of z = 0 or of a mirror
     plane are moved into it.  Panels in z = 0 whose normals point up (a lid or a deck) touch no water and are removed,
-    as are panels without area.  A half or quarter on the negative side of its mirror plane is reflected to the positive
-    side.  Nothing else is changed: see `meshing.quality.findings`. Raises ValueError, which names the file and its
-    fault, and FileNotFoundError.
+    as are panels without area.  A half or quarter hull on the negative side of its mirror plane is reflected to the
+    positive side.  Nothing else is changed; `meshing.quality.findings` reports faults.
+    Raises ValueError, which names the file and its fault, and FileNotFoundError.
     """
     path = Path(path)
     suffix = path.suffix.lower()
@@ -95,7 +95,7 @@ def write_mesh(mesh, path, lid=None, fields=None):
 
     mesh, lid : PanelMesh with the same mirror planes
     path : .gdf, .pnl store the mirror planes; .nemoh, .dat store y = 0; .msh, .vtu store the whole hull
-    fields : {name: (n,) one real value a panel}, for .vtu
+    fields : one real value for each panel, {name: (n,)}, for .vtu
     Raises ValueError for a suffix without a writer, or for fields of the wrong shape.
     """
     path, fields = Path(path), fields or {}
@@ -130,7 +130,8 @@ def _as_meant(mesh):
 def wetted(mesh):
     """The mesh without panels in z = 0 that face the air, and without panels of zero area
 
-    A mesh that begins at z = 0 keeps its bottom, however it faces: it is to be moved down.
+    If the top of the mesh is above z = 0 and its lowest point at z = 0, the bottom is kept, whichever side it faces:
+    such a mesh is to be moved down.
     """
     flat = np.all(mesh.vertices[..., 2] == 0, axis=1) & np.any(mesh.vertices[..., 2] < 0)
     dry = (flat & (mesh.area_vectors[:, 2] > 0)) | (mesh.areas <= NO_AREA * mesh.sizes**2)

@@ -1,7 +1,7 @@
 """The only import of gmsh: meshes are made in a session that is always closed, and returned as values.
 
 gmsh keeps one global state per process.  A session therefore holds a lock, reads no user settings and prints nothing.
-It restores any state that the caller had opened before.
+If the caller has opened gmsh before, the session restores the caller's state.
 """
 
 import signal
@@ -36,9 +36,9 @@ def _import_gmsh():
 def session(name="hakobune"):
     """Context with the gmsh module and an empty model `name`; gmsh prints nothing and is always closed again.
 
-    The session works outside the main thread and does not change Ctrl-C (`interruptible=False`: gmsh's own handler
-    would replace Python's, and can be set in the main thread only). Raises ImportError, which names the missing system
-    library, if gmsh cannot be loaded.
+    The session works outside the main thread and does not change Ctrl-C. With `interruptible=False` gmsh sets no
+    handler of its own; its handler would replace Python's, and can be set in the main thread only.
+    Raises ImportError, which names the missing system library, if gmsh cannot be loaded.
     """
     gmsh = _import_gmsh()
     with _lock:
@@ -69,12 +69,14 @@ def _restore_sigpipe():
 
 
 def graded_patches(patches, symmetry="", name=""):
-    """Flat patches filled with structured quadrilaterals that start from the given points of their sides.
+    """Flat patches filled with structured quadrilaterals whose outer corners are the given points of the sides.
 
-    patches : list of patches, each a list of 4 (or 3) sides in counter-clockwise order seen from the water; a side is a
-        polyline (k, 3) m that shares its ends with its neighbours.  Opposite sides have equal numbers of points.  A
+    patches : list of patches; a patch is a list of 4 (or 3) sides, counter-clockwise seen from the water, and a side
+        is a polyline (k, 3) m that shares its ends with its neighbours.
+        Opposite sides have equal numbers of points.  A
         patch of three sides is polar about the first point of the first side. The third side has as many points as the
-        first, and the panels at that point are triangles. returns : PanelMesh; patches share their common points
+        first, and the panels at that point are triangles.
+    returns : PanelMesh in which patches share their common points
 
     gmsh has no cosine spacing for the points of a side. Every segment is therefore a line of one element, and the
     corners of the patch are passed to gmsh.
@@ -101,8 +103,8 @@ def _poles_last(mesh, poles):
 def filled(outer, holes=(), size=1.0, symmetry="", name=""):
     """A flat polygon filled with quadrilaterals (a few triangles) of edges about `size`.
 
-    outer : (k, 3) m, closed polygon, first point not repeated, counter-clockwise seen from the side that the normals
-        point to; holes : more such polygons, of any orientation
+    outer : closed polygon, m, (k, 3), without repeating the first point, counter-clockwise seen from the side that
+        the normals point to; holes : polygons inside the outer polygon, of any orientation
     """
     with session(name or "filled") as gmsh:
         build = _Builder(gmsh)
@@ -118,8 +120,8 @@ def filled(outer, holes=(), size=1.0, symmetry="", name=""):
 def panels_of(gmsh, surfaces=None, symmetry="", name=""):
     """PanelMesh of the triangles and quadrilaterals of the current model.
 
-    surfaces : {surface tag: (3,) vector that gives the side of the normals, or None to keep their direction}; by
-        default all surfaces of the model
+    surfaces : {surface tag: vector (3,) to the side of the normals, or None to keep the normals}; None: all surfaces
+        of the model
     """
     if surfaces is None:
         surfaces = {tag: None for _, tag in gmsh.model.getEntities(2)}

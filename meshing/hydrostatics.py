@@ -1,11 +1,12 @@
-"""A body at rest in still water: volume, buoyancy, waterplane, metacentres, restoring; and the inertia of the body.
+"""Volume, buoyancy, waterplane, metacentres, restoring and inertia of a body at rest in still water.
 
 By Gauss's theorem over the wetted surface S, normals into the water,
 
     V = ∬ x n_x = ∬ y n_y = ∬ z n_z,    V x_B = ½ ∬ x² n_x, …,    ∬_waterplane f(x, y) = −∬ f n_z,
 
-Each is exact for polygons. Panels are cut into triangles, so a closed hull remains closed; the midpoints of a
-triangle's edges integrate a quadratic exactly.  Walls that end on the bed are closed by it (`PanelMesh.foot`).
+Each integral is exact for polygons. Panels are cut into triangles, so a closed hull remains closed; a quadratic
+function is integrated exactly from its values at the midpoints of a triangle's edges.  The sea bed closes walls that
+end on it (`PanelMesh.foot`).
 Restoring coefficients are those of J. N. Newman, Marine Hydrodynamics (1977), section 6.16; weight and buoyancy may
 differ.
 """
@@ -24,8 +25,8 @@ class Hydrostatics:
     """Hydrostatics of a floating hull; positions in the coordinates of the mesh.
 
     volume : m³, the median of `volumes`
-    volumes : (3,) m³, by x, y and z
-    volume_difference : largest relative difference between them
+    volumes : volumes by the integrals of x n_x, y n_y and z n_z, m³, (3,)
+    volume_difference : largest relative difference between the three volumes
     center_of_buoyancy, center_of_mass : (3,) m
     wetted_area, waterplane_area : m²
     waterplane_center : (2,) m, NaN for a submerged body
@@ -34,7 +35,7 @@ class Hydrostatics:
     transverse_metacentric_height, longitudinal_metacentric_height : m, GM
     mass : kg
     rotation_center : (3,) m
-    stiffness : (6, 6) N/m, N, N m/rad, hydrostatic with weight, about `rotation_center`
+    stiffness : stiffness of water and weight about `rotation_center`, N/m, N, N m/rad, (6, 6)
     """
 
     volume: float
@@ -79,8 +80,8 @@ def hydrostatics(
 
     mesh : PanelMesh, up to z = 0
     center_of_mass, rotation_center : (3,) m
-    density : kg/m³, gravity : m/s², mass : kg, by default the displaced mass
-    depth : m of water; a hull whose walls end on the bed is closed by it, as if it floated there
+    density : kg/m³; gravity : m/s²; mass : kg; None: the displaced mass
+    depth : depth of water, m; the bed closes a hull whose walls end on it, as if the hull floated there
     returns : Hydrostatics
     Raises ValueError for a hull with inward normals or a hole, which has no volume.
     """

@@ -1,8 +1,8 @@
-"""Lid: panels on the water surface inside a floating body, against irregular frequencies.
+"""Panels on the water surface inside a floating body (a lid), which remove irregular frequencies.
 
 The boundary integral equation of the outer flow has irregular frequencies, the eigenfrequencies of sloshing inside the
-hull.  Additional unknowns on the inner free surface remove them. Their exact density is zero, so the lid may be coarse
-and need not share points with the hull.
+hull.  Additional unknowns on the inner free surface remove these frequencies. Their exact density is zero, so the lid
+may be coarse and need not share points with the hull.
 """
 
 import math
@@ -25,7 +25,7 @@ def lid(mesh, size=None):
     """Panels of the inner free surface of a hull, normals up, with the mirror planes of the hull.
 
     mesh : PanelMesh
-    size : m, wanted edge length; by default a third as many panels as the hull
+    size : wanted edge length of panels, m; None: a third as many panels as the hull has
     returns : PanelMesh in z = 0, or None if nothing of the hull reaches the water surface
 
     Every closed waterline that runs counter-clockwise receives a lid. A clockwise waterline bounds a moonpool, whose
@@ -52,14 +52,15 @@ def lid(mesh, size=None):
 
 
 def polar_lid(mesh, size):
-    """An axisymmetric `lid`, polar about the hull's axis: edges up to `size` m along the rim, twice that radially.
+    """An axisymmetric `lid`, polar about the hull's axis: edges are up to `size` m along the rim, up to twice `size`
+    radially.
 
     returns : PanelMesh with the mirror planes of the hull, or None if the waterline is not one regular polygon
     raises : ValueError as `lid`
 
     The edges along the rim determine the accuracy.  For a cylinder with 0.2 m of water under the keel, in waves three
-    panel sizes long, the error of the excitation is 0.4 %. It is the same with a lid that is not axisymmetric, and
-    0.6 % with half the edges along the rim and twice as many across.
+    panel sizes long, the error of the excitation is 0.4 %. A lid that is not axisymmetric gives the same error; half
+    the edges along the rim and twice as many across give 0.6 %.
     """
     rings = _closed(waterline(mesh), mesh)
     rim, pole = _regular(rings[0]) if len(rings) == 1 else (None, None)
@@ -73,7 +74,7 @@ def polar_lid(mesh, size):
 
 
 def rings_of(mesh):
-    """[(ring (k, 3) m, its area m²)] of the waterlines of a hull; the area of a moonpool is negative
+    """[(ring, m, (k, 3), and area inside it, m²)] of the waterlines of a hull; the area of a moonpool is negative
 
     Raises ValueError as `lid` does.
     """
@@ -89,8 +90,8 @@ def waterline(mesh):
     """Intersection of the hull with the water surface: a list of (k, 3) m polylines with the body on their left.
 
     Closed polylines end with their first point, open ones on mirror planes; only the meshed part of the hull is
-    covered.  Where waterlines touch in a point, each keeps its body on its left.  Raises ValueError where not as many
-    edges arrive as leave, if more than one does.
+    covered.  Waterlines that touch in a point remain separate, each with the body on its left.  Raises ValueError
+    where several edges meet at a point and the numbers of arriving and leaving edges differ.
     """
     welded = mesh.merged()
     points, edges = welded.points, _surface_edges(welded)

@@ -14,7 +14,7 @@ SAME_POINT = 1e-6  # points closer than this share of the mesh size are one poin
 
 def healed(mesh, near):
     """The mesh with points closer than `near` m merged at their middle, points within `near` of x = 0, y = 0 or z = 0
-    moved there, and panels without area removed"""
+    moved into that plane, and panels without area removed"""
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
     from scipy.spatial import KDTree

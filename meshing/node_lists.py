@@ -9,7 +9,8 @@
     HydroStar   COORDINATES; PANEL TYPE 0 (corners) or 1 (number, corners); SYMMETRY_BODY
     HAMS        numbers of panels, points, mirror planes; points; panels `number 3-or-4 corners`
 
-Corners run counter-clockwise seen from the water in all of them but zones of one panel.  Readers change no orientation.
+Corners run counter-clockwise seen from the water in all formats except WAMIT's zones of one panel.  Readers change no
+orientation.
 """
 
 import re
@@ -26,7 +27,8 @@ PANEL_OF = {"203": 3, "204": 4}  # corners of Salome's types
 
 
 def read_dat(path):
-    """The panels of a `.dat` of Nemoh, WAMIT, Salome, Diodore or AQWA, told by its contents.  Raises ValueError."""
+    """The panels of a `.dat` of Nemoh, WAMIT, Salome, Diodore or AQWA; its contents show the format.  Raises
+    ValueError."""
     text = read_text(path, errors="replace")
     first = text.split("\n", 1)[0].split()
     if re.search(r"^\s*\d*\s*COOR\s*$", text, re.MULTILINE):
@@ -68,7 +70,7 @@ def read_nemoh(path):
 
 
 def read_pnl(path):
-    """HAMS hull mesh: numbers of panels and points and mirror planes, then points, then panels of 3 or 4."""
+    """HAMS hull mesh: numbers of panels, points and mirror planes, then points, then panels with 3 or 4 corners."""
     rows = []
     for k, line in enumerate(read_text(path, errors="replace").splitlines(), 1):
         words = line.split("!")[0].split()
@@ -163,7 +165,8 @@ def _aqwa(path, text):
 
 
 def read_hydrostar(path):
-    """HydroStar's mesh of one body; raises ValueError, also for a WAMIT matrix file with the same ending."""
+    """HydroStar's mesh of one body; raises ValueError for other files, such as a WAMIT matrix file, which has the
+    same ending."""
     rows = [(k, line.split()) for k, line in enumerate(read_text(path, errors="replace").splitlines(), 1)]
     rows = [(k, words) for k, words in rows if words]
     points, panels, symmetry, within, kind = [], [], "", "", 0

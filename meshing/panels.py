@@ -23,13 +23,13 @@ ROUND = 12  # least number of turns about the vertical that map a mesh to itself
 
 @dataclass(frozen=True, eq=False)
 class PanelMesh:
-    """Panels of a wetted hull, of which a half or a quarter is stored if mirror planes give the rest.
+    """Panels of a wetted hull; if the hull has mirror planes, only a half or a quarter of it is stored.
 
     points : (m, 3) m
-    corners : (n, 4) numbers into `points`
-    symmetry : mirrored coordinates: "" none, "x" in the plane x = 0, "y" in the plane y = 0, "xy" both
-    body : (n,) number of the body of each panel; with several bodies each mirror plane is one of every body.  None for
-        one body
+    corners : indices of points, (n, 4)
+    symmetry : mirror planes: "" none, "x" the plane x = 0, "y" the plane y = 0, "xy" both planes
+    body : number of the body of each panel, (n,); each mirror plane of several bodies is a mirror plane of every
+        body. None for one body
     """
 
     points: np.ndarray
@@ -74,12 +74,12 @@ class PanelMesh:
 
     @property
     def copies(self):
-        """Number of mirror images of the whole hull: 1, 2 or 4."""
+        """Number of images that make the whole hull, including the stored part: 1, 2 or 4."""
         return 2 ** len(self.symmetry)
 
     @property
     def total(self):
-        """Panels on the whole hull."""
+        """Number of panels on the whole hull."""
         return self.copies * len(self)
 
     @cached_property
@@ -144,17 +144,18 @@ class PanelMesh:
 
     @cached_property
     def volume(self):
-        """m³ enclosed by the whole hull, the water plane and its foot: ∬ x·n dS / 3 (the plane z = 0 adds nothing)"""
+        """Volume that the whole hull, the plane z = 0 and the `foot` enclose, m³: ∬ x·n dS / 3, where z = 0 adds
+        nothing"""
         share = self.copies * float(np.einsum("ni,ni->", self.centroids, self.area_vectors)) / 3
         return share if self.foot is None else share + self.foot.volume
 
     @cached_property
     def foot(self):
-        """Panels that close the foot of walls without a bottom, a PanelMesh with normals down; None for other hulls
+        """PanelMesh that closes walls without a bottom at their foot, normals down; None for a hull with a bottom
 
-        The foot are the edges of one panel at the lowest level of the mesh.  The triangles between each edge and one
-        point have the same sum of signed areas as the true bottom, but not the same places: use them for integrals and
-        solid angles only.
+        The foot consists of the edges that belong to one panel at the lowest level of the mesh.  The triangles
+        between each edge and one common point have the same sum of signed areas as the true bottom, but may overlap:
+        use them for integrals and solid angles only.
         """
         level, reach = -self.draft, AT_FOOT * max(self.draft, 0.0)
         if np.any((self.vertices[..., 2] <= level + reach).all(axis=1)):
@@ -176,7 +177,7 @@ class PanelMesh:
         return PanelMesh(points, np.stack([b[once], a[once], pole, pole], axis=1), self.symmetry)
 
     def closed(self):
-        """The hull with its `foot`"""
+        """The hull closed by its `foot`"""
         return self if self.foot is None else joined([replace(self, body=None), self.foot])
 
     @cached_property
@@ -201,7 +202,7 @@ class PanelMesh:
         return PanelMesh(points, corners, "", self.name, body).merged()
 
     def moved(self, dx=0.0, dy=0.0, dz=0.0):
-        """A shifted copy; a mirror plane off which the hull is shifted is replaced by the reflected panels."""
+        """A shifted copy. If the shift is across a mirror plane, reflected panels replace this plane."""
         base = self
         if ("x" in self.symmetry and dx) or ("y" in self.symmetry and dy):
             base = self.whole()
@@ -221,10 +222,10 @@ class PanelMesh:
         return replace(self, points=self.points * np.asarray(factor, float))
 
     def mirrored(self, axis):
-        """A copy completed by its image in the plane `axis` = 0 ("x" or "y"); the mesh must lie on one side of the
-        plane.
+        """A copy completed by its image in the plane x = 0 (axis "x") or y = 0 ("y"); the mesh must lie on one side
+        of the plane.
 
-        Raises ValueError for a mesh on both sides, or with this mirror plane already.
+        Raises ValueError for a mesh on both sides of the plane, or if the plane is already a mirror plane of the mesh.
         """
         side = self.vertices[..., "xy".index(axis)]
         reach = SAME_SIDE * np.abs(self.points).max(initial=0.0)
@@ -242,7 +243,7 @@ class PanelMesh:
         """The part of the mesh below z = 0: panels cut by the surface end at the surface, as quadrilaterals and
         triangles.
 
-        Raises ValueError where nothing lies below.
+        Raises ValueError if nothing lies below the surface.
         """
         z = self.points[:, 2]
         points = np.where(np.abs(z) <= IN_SURFACE * np.abs(self.points).max(initial=0.0), 0.0, z)
@@ -268,7 +269,7 @@ class PanelMesh:
         return replace(self, corners=self.corners[:, ::-1])
 
     def merged(self, tolerance=1e-8):
-        """A copy in which points closer than `tolerance` times the hull's size are one."""
+        """A copy in which points closer than `tolerance` times the hull's size are merged."""
         size = np.ptp(self.points, axis=0).max() if len(self.points) else 1.0
         _, first, back = np.unique(
             np.round(self.points / (tolerance * size or 1.0)).astype(np.int64),

@@ -1,9 +1,9 @@
 """Seals of result files: a CRC-32 of the contents, which shows later changes of the file.
 
-HDF5   a block before the file, which HDF5 reserves for users: a line with the CRC-32 of every byte after it,
-       then a line for each dataset, which locates damage.  Numbers that are filled in later are listed by place and
-       excluded, since they have their own checksums. The structures that HDF5 reads are included. text : the last of
-       the # lines of the header, with the CRC-32 of all other lines
+HDF5   The seal is a block before the file, which HDF5 reserves for users: a line with the CRC-32 of every byte after
+      it, then a line for each dataset, which locates damage.  Numbers that are filled in later are listed by place
+      and excluded, because they have their own checksums. The structures that HDF5 reads are included.
+text   The seal is the last of the # lines of the header, with the CRC-32 of all other lines.
 """
 
 import os
@@ -31,11 +31,11 @@ REMEDY = "copy it again, or delete it and make it again"
 
 
 def hdf5_seal(image, places, filled=(), kind="", size=LEAST_BLOCK):
-    """The block before an HDF5 file.
+    """The seal of an HDF5 file, a block that stands before the file.
 
-    image : bytes of the file; places : {name: (first byte, bytes)} of its complete datasets
-    filled : (first byte, bytes) of datasets that are filled in later; kind : kind of such a file, in words
-    size : bytes of the block, if they are enough
+    image : bytes of the file; places : {name: (first byte, number of bytes)} of complete datasets
+    filled : [(first byte, number of bytes)] of datasets that are filled in later; kind : kind of the file, in words
+    size : number of bytes of the block, if the seal needs no more
     """
     filled = _joined(filled)
     lines = [f"{zlib.crc32(image[a : a + n]):08x} {a} {n} {name}\n" for name, (a, n) in places.items()]

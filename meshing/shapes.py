@@ -1,12 +1,12 @@
-"""Hulls from a few dimensions: box and buoy, as quadrilaterals graded towards every edge and the waterline.
+"""Meshes of a box and a buoy from their dimensions: quadrilaterals, smaller towards every edge and the waterline.
 
 The potential of a body with right-angled edges is singular at the edges. With panels whose size decreases with the
 square of the distance to the edge,
 
     half length  x_i = L/2 sin(π i / 2n),      draft  z_i = −d/2 (1 − cos(π i / n)),
 
-the error of a constant-panel solution decreases with the square of the panel size. With equal panels it is only of
-first order.  The origin is the centre of the waterplane, and the hull ends at z = 0.
+the error of a constant-panel solution decreases with the square of the panel size. With equal panels the error
+decreases only with the panel size.  The origin is the centre of the waterplane, and the hull ends at z = 0.
 """
 
 import math
@@ -25,11 +25,12 @@ def box(length, beam, draft, *, panels=500, symmetry="xy", counts=None, grading=
 
     length, beam, draft : m, along x, y, z
     panels : largest number of panels on the whole hull
-    symmetry : "xy" meshes x ≥ 0, y ≥ 0; "x" x ≥ 0; "y" y ≥ 0; "" everything
-    counts : (n_length, n_beam, n_draft) over half the length, half the beam and the draft, instead of `panels`:
-        4 (n_length n_beam + (n_length + n_beam) n_draft) on the whole hull
-    grading : False for equal panels; longest : m, no edge is longer (then `panels` may be exceeded)
-    bottom : False omits the bottom, for a caisson that stands on the sea bed
+    symmetry : mirror planes; "xy" meshes the part x ≥ 0, y ≥ 0; "x" the part x ≥ 0; "y" the part y ≥ 0; "" the whole
+        box
+    counts : numbers of panels (n_length, n_beam, n_draft) over half the length, half the beam and the draft, instead
+        of `panels`; the whole hull then has 4 (n_length n_beam + (n_length + n_beam) n_draft) panels
+    grading : False for equal panels; longest : greatest length of an edge, m; to keep it, `panels` may be exceeded
+    bottom : whether the box has a bottom; False for a caisson that stands on the sea bed
     returns : PanelMesh; volume and areas are exact
     Raises ValueError for dimensions that are not positive and for too few panels.
     """
@@ -51,13 +52,13 @@ def buoy(radius, draft, *, panels=500, symmetry="xy", counts=None, grading=True,
     """Wetted surface of a vertical circular cylinder.
 
     radius, draft : m
-    counts : (n_quarter, n_radius, n_draft) over a quarter of the circumference, the radius and the draft,
-        instead of `panels`: 4 n_quarter (n_radius + n_draft) on the whole hull
-    bottom : False omits the bottom, for a cylinder that stands on the sea bed
+    counts : numbers of panels (n_quarter, n_radius, n_draft) over a quarter of the circumference, the radius and the
+        draft, instead of `panels`; the whole hull then has 4 n_quarter (n_radius + n_draft) panels
+    bottom : whether the cylinder has a bottom; False for a cylinder that stands on the sea bed
     panels, symmetry, grading : as for `box`
 
-    The circle is the polygon of N = 4 n_quarter sides of equal area, with its corners at
-    R √((2π/N) / sin(2π/N)): waterplane and volume are exact, the wall is too long by the fraction π²/(6 N²).
+    A polygon with N = 4 n_quarter sides, corners at the radius R √((2π/N) / sin(2π/N)) and the area of the circle
+    replaces the circle: waterplane and volume are exact, and the wall is too long by the fraction π²/(6 N²).
     """
     _check_dimensions(radius=radius, draft=draft)
     if counts:
@@ -74,7 +75,7 @@ def buoy(radius, draft, *, panels=500, symmetry="xy", counts=None, grading=True,
 
 
 class TooFewPanels(ValueError):
-    """Raised for fewer panels than the shape needs; least : smallest number for this hull"""
+    """The requested number of panels is smaller than the shape needs; least : smallest number for this hull"""
 
     def __init__(self, panels, least):
         super().__init__(f"panels is {panels}; allowed: at least {least} on the whole hull")
@@ -85,9 +86,11 @@ def box_counts(length, beam, draft, panels=500, bottom=True, longest=math.inf):
     """Return (n_length, n_beam, n_draft) for at most `panels` on the whole hull.
 
     The counts are proportional to the square roots of half the length, half the beam and twice the draft (which has an
-    edge at both ends). Cosine grading then makes panels equally thin at every edge, and the edges determine the
-    accuracy. Box 400 × 50 × 10 m, 450 panels: largest error of added mass 0.3 % with (12, 4, 4), 2 % with (23, 2, 3).
-    longest : m, upper limit of edges, even if more panels are needed (short waves)
+    edge at both ends). Cosine grading then makes panels equally thin at every edge of the hull; these edges determine
+    the accuracy.
+    On a box of 400 × 50 × 10 m with 450 panels the largest error of added mass is 0.3 % with (12, 4, 4) and 2 % with
+    (23, 2, 3).
+    longest : greatest length of an edge, m, kept even if it needs more panels (short waves)
     """
     a, b = length / 2, beam / 2
     return fitted_counts((a, b, 2 * draft), lambda n: 4 * (n[0] * n[1] * bottom + (n[0] + n[1]) * n[2]), panels,
@@ -106,10 +109,9 @@ def _most(extent, longest):
 
 
 def fitted_counts(edges, total, panels, needed):
-    """The largest counts proportional to the roots of `edges` whose `total` is at most `panels`.
+    """The largest counts, proportional to the square roots of `edges`, for which `total` is at most `panels`.
 
-    Rounding leaves some panels over. They go to the direction that is farthest below its target, but `needed` is always
-    a lower limit.
+    Panels that rounding leaves over go to the direction farthest below its target. No count is less than `needed`.
     """
     wishes = np.sqrt(edges)
     lowest = WELL_RESOLVED if panels >= 200 else (1, 1, 2)

@@ -1,7 +1,7 @@
 """Hull of a ship from a few numbers: flat bottom, bilge, upright stem and stern, parallel middle body.
 
-    y(x, s) = f(x) Y(s),  z = Z(s):    a rectangle B/2 × d with its corner rounded by r₀, drawn in towards the ends by
-    f = 1 − tᵖ,  t the share of entrance or run from its inner to its outer end,  p = φ/(1 − φ)
+    y(x, s) = f(x) Y(s),  z = Z(s):    a rectangle B/2 × d with its corner rounded by r₀, made narrower towards the
+    ends by f = 1 − tᵖ, t the share of entrance or run from its inner to its outer end, p = φ/(1 − φ)
 
 φ is the fullness of the waterplane at the bow or the stern.  With the coefficient of the middle section C_M = 1 − (1 −
 π/4)
@@ -9,11 +9,13 @@
 
     C_B = C_M {1 − l [(1 − φ_b) + (1 − φ_s)]},
 
-l the share of the length of entrance and of run: LONG, from which φ = φ_b = φ_s follows, or what follows from given
-φ_b and φ_s.  Of a given coefficient of the waterplane C_WP = 1 − 2l (1 − φ) the fullness φ goes evenly from the keel to
-the waterline, such that the volume is C_B L B d: V-shaped ends where C_WP is above C_B/C_M; l is 0.4, or 0.5 where that
-is not enough.  Panels are graded towards both ends, the bilge and the waterline. Half-breadths are scaled so that their
-volume is L B d C_B, by a factor that tends to 1 with the square of the panel size. x points to the bow.
+where l is the length of the entrance, and of the run, over the length of the ship.  If φ_b and φ_s are given, l follows
+from them; otherwise l is LONG, and φ = φ_b = φ_s follows from l.
+If the waterplane coefficient C_WP = 1 − 2l (1 − φ) is given, the fullness φ changes linearly from the keel to the
+waterline, so that the volume is C_B L B d: the ends are V-shaped where C_WP is above C_B/C_M. In this case l is 0.4, or
+0.5 where 0.4 is not enough.  Panels are graded towards both ends, the bilge and the waterline. A factor on the
+half-breadths makes the volume of the panels L B d C_B; it differs from 1 by the square of the panel size.
+x points to the bow.
 """
 
 import math
@@ -44,10 +46,10 @@ def ship(
     """`PanelMesh` of half a ship, y ≥ 0.
 
     length, beam, draft : m; block : C_B; bow, stern : fullness φ of entrance and run, both or neither
-    waterplane : C_WP, without these
-    panels : largest number on the whole hull; counts : (n_length, n_bottom, n_side) over the length, half the bottom,
-    and bilge with side (at least 2), instead: 2 n_length (n_bottom + n_side) on the whole hull; longest : as for
-    `shapes.box`
+    waterplane : C_WP, in place of bow and stern; panels : largest number of panels on the whole hull
+    counts : numbers of panels (n_length, n_bottom, n_side) over the length, half the bottom, and bilge with side (at
+        least 2), instead of `panels`; the whole hull then has 2 n_length (n_bottom + n_side) panels
+    longest : as for `shapes.box`
     raises : ValueError, with a message of one line
     """
     for name, value in (("length", length), ("beam", beam), ("draft", draft)):

@@ -1,4 +1,5 @@
-"""Text files of other programs: UTF-8 with or without the byte order mark of Windows, regular files of limited size."""
+"""Text files of other programs: UTF-8 with or without a byte order mark; only regular files of limited size are
+read."""
 
 import csv
 import gzip
@@ -14,9 +15,9 @@ LARGEST = 256  # MB; a record of ten million values
 def read_text(path, error=ValueError, *, errors="strict", largest=LARGEST):
     """The text of a regular file, without a byte order mark.
 
-    error : class that is raised, with one line of text; errors : as in `bytes.decode`; largest : MB
-    raises : error for a missing file, no text, no permission, an endless file (device, pipe), excessive size, or a
-        broken seal (`seals`)
+    error : class of the exception to raise; errors : as in `bytes.decode`; largest : largest size, MB
+    raises : `error` for a file that is missing, not text, not permitted, endless (device, pipe) or too large, or
+        whose seal is broken (`seals`)
     """
     path = Path(path)
     try:
@@ -48,7 +49,7 @@ def _content(path, error, largest):
 
 
 def check_size(path, error=ValueError, largest=LARGEST):
-    """Raises `error` where a path is no regular file or exceeds `largest` MB; OSError without access."""
+    """Raise `error` if a path is no regular file or exceeds `largest` MB, and OSError if the file is not accessible."""
     found = Path(path).stat()
     if stat.S_ISDIR(found.st_mode):
         raise error(f"{path} cannot be read: Is a directory")
@@ -59,7 +60,7 @@ def check_size(path, error=ValueError, largest=LARGEST):
 
 
 def is_number(word):
-    """Whether Python reads a word as a number"""
+    """Whether Python's float accepts a word"""
     try:
         float(word)
     except ValueError:
@@ -85,7 +86,8 @@ def csv_rows(text):
 
 
 def packaged_rows(package, name):
-    """Rows of `tables/NAME.csv` in a folder of the program, a dictionary of texts each; its # lines have the source"""
+    """Rows of `tables/NAME.csv` in a folder of the program, each a dictionary of texts; the # lines of the file name
+    the source"""
     from importlib.resources import files
 
     return list(csv_rows(files(package).joinpath("tables", f"{name}.csv").read_text(encoding="utf-8")))

@@ -1,8 +1,7 @@
-"""Plain-text panel files: WAMIT GDF and OBJ, read and written; meshes of Nemoh and HAMS, written here and read by
-`node_lists`.
+"""Plain-text panel files: GDF of WAMIT, OBJ and STL, and the writers for Nemoh and HAMS, read by `node_lists`.
 
-All three number the corners of a panel counter-clockwise seen from the water (WAMIT user manual, section 6.1), as
-PanelMesh does. Normals keep the direction of the file, into the water.  Readers change no orientation;
+WAMIT, Nemoh and HAMS number the corners of a panel counter-clockwise seen from the water (WAMIT user manual, section
+6.1), like PanelMesh. Normals keep the direction of the file, into the water.  Readers change no orientation;
 `meshing.quality.findings` reports wrong ones.
 """
 
@@ -20,7 +19,7 @@ FOOT = 0.3048  # m
 
 
 def read_gdf(path):
-    """Low-order WAMIT geometry: header, ULEN GRAV, ISX ISY, NPAN, then four corners a panel.
+    """Low-order WAMIT geometry: header, ULEN GRAV, ISX ISY, NPAN, then four corners for each panel.
 
     GRAV determines whether lengths are metres or feet; ULEN does not scale the corners.
     """
@@ -108,11 +107,12 @@ def write_pnl(mesh, path):
 
 
 def read_obj(path):
-    """Wavefront OBJ: points `v x y z`, panels `f` by point number, from 1, or −1 for the last point read; normals are
-    ignored.
+    """Wavefront OBJ: points `v x y z` and panels `f` with numbers of points, from 1, or −1 for the last point read;
+    normals are ignored.
 
     A corner may be point/texture/normal: only the first number is a point. Polygons of more than four corners are cut,
-    which preserves the surface of convex polygons.  Coordinates are taken as m.  raises : ValueError naming the line
+    which preserves the surface of convex polygons.  Coordinates are taken as m.
+    Raises ValueError, which names the line.
     """
     points, panels = [], []
     for k, line in enumerate(read_text(path, errors="replace").replace("\\\n", " ").splitlines(), 1):
@@ -129,7 +129,7 @@ def read_obj(path):
 
 
 def read_stl(path):
-    """Triangles of a text .stl: three lines `vertex x y z` each, with any lines between them; coordinates in m
+    """Triangles of a text .stl: a triangle is three lines `vertex x y z`, with any lines between them; coordinates in m
 
     raises : ValueError, which names a word that is no number, or vertices not in groups of three
     """
@@ -144,13 +144,14 @@ def read_stl(path):
 
 
 def cut(corners):
-    """Corners of a polygon as panels of three or four, cut from its first corner; three or four remain as they are"""
+    """Panels of three or four corners cut from a polygon at its first corner; a polygon of three or four corners is
+    kept"""
     last = max(len(corners) - 1, 2)
     return [[corners[0], *corners[i : i + 3]] for i in range(1, last, 2)]
 
 
 def split(corners):
-    """Panels (n, 4) as quadrilaterals (q, 4) and triangles (t, 3), and the panel numbers (n,) in that order.
+    """Panels (n, 4) as quadrilaterals (q, 4) and triangles (t, 3), and the panel numbers (n,) in this new order.
 
     Raises ValueError for a panel with fewer than three different corners.
     """
@@ -182,7 +183,8 @@ def _panel(path, k, row, numbers):
 
 
 def length_unit(path, gravity):
-    """m per unit of length of a GDF file, from its acceleration of gravity.  Raises ValueError if neither m nor ft."""
+    """Unit of length of a GDF file, m, from its acceleration of gravity.  Raises ValueError if it is neither m nor
+    ft."""
     if 9.7 < gravity < 9.9:
         return 1.0
     if 31.8 < gravity < 32.5:

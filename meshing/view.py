@@ -1,4 +1,4 @@
-"""A picture of a mesh: whole hull with panel edges, normals, waterline, lid and a field on the panels."""
+"""A picture of a mesh: the whole hull with panel edges, normals, waterline, lid and a field on the panels."""
 
 import math
 
@@ -16,9 +16,10 @@ def scene(mesh, lid=None, field=None, field_name="", normals=True, depth=math.in
     """A pyvista Plotter that shows the whole hull.
 
     mesh, lid : PanelMesh
-    field : (n,) one value per panel of `mesh`, or of the whole hull; coloured, with a colour bar `field_name`
-    normals : draws arrows out of the hull, on a part of the panels if there are many
-    depth : m, draws the sea bed if finite; font : font file with the letters of the name, or None
+    field : one value for each panel of `mesh` or of the whole hull, (n,), shown by colours with a bar named
+        `field_name`
+    normals : whether arrows point out of the hull, on a part of the panels if there are many panels
+    depth : depth of the sea bed, which is drawn if finite, m; font : font file with the letters of the name, or None
     Raises ValueError for a field without one value per panel.
     """
     import pyvista as pv
@@ -45,7 +46,8 @@ def scene(mesh, lid=None, field=None, field_name="", normals=True, depth=math.in
 
 
 def show(plotter, title, screenshot=None):
-    """Show a Plotter in a window, or write its picture to the file `screenshot`, without a display; close it."""
+    """Show a Plotter in a window, or write its picture to the file `screenshot` without a display; then close the
+    Plotter."""
     try:
         if screenshot is None:
             plotter.show(title=title)
@@ -57,7 +59,7 @@ def show(plotter, title, screenshot=None):
 
 
 def write_page(plotter, path):
-    """Write a Plotter as an HTML page that any browser can turn without a network; close the Plotter.
+    """Write a Plotter as an HTML page, on which a browser can turn the hull without a network; then close the Plotter.
 
     Raises ValueError if the packages for pictures are missing.
     """

@@ -1,4 +1,4 @@
-"""Files are written completely or not at all: first under another name, then read back, then renamed.
+"""Files are written completely or not at all: a file is written under another name, then read back, then renamed.
 
 If the disk is full or a quota is reached, the old file remains and a one-line error gives the reason.
 """
@@ -16,7 +16,7 @@ class NotWritten(OSError):
 def write_whole(path, *content):
     """Write texts or bytes, one after another, to a file and replace its content.
 
-    raises : NotWritten, one line, where they cannot be written to the disk
+    raises : NotWritten, with one line of text, if the disk does not accept the content
     """
     parts = [part.encode() if isinstance(part, str) else part for part in content]
     with made_beside(path) as partial:
@@ -71,6 +71,6 @@ def keep_room(path):
 
 
 def not_written(path, error):
-    """NotWritten, the error to raise for a file that an OSError kept from being written"""
+    """The NotWritten to raise for a file that an OSError kept from being written"""
     reason = error.strerror or " ".join(str(error).split())
     return NotWritten(f"{path} cannot be written: {reason}; the file that was there before is unchanged")

@@ -1,1 +1,1 @@
-"""The contour method: vertical-sided bodies by domain decomposition, no panels."""
+"""The contour method: vertical-sided bodies solved by domain decomposition, without panels."""

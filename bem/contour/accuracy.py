@@ -1,8 +1,8 @@
-"""Resolution of each part of the contour method for a relative error of 10^(−digits) in coefficients and forces.
+"""Resolution of each part of the contour method that gives a relative error of 10^(−digits) in coefficients and forces.
 
-Each part was coarsened alone on 230 random bodies (L/B 1 … 20, B/d 0.2 … 100, H/d 1.02 and up, λ/L 0.2 … 20).  The
-resulting error in 95 % of them is less than, with r = gap / min(draft, scale), g = gap / scale, the scale that of the
-plan, and `high` = max(g/4, 1)
+Each part was coarsened alone on 230 random bodies (L/B 1 … 20, B/d 0.2 … 100, H/d 1.02 and up, λ/L 0.2 … 20).  In 95
+% of these bodies the resulting error is less than the following numbers, with r = gap / min(draft, scale), g = gap /
+scale, the scale of the plan, and `high` = max(g/4, 1):
 
     functions of the gap, T in each family      10^(−8 (1 + r)^(−0.7) − (T − 1)(0.8 + 1.7 / (1 + r/4)))
     evanescent modes, 15 m per length           10^(−1.5 − 1.2 m)
@@ -10,14 +10,14 @@ plan, and `high` = max(g/4, 1)
     panels on the plan, p digits                10^(−1.2 − 1.3 p) high^3.3
     polynomials beyond those of the waves, e    10^(−2.4 − e/1.5)
 
-The median error of each part is thirty times smaller, and another part is the largest for each body.  The error is
-therefore not estimated by these formulas. A finer body (`finer`), in which all parts are finer, gives the estimate.
+The median error of each part is thirty times smaller, and the part with the largest error differs from body to body.
+The error is therefore not estimated by these formulas, but from a finer body (`finer`), in which all parts are finer.
 In a narrow gap one more function of the gap reduces its error by up to six digits; the errors of the other parts
 remain.
 
-Those bodies were a hundred waves long at most, most of them a few.  With fifty waves or more over a low gap, panels of
-one digit had an error of 10^(−1), and a table of no digits 10^(−2). The least resolutions are therefore three digits
-and one digit, which cost no time.
+The 230 bodies were a hundred waves long at most, and most of them a few waves long.  With fifty waves or more over a
+low gap, panels of one digit had an error of 10^(−1), and a table of no digits 10^(−2). The least resolutions are
+therefore three digits and one digit, which cost no time.
 """
 
 from math import ceil, log10
@@ -29,16 +29,16 @@ DIGIT = 1.0  # extra digits of the finer body: its own error, on average a tenth
 
 
 def height(gap, scale):
-    """`high` of the module: factor for errors that grow with the gap over the plan's scale, 1 for low gaps"""
+    """The factor `high`: growth of errors with the gap over the scale of the plan; 1 for low gaps"""
     return max(gap / scale / 4, 1.0)
 
 
 class Accuracy(NamedTuple):
-    """digits : target; terms : functions in each of the three families of the gap; smallest : `Profiles.smallest`
-
+    """digits : wanted digits; terms : functions in each of the three families of the gap; smallest :
+    `Profiles.smallest`
     modes : evanescent modes per smallest length; kappa : digits of the table in κ
     plan : digits of the plan's panels; extra : polynomials per side and class beyond those that waves need
-    further : the same number more on the shorter side, after rounding
+    further : further polynomials, added on the shorter side after rounding
     """
 
     digits: float
@@ -68,10 +68,10 @@ def accuracy(digits, draft, gap, scale):
 
 
 def finer(coarse, draft, gap, scale):
-    """`Accuracy` for the error estimate of a coarser one: every part better by a factor of ten on average.
+    """`Accuracy` that estimates the error of a coarser `Accuracy`: every part is better by a factor of ten on average.
 
-    The number of gap functions is chosen for the worst bodies; it is increased by one where they may dominate the
-    error. The number of polynomials, which changes in steps, goes to the next step.
+    The number of gap functions is chosen for the worst bodies; it is increased by one where these functions may
+    dominate the error. The number of polynomials, which changes in steps, is raised to the next step.
     """
     fine, far = (accuracy(coarse.digits + n * DIGIT, draft, gap, scale) for n in (1, 2))
     return fine._replace(

@@ -1,15 +1,16 @@
 """Box or vertical cylinder in finite depth by domain decomposition.
 
-Eigenfunctions of depth outside and under the body (`bem.depth_modes.gap`); for each of them the Neumann-to-Dirichlet
-map of the plan contour (`plan.circle`, `plan.rectangle`); in the gap under the keel velocity profiles with the
-singularity of the keel's edge (`bem.depth_modes.gap_profiles`); equality of the potentials by Galerkin's method
-(`matching`).  After Ijima's method in the SR179 report (1982), section 2.1.5, eqs 2.1.5.18-28, and Garrett, J. Fluid
+Outside and under the body the potential is a sum of eigenfunctions of depth (`bem.depth_modes.gap`). Each
+eigenfunction has a Neumann-to-Dirichlet map of the plan contour (`plan.circle`, `plan.rectangle`). Velocity profiles
+in the gap under the keel have the singularity of the keel's edge (`bem.depth_modes.gap_profiles`). Galerkin's method
+makes the potentials on both sides of the gap equal (`matching`).
+Sources: Ijima's method in the SR179 report (1982), section 2.1.5, eqs 2.1.5.18-28, and Garrett, J. Fluid
 Mech. 46 (1971).  Conventions as in `bem`.
 
-Two parts do not depend on frequency: the maps under the body, and a table in κ of the maps outside, from which the
+Two parts do not depend on frequency: the maps under the body, and a table in κ of the maps outside, from which
 evanescent modes are summed (`modal_sums`).
-The functions of the plan are hierarchical in their degree, so that one table serves every
-frequency that needs that degree or less.  A frequency solves one plane Helmholtz problem around the plan.
+The functions of the plan are hierarchical in their degree, so that one table of a degree serves every frequency that
+needs this degree or a lower one.  A frequency solves one plane Helmholtz problem around the plan.
 """
 
 from dataclasses import dataclass, field
@@ -51,9 +52,9 @@ def memoised(method):
 
 @dataclass(frozen=True, eq=False)
 class ContourBody:
-    """A body of constant plan from z = −draft to the surface, with its frequency-independent quantities.
+    """A body of constant plan from z = −draft to the surface, with all quantities that do not depend on frequency.
 
-    plan : `Circle` or `Rectangle`; draft, depth : m; accuracy : accuracy of its parts
+    plan : `Circle` or `Rectangle`; draft, depth : m; accuracy : `Accuracy` of the parts of the method
     """
 
     plan: object
@@ -65,9 +66,10 @@ class ContourBody:
     def first_order(self, omega, headings=(), theta=(), dofs=range(6), density=1025.0, gravity=9.80665):
         """`FirstOrder` at one frequency.
 
-        omega : rad/s; headings : (m,) rad that the waves travel to; theta : (t,) rad, of the Kochin functions
+        omega : frequency, rad/s; headings : directions that the waves travel to, rad, (m,); theta : angles of the
+            Kochin functions, rad, (t,)
         dofs : needed degrees of freedom 0 … 5; the others remain zero
-        Raises ValueError for a frequency that is not positive and finite, and an angle that is not finite.
+        Raises ValueError for a frequency that is not positive and finite, and for an angle that is not finite.
         """
         if not 0 < omega < np.inf:
             raise ValueError(
@@ -79,7 +81,7 @@ class ContourBody:
             return ContourFrequency(self, omega, headings, theta, dofs, density, gravity).result()
 
     def resolution(self, omega, gravity=9.80665):
-        """Resolution of the equations at a frequency: with equal resolution errors are smooth in frequency"""
+        """Resolution of the equations at a frequency. Errors are smooth over frequencies of equal resolution"""
         k = float(wavenumber(omega, self.depth, gravity))
         degree, top = degrees(self, k)
         return degree, top, len(self.plan.contour(k, degree, self.tolerance).weights)
@@ -91,7 +93,7 @@ class ContourBody:
         return density * gravity * np.where(np.isin(np.arange(6), dofs), force, 0)
 
     def added_mass_limit(self, which, density=1025.0):
-        """Added mass for `which` "zero" or "infinity" of the frequency, about the origin; shape (6, 6); kg, kg m, kg m²
+        """Added mass about the origin at the frequency `which`, "zero" or "infinity", kg, kg m, kg m²; shape (6, 6)
 
         Heave is infinite at zero frequency, as A ~ −(ρ area² / 2πh) ln k in finite depth.
         """
@@ -102,13 +104,13 @@ class ContourBody:
 
     @cached_property
     def finer(self):
-        """The same body with one more digit, for the error estimate of the body itself"""
+        """The same body with one more digit, from which the error of this body is estimated"""
         fine = finer(self.accuracy, self.draft, self.depth - self.draft, self.plan.scale)
         return ContourBody(self.plan.to(fine), self.draft, self.depth, fine)
 
     @cached_property
     def sharper(self):
-        """The same body for a tenth of the tolerance; None at the last"""
+        """The same body for a tenth of the tolerance; None at the smallest tolerance"""
         digits = self.accuracy.digits + DIGIT
         if digits > MARGIN - np.log10(TOLERANCES[0]) + 1e-9:
             return None
@@ -117,7 +119,7 @@ class ContourBody:
 
     @property
     def tolerance(self):
-        """Relative error of the parts"""
+        """Relative error for which the parts are made"""
         return 10**-self.accuracy.digits
 
     @cached_property
@@ -127,11 +129,13 @@ class ContourBody:
 
     @memoised
     def nodes(self, degree):
-        """κ at which the maps of functions up to `degree` are known, from below the first mode of either region.
+        """Values of κ, rising from below the first modes of both regions, at which the maps of functions up to
+        `degree` are known.
 
-        Their nearest singularities lie at arg κ = ±π/2: the error of Chebyshev interpolation falls by a factor of ten
-        for every 0.73 nodes per factor e in κ.  One digit and a half are lost to the size of κT in long waves.  A wave
-        of m rad/m along a wall has κN = −κ / √(κ² + m²), which approaches its limit −1 only for κ larger than all m.
+        The nearest singularities of the maps lie at arg κ = ±π/2: the error of Chebyshev interpolation falls by a
+        factor of ten for every 0.73 nodes per factor e in κ.  One digit and a half are lost to the size of κT in long
+        waves.  A wave of m rad/m along a wall has κN = −κ / √(κ² + m²), which approaches its limit −1 only for κ
+        larger than all m.
         """
         first, digits = np.pi / (2 * self.depth), self.accuracy.kappa
         shortest = max(1 / self.plan.scale, first, ALONG * self.plan.finest(degree))
@@ -140,7 +144,7 @@ class ContourBody:
 
     @memoised
     def maps(self, degree):
-        """{class: κN and κT at the nodes and their limits −1 and 1, two (c + 1, n, n)}"""
+        """{class: κN and κT at the nodes, followed by their limits −1 and 1, two arrays (c + 1, n, n)}"""
 
         def with_limit(values, limit):
             return np.concatenate([values, limit * np.eye(values.shape[1])[None]])
@@ -154,18 +158,19 @@ class ContourBody:
         return self.plan.laplace(degree)
 
     def contracted(self, degree, rows, wavenumbers, norms, decays):
-        """Weight of each node of the table in the sum over modes of ⟨·, Zₙ⟩⟨·, Zₙ⟩ N(kₙ) / norm; shape (r, r, c + 1)"""
+        """Weight of each node of the table in the sum of ⟨·, Zₙ⟩⟨·, Zₙ⟩ N(kₙ) / norm over modes; shape (r, r, c + 1)"""
         sums = contracted(rows, decays, 1 / (norms * wavenumbers), self.nodes(degree).weights(wavenumbers))
         return self.profiles.products(sums)
 
     @memoised
     def outer_maps(self, cls, degree, top):
-        """κN at the nodes and its limit, of functions up to `degree` among those up to `top`; shape (c + 1, n, n)"""
+        """κN at the nodes and its limit, for functions up to `degree`, taken from those up to `top`; shape (c + 1, n,
+        n)"""
         own = self.plan.subset(cls, degree, top)
         return np.ascontiguousarray(self.maps(top)[cls][0][:, own[:, None], own])
 
     def mode_count(self, k):
-        """Evanescent modes outside, k = ω²/g"""
+        """Number of evanescent modes outside the body; k = ω²/g"""
         return self.profiles.gap.mode_count(k, self.accuracy.modes, self.plan.scale, DEPENDENT)
 
     @memoised
@@ -183,7 +188,8 @@ class ContourBody:
 
     @memoised
     def fixed_terms(self, cls, degree, top, dofs):
-        """`bem.contour.matching.FixedTerms` of the motions `dofs`; functions up to `degree` among those up to `top`"""
+        """`bem.contour.matching.FixedTerms` of the motions `dofs`; functions up to `degree`, taken from those up to
+        `top`"""
         own, unit = self.plan.subset(cls, degree, top), self.unit(cls, top)
         each, shape = [self.motion(d, top) for d in dofs], (len(dofs), 2, len(own))
         motions = Motion(*(np.reshape([m[i][:, own] for m in each], shape) for i in range(3)))
@@ -205,7 +211,7 @@ class ContourBody:
 
     @memoised
     def unit(self, cls, degree):
-        """Coefficients of the function 1; shape (n,); None if the class has no net flux"""
+        """Coefficients of the constant function 1; shape (n,); None if the class has no net flux"""
         if cls != (1, 1):
             return None
         contour = self.plan.polynomial_contour(degree)

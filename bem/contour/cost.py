@@ -1,7 +1,8 @@
 """Cost of the contour method: seconds of one thread, and memory.
 
-The cost is within a factor of two on 6 boxes (L/B 3 … 10 000, 2 to 100 waves along them). p is the sum of the highest
-degrees on end and side in the table, p' the same sum for the waves, c the number of values of κ in the table
+The formulas are right within a factor of two on 6 boxes (L/B 3 … 10 000, 2 to 100 waves along them). p is the sum of
+the highest degrees on end and side in the table, p' the sum of the highest degrees for the waves, c the number of
+values of κ in the table
 
     table        4e-9 c p³ s,  65 c p² bytes           frequency    2e-8 p'³ s,  1000 p'² bytes
 """
@@ -16,7 +17,7 @@ CIRCLE = 8e-8  # s
 
 
 class Cost(NamedTuple):
-    """table : s before the first frequency; each : s of a frequency; memory : bytes"""
+    """table : time before the first frequency, s; each : time of one frequency, s; memory : bytes"""
 
     table: float
     each: float
@@ -26,7 +27,8 @@ class Cost(NamedTuple):
 def cost(body, k):
     """`Cost` of a `ContourBody` together with the finer body of the error estimate, for waves of up to k rad/m.
 
-    A circle needs no table; both bodies together take 8e-8 (ka)³ s within a factor of two, for ka of 280 … 1100.
+    A circle needs no table; the body and the finer body together take 8e-8 (ka)³ s within a factor of two, for ka of
+    280 … 1100.
     """
     if not isinstance(body.plan, Rectangle):
         return Cost(0.0, CIRCLE * (k * body.plan.radius) ** 3, 0.0)

@@ -22,8 +22,8 @@ def infinite_frequency(body):
 
 
 def zero_frequency(body):
-    """Added mass at zero frequency over density, m³, m⁴, m⁵; shape (6, 6); heave, whose net flux acts like a source in
-    plan, is infinite"""
+    """Added mass at zero frequency over density, m³, m⁴, m⁵; shape (6, 6); heave is infinite, because its net flux
+    acts like a source in plan"""
     out, draft = np.zeros((6, 6)), body.draft
     rows = body.profiles.combinations @ np.concatenate([body.profiles.gap.mean, [draft, -(draft**2) / 2]])
     degree, top = _degrees(body)

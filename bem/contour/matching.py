@@ -1,4 +1,5 @@
-"""Matching of the water outside and under a vertical-sided body, a Galerkin method, in one symmetry class of the plan.
+"""Matching of the water outside and under a vertical-sided body by Galerkin's method, in one symmetry class of the
+plan.
 
 The normal velocity u in the gap under the keel and v on the side, both away from the body, give
 
@@ -6,9 +7,9 @@ The normal velocity u in the gap under the keel and v on the side, both away fro
     beneath   φ = ψ + c + Σ (ε_q / s) cos l_qζ T(l_q) ⟨u − ∂ψ/∂n, cos l_qζ⟩
 
 on the contour, N and T the Neumann-to-Dirichlet maps of the plan, from normal velocity to potential.  u = Σ u_pj U_p(ζ)
-ψ_j(contour), U_p the profiles of the gap; both potentials are equal when tested with every U_p ψ_j.  c exists only in
-the class with net flux, as the multiplier of the conservation of volume under the body.  φ₀ is the incident wave
-together with its reflection and diffraction by a rigid plan contour: its normal velocity is zero.
+ψ_j(contour), U_p the profiles of the gap; both potentials are equal when tested with every U_p ψ_j.  The constant c,
+the multiplier of the conservation of volume under the body, exists only in the class with net flux.
+φ₀ is the incident wave with its reflection and diffraction by a rigid plan contour: the normal velocity of φ₀ is zero.
 """
 
 from typing import NamedTuple
@@ -17,12 +18,13 @@ import numpy as np
 
 
 class FixedTerms(NamedTuple):
-    """Frequency-independent terms of one class: n functions of the plan, d motions, m = e n with e profiles.
+    """Terms of one class that do not depend on frequency, for n functions of the plan, d motions, and m = e n with e
+    profiles.
 
-    beneath : (m, m) T tested with profiles; net : (m,) flux of the profiles, None in classes without any
-    side : (d, 2n) velocity of the motions on the side; driven : (m, d) potential of ψ beneath, tested with profiles
-    carried, volume, own : contributions to ∬ φ n dS along the motions, (d, m) of the profiles' velocity, (d,) of c and
-        (d, d) of ψ
+    beneath : T tested with profiles, (m, m); net : flux of the profiles, (m,), or None in classes without net flux
+    side : velocity of the motions on the side, (d, 2n); driven : potential of ψ beneath, tested with profiles, (m, d)
+    carried, volume, own : contributions to ∬ φ n dS along the motions by the profiles' velocity, (d, m), by c, (d,),
+        and by ψ, (d, d)
     """
 
     beneath: np.ndarray
@@ -40,7 +42,8 @@ class FixedTerms(NamedTuple):
 
 
 class GapVelocity(NamedTuple):
-    """Solutions: velocity u in the gap (e, n, columns), c (columns,), relative residual of the equations."""
+    """Solutions: velocity u in the gap, (e, n, columns), constants c, (columns,), and relative residual of the
+    equations."""
 
     velocity: np.ndarray
     constant: np.ndarray
@@ -48,12 +51,13 @@ class GapVelocity(NamedTuple):
 
 
 def fixed_terms(profiles, beneath, unit, motions, bottom):
-    """`FixedTerms` from potentials beneath in r = e + 2 rows, e rows of profiles and two rows of ψ.
+    """`FixedTerms` from potentials under the body, in r = e + 2 rows: e rows of profiles and two rows of ψ.
 
-    beneath : (r, n, r, n) projections of all rows' potentials; unit : (n,) coefficients of 1 on the contour or None
-    motions : `Motion` with a first axis of d; bottom : (d,) ∬ ψ w dA
+    beneath : projections of the potentials of all rows, (r, n, r, n)
+    unit : coefficients of the constant 1 on the contour, (n,), or None
+    motions : `Motion` with a first axis of d; bottom : ∬ ψ w dA, (d,)
 
-    Under the body the integral over the bottom becomes one over the profiles by Green's identity.
+    Green's identity turns the integral over the bottom into an integral over the profiles in the gap.
     """
     e, n, s = len(profiles.mean), beneath.shape[1], profiles.height
     m, d = e * n, len(bottom)
@@ -75,8 +79,8 @@ def fixed_terms(profiles, beneath, unit, motions, bottom):
 def solved(fixed_terms, outside, incident):
     """`Flow` for the motions, then for potentials φ₀.
 
-    outside : (r n, r n) potentials tested with everything, rows e profiles, then 1 and z of the side
-    drive : (r n, b) φ₀ tested with everything
+    outside : potentials tested with all functions, (r n, r n), in rows of e profiles, then of 1 and z on the side
+    incident : φ₀ tested with all functions, (r n, b)
     """
     m = len(fixed_terms.driven)
     matrix = fixed_terms.beneath - outside[:m, :m]
@@ -94,7 +98,8 @@ def solved(fixed_terms, outside, incident):
 
 
 def loads(fixed_terms, outside, flow, incident):
-    """∬ φ n dS along the motions, of every column of a `GapVelocity`, (d, columns); other arguments as in `solved`"""
+    """∬ φ n dS along the motions for every column of a `GapVelocity`; shape (d, columns); other arguments as in
+    `solved`"""
     m, d = fixed_terms.driven.shape
     velocity = flow.velocity.reshape(m, flow.velocity.shape[-1])
     out = (fixed_terms.side @ outside[m:, :m] + fixed_terms.carried) @ velocity + np.outer(

@@ -1,12 +1,12 @@
-"""Sums over evanescent modes, with the maps of the plan interpolated in a table in κ.
+"""Sums over evanescent modes, in which the maps of the plan are interpolated from a table in κ.
 
 The maps N(κ) of a plan from normal velocity to potential are smooth in log κ and tend to ∓1/κ.  With
 M(κ) = κN(κ) known at Chebyshev nodes of log κ, M = Σ ℓ_c(κ) M_c, a sum over the modes becomes one over the nodes,
 
     Σₙ wᵢₙ wⱼₙ N(kₙ) = Σ_c [Σₙ wᵢₙ wⱼₙ ℓ_c(kₙ) / kₙ] M_c ,
 
-so the cost hardly depends on the number of modes.  Beyond the last node M = ∓1 + a/κ + b/κ², with its value and
-slope there.
+so the cost hardly depends on the number of modes.  Beyond the last node M = ∓1 + a/κ + b/κ², where a and b follow
+from value and slope of M at the last node.
 """
 
 from dataclasses import dataclass
@@ -18,7 +18,8 @@ from ..depth_modes.gap import tail_weights
 
 @dataclass(frozen=True)
 class ChebyshevNodes:
-    """`count` Chebyshev nodes of log κ from `first` to `last` rad/m, increasing; κ → ∞ is one more node."""
+    """`count` Chebyshev nodes of log κ, increasing from `first` to `last` rad/m; the limit κ → ∞ is an additional
+    node."""
 
     first: float
     last: float
@@ -34,8 +35,8 @@ class ChebyshevNodes:
         return -np.cos(np.pi * np.arange(self.count) / (self.count - 1))
 
     def weights(self, k):
-        """ℓ_c(k), (k, count + 1), of which the last column belongs to κ → ∞; in barycentric form (Berrut and Trefethen
-        2004)"""
+        """ℓ_c(k) in barycentric form (Berrut and Trefethen 2004); shape (k, count + 1); the last column is the node κ
+        → ∞"""
         x = np.log(np.minimum(k, self.last) ** 2 / (self.first * self.last)) / np.log(self.last / self.first)
         distance = np.subtract.outer(x, self._points)
         hit = distance == 0
@@ -65,7 +66,8 @@ class ChebyshevNodes:
 def contracted(rows, decays, factors, table):
     """Σₙ rowsᵢₙ rowsⱼₙ factorsₙ tableₙ to infinity, (r, r, c).
 
-    rows : (r, n) falling like n^(−decay) times oscillations; factors : (n,) falling like 1/n; table : (n, c)
+    rows : terms that fall like n^(−decay) times oscillations, (r, n); factors : terms that fall like 1/n, (n,); table
+        : (n, c)
     """
     i, j = np.triu_indices(len(rows))
     powers = np.round(1 + decays[i] + decays[j], 12)

@@ -46,13 +46,14 @@ class ContourFrequency:
 
     @property
     def classes(self):
-        """Symmetry classes to solve: the classes of the dofs, or for a far field all classes of an incident wave."""
+        """Symmetry classes to solve: the classes of the dofs, or, if the far field is wanted, all classes of an
+        incident wave."""
         own = {class_of(d, "xy") for d in self.dofs}
         return [c for c in CLASSES if c in own or (len(self.theta) and len(self.headings))]
 
     @property
     def amplitude(self):
-        """−ig/ω, potential of a wave of unit amplitude at z = 0, m²/s per m"""
+        """Potential −ig/ω of a wave of unit amplitude at z = 0, m²/s per m"""
         return -1j * self.gravity / self.omega
 
     @cached_property
@@ -97,8 +98,8 @@ class ContourFrequency:
     def solve(self, cls, dofs, wave):
         """Solve one symmetry class.
 
-        returns : ∬ φ n dS of motions and waves (dofs, dofs + m), the same of the waves from the motions' flow
-            (dofs, m), far field (2, dofs + m, t), residual of the equations
+        returns : ∬ φ n dS of motions and waves, (dofs, dofs + m); ∬ φ n dS of the waves from the flow of the motions,
+            (dofs, m); far field, (2, dofs + m, t); residual of the equations
         """
         rows, moving = self.wave_rows, len(dofs)
         wall = self.amplitude * wave.projected
@@ -116,7 +117,7 @@ class ContourFrequency:
         """Kochin functions, shape (2, columns, t): first per unit velocity of a motion, then per unit amplitude of the
         waves
 
-        velocity : (n, columns) of the propagating mode on the contour
+        velocity : velocity of the propagating mode on the contour, (n, columns)
         """
         if not len(self.theta):
             return np.zeros((2, velocity.shape[1], 0))

@@ -1,20 +1,21 @@
 """Mean drift by the pressure on the sides of a box or vertical cylinder, from the flow of the contour method.
 
-Formula of `bem.methods.near_field`.  The bottom contributes no surge, sway or yaw, and on a side ∂φ/∂n is that of the
-motions, so that for φ = Σ fₙ(s) Zₙ(z) the remaining terms are
+The formula is that of `bem.methods.near_field`. The bottom contributes no surge, sway or yaw. On a side ∂φ/∂n is the
+normal velocity of the motions, so that for φ = Σ fₙ(s) Zₙ(z) the remaining terms are
 
     ∫ |∇φ|² dz = ∫ |Σ f'ₙ Zₙ|² + |Σ fₙ Z'ₙ|² + |∂φ/∂n|² dz,    ∫ X·∇φ dz,    ζ,        −d < z < 0
 
-which `side_flow` integrates in advance for the nodes of a table in κ; each wave and motion then costs little.
+which `side_flow` integrates in advance for the nodes of a table in κ, so that each wave and motion costs little.
 
-As a check of the far field: every evanescent mode exerts opposite forces on the side and in the gap. They cancel, and
-no such mode appears in the far field, if the potentials on both sides of the gap are equal.
-The error is of first order in the difference of these potentials, whereas the errors of forces and far field are of
-second order. The flow is therefore solved again with a finer body.
+The drift from pressure checks the drift from the far field. An evanescent mode exerts opposite forces on the side and
+in the gap; these forces cancel, and the far field contains no evanescent mode, if the potentials on both sides of the
+gap are equal. The error of the drift from pressure is of first order in the difference of these potentials, whereas
+the errors of forces and far field are of second order. The flow is therefore solved again with a finer body.
 In resonant roll the drift is the small difference of pressures tens of times as large.
 
-Box in 20 and 100 m of water, tolerance 1e-3: near and far field differ by 5e-5 of the largest force on the fixed body.
-Without the finer body they differ by 5e-4 to 8e-4. In 2000 m of water they differ by 4e-4 and 3e-2.
+For a box in 20 and 100 m of water and a tolerance of 1e-3, drift from near and far field differs by 5e-5 of the
+largest force on the fixed body; without the finer body the difference is 5e-4 to 8e-4. In 2000 m of water the
+difference is 4e-4 with the finer body and 3e-2 without it.
 """
 
 from dataclasses import replace
@@ -38,7 +39,8 @@ DISTINCT = 1e-9  # `accuracy.CLEAR` of pressures
 def pressure_drift(run, motions):
     """Mean surge, sway and yaw of the pressure on the sides, about the rotation centre; shape (m, 3); N/m², N m/m².
 
-    run : `bem.methods.shape_run.ShapeRun` of the contour method; motions : (m, 6) about the origin, m/m and rad/m
+    run : `bem.methods.shape_run.ShapeRun` of the contour method; motions : motions about the origin, m/m and rad/m,
+        (m, 6)
     """
     with blas_threads(0):
         sides = _sides(run)
@@ -47,7 +49,7 @@ def pressure_drift(run, motions):
 
 
 def pressure_error(run):
-    """Relative error of the pressures of a `bem.methods.shape_run.ShapeRun`, to `PRESSURES` at best"""
+    """Relative error of the pressures of a `bem.methods.shape_run.ShapeRun`, at least `PRESSURES`"""
     body = run.prepared.solver
     return max(run.estimated_error(), PRESSURES * height(body.depth - body.draft, body.plan.scale))
 
@@ -55,8 +57,8 @@ def pressure_error(run):
 def refined(body):
     """The `bem.contour.body.ContourBody` with the accuracy that pressures need
 
-    The finer body has gap functions for twice the digits, modes for two more digits, a smaller eigenvalue of the
-    profiles kept, more polynomials on the sides, panels of one more digit, and a table in κ of three more digits.
+    The finer body has gap functions for twice the digits, modes for two more digits, profiles of smaller eigenvalues,
+    more polynomials on the sides, panels of one more digit, and a table in κ of three more digits.
     """
     if "sharper" not in body.cache:
         ours, gap, scale = body.accuracy, body.depth - body.draft, body.plan.scale

@@ -22,9 +22,11 @@ from .plan.maps import area_moment
 
 
 class Motion(NamedTuple):
-    """One rigid motion on the contour, as coefficients of the n functions of its class; several have a first axis more.
+    """Coefficients of one rigid motion in the n functions of its class; for several motions with an additional first
+    axis.
 
-    side : (2, n) of velocity a + b z; value, slope : (2, n) of ψ and ∂ψ/∂n, a + b ζ²
+    side : a and b of the velocity a + b z on the side, (2, n)
+    value, slope : a and b of ψ and of ∂ψ/∂n, each a + b ζ², (2, n)
     """
 
     side: np.ndarray
@@ -35,7 +37,7 @@ class Motion(NamedTuple):
 def motion(dof, contour, basis, gap_height, alphas):
     """`Motion` of degree of freedom 0 … 5.
 
-    basis : (m, n) of its class at the nodes of the contour; shares : α in heave, roll and pitch
+    basis : functions of the class at the nodes of the contour, (m, n); alphas : α in heave, roll and pitch
     """
     c, none = contour, 0 * contour.x
     value = slope = (none, none)
@@ -46,7 +48,7 @@ def motion(dof, contour, basis, gap_height, alphas):
 
 
 def side(dof, contour, basis):
-    """(2, n) `Motion.side`; arguments as in `motion`"""
+    """`Motion.side` of a motion; shape (2, n); arguments as in `motion`"""
     c, none = contour, 0 * contour.x
     both = (
         (c.nx, none), (c.ny, none), (none, none), (none, -c.ny), (none, c.nx), (c.x * c.ny - c.y * c.nx, none)

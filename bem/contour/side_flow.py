@@ -1,11 +1,11 @@
-"""Flow of the contour method over the depth of a side, up to the edge of the keel, and integrals of its squares.
+"""Flow of the contour method over the depth of a side, down to the edge of the keel, and integrals of its squares.
 
     φ = Σ fₙ Zₙ(z)    and at a small distance r from the keel    φ = c + wr + (2b/3π) r² ln r + Σ cₚ r^(2p/3)
 
-The sum with a smooth cut-off at N modes converges fast for r ≫ 1/k_N.  Nearer to the keel the expansion replaces it: w
-is the vertical speed of the keel's edge and b the rate at which the side turns about it, both known from the hull, and
-the powers are those of water at a fixed edge of 270°.  c₁, c₂, c₃ follow from ∂φ/∂z a little farther up, and |∇φ|²,
-singular like r^(−2/3), is integrated without error up to the edge.
+The sum over modes, with a smooth cut-off at N modes, converges fast for r ≫ 1/k_N. Nearer to the keel the expansion
+in r replaces this sum: w, the vertical speed of the keel's edge, and b, the rate at which the side turns about the
+edge, are known from the motion of the hull, and the powers are those of water at a fixed edge of 270°. c₁, c₂ and c₃
+follow from ∂φ/∂z a little farther up. |∇φ|², singular like r^(−2/3), is integrated without error down to the edge.
 """
 
 from typing import NamedTuple
@@ -27,10 +27,11 @@ POWERS = np.array([2, 4, 6]) / 3
 
 
 class DepthSums(NamedTuple):
-    """Over the depth of a side, for amplitudes g (a,) of φ = Σ g φ_g(z): the wave, table's nodes and rows, w, b.
+    """Integrals over the depth of a side for amplitudes g (a,) of φ = Σ g φ_g(z): wave, nodes and rows of the table,
+    w, b.
 
-    slopes, values : (a, a) of ∫ φ_s² dz and ∫ φ_z² dz; top, keel : (a,) φ at z = 0 and −d
-    one, z : (a,) ∫ φ dz and ∫ z φ dz
+    slopes, values : quadratic forms of ∫ φ_s² dz and ∫ φ_z² dz, (a, a); top, keel : φ at z = 0 and z = −d, (a,)
+    one, z : ∫ φ dz and ∫ z φ dz, (a,)
     """
 
     slopes: np.ndarray
@@ -42,10 +43,9 @@ class DepthSums(NamedTuple):
 
 
 class DepthFlow(NamedTuple):
-    """Flow at distances r (q,) m from the keel with weights (q,) m. value, slope : (q, a) φ_g and ∂φ_g/∂z of
-    `DepthSums`
+    """Flow at distances r (q,) m from the keel, with weights (q,) m of an integral over depth.
 
-    top, keel : (a,) φ at z = 0 and −d
+    value, slope : φ_g and ∂φ_g/∂z of `DepthSums`, (q, a); top, keel : φ_g at z = 0 and z = −d, (a,)
     """
 
     r: np.ndarray
@@ -57,7 +57,7 @@ class DepthFlow(NamedTuple):
 
 
 def depth_flow(freq, surface):
-    """`DepthFlow` of a solved `ContourFrequency`, to be integrated; surface : m, length of changes near z = 0
+    """`DepthFlow` of a solved `ContourFrequency`; surface : length over which the flow changes near z = 0, m
 
     The points depend on the body and `surface`, not on the frequency.
     """

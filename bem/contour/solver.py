@@ -16,7 +16,7 @@ def prepare_cylinder(radius, draft, depth, tolerance=1e-3):
     """`ContourBody` of a vertical circular cylinder; lengths in m.  If draft and depth are equal, the body stands on
     the bed.
 
-    tolerance : relative error aimed at, 1e-7 … 0.1
+    tolerance : wanted relative error, 1e-7 … 0.1
     Raises ValueError for lengths that are not positive and for a bed above the keel or too deep below it.
     """
     _check(tolerance, radius=radius)
@@ -24,7 +24,8 @@ def prepare_cylinder(radius, draft, depth, tolerance=1e-3):
 
 
 def prepare_box(length, beam, draft, depth, tolerance=1e-3):
-    """`ContourBody` of a box, length along x, beam along y; otherwise as `prepare_cylinder`."""
+    """`ContourBody` of a box with its length along x and its beam along y; depth and tolerance as in
+    `prepare_cylinder`."""
     _check(tolerance, length=length, beam=beam)
     return _prepared(Rectangle.to_digits(length, beam, 3), draft, depth, tolerance)
 

@@ -1,7 +1,7 @@
 """A box or vertical cylinder that stands on the bed. There is no water under it, so the solution has only
 eigenfunctions of depth and the plan.
 
-With N the maps of the plan outside, φ = φ₀ + Σ Zₙ N(kₙ) ⟨v, Zₙ⟩ / ⟨Zₙ, Zₙ⟩ for the velocity v of the wall; of a
+With N the maps of the plan outside, φ = φ₀ + Σ Zₙ N(kₙ) ⟨v, Zₙ⟩ / ⟨Zₙ, Zₙ⟩ for the velocity v of the wall.  For a
 cylinder held in a wave this is the solution of R. C. MacCamy and R. A. Fuchs (1954).  In the equations of `matching`
 this body has no velocities in a gap, and its heave makes no waves.
 """
@@ -23,14 +23,14 @@ GAP = 0.01  # of the scale of the plan: gap by whose formulas the accuracy of pl
 
 
 def standing(plan, depth, tolerance):
-    """`StandingBody` of a plan `Circle` or `Rectangle` in water of a depth, m"""
+    """`StandingBody` of a plan, `Circle` or `Rectangle`, in water of `depth` m"""
     fine = accuracy(MARGIN - np.log10(tolerance), depth, GAP * plan.scale, plan.scale)
     return StandingBody(plan.to(fine), depth, depth, fine)
 
 
 @dataclass(frozen=True)
 class NoGap(Gap):
-    """Rows of the wall alone, 1 and z over the whole depth: the f functions of a `Gap` are none"""
+    """Stand-in for a `Gap` without functions of the gap: only the rows 1 and z of the wall, over the whole depth"""
 
     def cosine_moments(self, l):
         """Integrals of cosines over the gap: none, since a body on the bed has no gap; shape (0, l)"""
@@ -76,7 +76,7 @@ class StandingBody(ContourBody):
     """A `ContourBody` that stands on the bed; motions are about the middle of its waterplane"""
 
     def froude_krylov(self, omega, headings, dofs=range(6), density=1025.0, gravity=9.80665):
-        """As of `ContourBody`, on the wall alone"""
+        """Force of the undisturbed waves on the wall alone; arguments as in `ContourBody.froude_krylov`"""
         force = super().froude_krylov(omega, headings, range(6), density, gravity)
         force[:, 2] = 0.0
         plain, moment = side_integrals(self.depth, self.depth, float(wavenumber(omega, self.depth, gravity)))
@@ -106,7 +106,7 @@ class StandingBody(ContourBody):
 
     @memoised
     def fixed_terms(self, cls, degree, top, dofs):
-        """`bem.contour.matching.FixedTerms` without a gap; arguments as in `ContourBody`"""
+        """`bem.contour.matching.FixedTerms` of a body without a gap; arguments as in `ContourBody.fixed_terms`"""
         own, d = self.plan.subset(cls, degree, top), len(dofs)
         contour = self.plan.polynomial_contour(top)
         sides = [side(dof, contour, self.plan.basis(cls, top, contour))[:, own] for dof in dofs]

@@ -1,8 +1,7 @@
 """Database of a scene: schema, HDF5 file, rows, and interpolation between stored frequencies and headings.
 
-The functions of `rows` in DOOR and the functions of other modules in ELSEWHERE can be imported from here.
-They are loaded on
-first use: h5py takes 0.1 s, too long for `hakobune --help`, which needs only the names of `schema`.
+DOOR names the functions of `rows` that can be imported from here, and ELSEWHERE those of other modules. They are
+loaded on first use: h5py takes 0.1 s, too long for `hakobune --help`, which needs only the names of `schema`.
 """
 
 from importlib import import_module

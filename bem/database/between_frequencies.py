@@ -1,16 +1,16 @@
 """Quantities of a database at its headings and at frequencies between the stored ones, with estimated errors.
 
-Added mass and damping are fitted as one function, the impedance B − iω [A − A(ω_max)], which is one-sided since echoes
-arrive later. Forces and Kochin functions are fitted with the distance ahead of the origin at which the hull meets the
-wave (`interpolant`).
-A stored frequency returns its stored number.  Beyond the band added mass tends to its stored limits,
+Added mass and damping are fitted as one function, the impedance B − iω [A − A(ω_max)], which is one-sided in time
+because echoes arrive after the motion.
+The fit of forces and Kochin functions includes the distance ahead of the origin at which the wave meets the hull
+(`interpolant`).
+At a stored frequency the result is the stored number.  Outside the stored band added mass tends to its stored limits,
 
     A(ω) = A(0) + [A(ω₁) − A(0)] (ω/ω₁)² below,    A(ω) = A(∞) + [A(ω_n) − A(∞)] (ω_n/ω)² above,
 
-with the leading terms at both ends; the difference from the first power is the estimated error.  Entries with an
-infinite
-limit, such as heave in finite depth, keep their end value with an infinite error.  Other quantities are not
-extrapolated.
+with the leading terms at both ends. The estimated error is the difference from the same formula with the first power.
+Entries with an infinite limit, such as heave in finite depth, keep their value at the end of the band, with an
+infinite error. Quantities other than added mass are not extrapolated.
 """
 
 from dataclasses import dataclass, field
@@ -34,18 +34,19 @@ KEPT = 1 << 27  # bytes of values that are kept for repeated calls
 
 
 class BetweenError(ValueError):
-    """A quantity is unknown in a wave; the message names the quantity, its known range and a remedy."""
+    """A quantity is unknown at a frequency or heading; the message names the quantity, its known range and a remedy."""
 
 
 @dataclass(frozen=True, eq=False)
 class Between:
     """Quantities {name: (n, …)} at omega (n,) rad/s rising, axes as in `schema.QUANTITIES`.
 
-    headings : (m,) rad; theta : (t,) rad of the Kochin functions; outline : (p, 2) m, points of the hull in plan
-    outlines : the same for each of several moving bodies; empty for one body
+    headings : stored headings, rad, (m,); theta : angles of the Kochin functions, rad, (t,)
+    outline : points of the hull in plan, m, (p, 2)
+    outlines : points of each of several moving bodies in plan, m; empty for one body
     shapes : for each motion beyond the rigid ones, the number of its body among the moving bodies
-    limits : {"added_mass_zero", "added_mass_infinity": (6, 6)}, those that are stored
-    wall : m, y of a wall along x, or None: waves then meet the hull's image in it, too
+    limits : stored limits of added mass, {"added_mass_zero", "added_mass_infinity": (6, 6)}
+    wall : y of a wall along x, m; None without a wall. Beside a wall, waves also meet the image of the hull in the wall
     """
 
     omega: np.ndarray
@@ -84,8 +85,8 @@ class Between:
                 vars(self).pop(name, None)
 
     def error(self, omega, name):
-        """Estimated error of `value`, about one standard deviation (of the modulus for complex quantities); shape (q,
-        …).
+        """Estimated error of `value`, about one standard deviation; for complex quantities it is that of the modulus;
+        shape (q, …).
 
         The error covers interpolation and is zero at stored frequencies; the solver's error is stored beside each
         quantity.
@@ -97,8 +98,8 @@ class Between:
         """Largest estimated error over `names` at omega (q,), relative to the largest stored value of the same kind;
         shape (q,)
 
-        Each diagonal coefficient is a kind of its own, and so is a force over all headings. Couplings are relative to
-        √(ii · jj).
+        Each diagonal coefficient is one kind; a force over all headings is one kind. The error of a coupling ij is
+        relative to √(ii · jj).
         """
         return np.max([self._relative(self.error(omega, name), name) for name in names], axis=0)
 
@@ -111,7 +112,7 @@ class Between:
 
     @cached_property
     def length(self):
-        """m, of the hull along x or y, whichever is longer"""
+        """The longer of the hull's extents along x and y, m"""
         return float(np.ptp(self.outline, axis=0).max())
 
     @property
@@ -125,7 +126,8 @@ class Between:
         return np.where(np.abs(self.omega[near] - omega) <= SAME * np.abs(omega), near, -1)
 
     def inside(self, omega):
-        """omega (q,) as an array.  Raises BetweenError for the first value outside, or with too few frequencies."""
+        """omega (q,) as an array.  Raises BetweenError for the first value outside the stored frequencies, or if too
+        few are stored."""
         omega, (low, high) = np.atleast_1d(np.asarray(omega, float)), self.span
         outside = ~((omega >= low * (1 - SAME)) & (omega <= high * (1 + SAME)))
         if outside.any():
@@ -237,7 +239,7 @@ class Between:
 
     @cached_property
     def over_headings(self):
-        """Sums over headings, kept by `between_headings.at_headings`"""
+        """Weighted sums over headings that `between_headings.at_headings` keeps"""
         return {}
 
     @cached_property

@@ -1,27 +1,28 @@
-"""Any heading from the stored ones: round bodies turned, mirror images, then plane waves over the plan of the hull.
+"""Values at any heading from values at stored headings: by turning a round body, by mirror images, by plane waves.
 
-A round body sees the same wave from every heading: with R of a turn by α about its axis F(β + α) = R F(β), drift
-likewise, H(θ + α; β + α) = H(θ; β).  One stored heading is enough, without interpolation.
+A round body sees the same wave from every heading: with R of a turn by α about its axis F(β + α) = R F(β) and H(θ +
+α; β + α) = H(θ; β); drift turns like F.  One stored heading is enough, without interpolation.
 
-On a body with a plane of symmetry the mirror image of a wave exerts the mirror image of the force.  With P the signs of
-the six modes in the mirror (−1 for those that change side), F(β′) = P F(β):
+On a body with a plane of symmetry the mirror image of a wave exerts the mirror image of the force.  P is the sign of
+each of the six modes in the mirror, −1 for modes that the mirror reverses, and F(β′) = P F(β):
 
     plane y = 0:  β′ = −β,      P = (+ − + − + −),    drift (+ − −)
     plane x = 0:  β′ = π − β,   P = (− + + + − −),    drift (− + −)
 
 A force or Kochin function is linear in the incident wave at the hull, so that over β it is a sum of exp(ik x·e), e =
-(cos β, sin β), x in the plan of the hull.  If all parts of the plan were equal and independent, two headings would have
-the covariance of these waves for a plan of 2a by 2b about c
+(cos β, sin β), x in the plan of the hull.  If all parts of the plan were equal and independent, then for a plan of 2a
+by 2b about c the values at two headings would have the covariance
 
     κ(β, β′) = exp(ik c·Δ) f(ka Δ_x) f(kb Δ_y),    Δ = e − e′,    f(x) = (1 − ¹⁄₅) sin x / x + ¹⁄₅ cos x
 
-with a fifth of the weight at the ends of the hull; quantities quadratic in the wave (drift) have κ².  Values between
-headings follow from Gaussian-process regression with κ, as in `interpolant`: κ contains the phase of the wave at the
-ends of the hull, and for kR = 3.4 the error of surge over gaps of 30° is 0.6 %, 4 % by a spline.  The remaining
-variance is the estimated error.  Beside a wall, reflected waves are waves that meet the hull's image in the wall. The
-plan contains hull and image, and a plane parallel to the wall is not a plane of symmetry.
-With the wall at y = w, waves towards −β
-are those towards β with their reflection, except for a phase:  F(−β) = exp(−2ikw sin β) F(β), drift the same.
+with a fifth of the weight at the ends of the hull. For quantities quadratic in the wave (drift) the covariance is κ².
+Values between headings follow from Gaussian-process regression with κ, as in `interpolant`: κ contains the phase of
+the wave at the ends of the hull, and for kR = 3.4 the error of surge over gaps of 30° is 0.6 %, where a spline has 4
+%. The remaining variance is the estimated error. Beside a wall, the reflected wave on the hull is the incident wave
+on the hull's image. The plan therefore contains hull and image, and a plane parallel to the wall is not a plane of
+symmetry.
+With the wall at y = w, a wave towards −β and its reflection are, except for a phase, a wave towards β and its
+reflection:  F(−β) = exp(−2ikw sin β) F(β), and drift is equal at −β and β.
 """
 
 from dataclasses import dataclass
@@ -51,11 +52,13 @@ MIRRORS = {
 class Ring:
     """Headings (M,) rad from 0 to 2π of stored waves and their mirror images.
 
-    source : (M,) index of the stored heading; force, drift : (M, 6), (M, 3) signs; theta : (M, t) indices of the
-    angles at which the stored Kochin function is that of the image; images : {plane: (t,) numbers of the images of θ}
-    angles : (t,) rad, of Kochin functions; is_round : whether a turn of the body gives all values at any heading
-    wall : m, its y, or None
-    from_others : whether values at any heading follow from other rings, so that gaps of any width are allowed
+    source : index of the stored heading of each heading, (M,)
+    force, drift : signs of the modes in the image, (M, 6) and (M, 3)
+    theta : indices of the angles at which the stored Kochin function is that of the image, (M, t)
+    images : index of the image of each θ, {plane: (t,)}; angles : angles θ of the Kochin functions, rad, (t,)
+    is_round : whether a turn of the body gives all values at any heading; wall : y of the wall, m; None without a wall
+    from_others : whether values at any heading follow from rings of other quantities; gaps of any width are then
+        allowed
     """
 
     headings: np.ndarray
@@ -78,7 +81,7 @@ class Ring:
         return values[..., self.source, :] * self.drift
 
     def of_kochin(self, values):
-        """Kochin functions at all headings of the ring, shape (…, M, t), from those at the stored headings, (…, m, t):
+        """Kochin functions at all headings of the ring, shape (…, M, t), from values at the stored headings, (…, m, t):
         H(θ′; β′) = H(θ; β)"""
         return values[..., self.source[:, None], self.theta]
 
@@ -89,16 +92,16 @@ class Ring:
         return np.where(apart[near, np.arange(len(wanted))] <= SAME, near, -1)
 
     def reflected(self, wanted):
-        """Whether a heading beside a wall is computed from −β: it is not stored, and lies on the side with fewer stored
-        headings; shape (p,)"""
+        """Whether a heading β beside a wall is computed from −β, shape (p,): β is then not stored, and lies on the side
+        with fewer stored headings"""
         if self.wall is None:
             return np.zeros(len(wanted), bool)
         side = 1 if np.sum(np.sin(self.headings)) >= -SAME else -1
         return (side * np.sin(wanted) < -SAME) & (self.stored(wanted) < 0)
 
     def gap(self, wanted):
-        """Angle between the neighbours of headings, or of their reflections in a wall, rad; shape (p,); 0 for a round
-        body"""
+        """Angle between the two ring headings beside each heading, or beside its reflection in a wall, rad; shape (p,);
+        0 for a round body"""
         wanted = np.atleast_1d(wanted)
         if self.is_round or self.from_others:
             return np.zeros(len(wanted))
@@ -107,7 +110,7 @@ class Ring:
         return offset.min(axis=0) + (2 * np.pi - offset).min(axis=0)
 
     def reached(self, wanted):
-        """Whether headings are stored or between neighbours at most 45° apart; shape (p,)"""
+        """Whether each heading is stored, or lies between ring headings at most 45° apart; shape (p,)"""
         return (self.stored(wanted) >= 0) | (self.gap(wanted) <= WIDEST_GAP * (1 + SAME))
 
     def turned(self, value, wanted, kind):
@@ -138,7 +141,8 @@ class Ring:
 class AtHeadings:
     """Quantities of a ring at headings `wanted` (p,) rad in waves of `k` (q,) rad/m.
 
-    The plan of the hull has half sides `half` about `middle`, m; quadratic : for quantities of second order in the wave
+    The plan of the hull has half sides `half` about `middle`, m.
+    quadratic : whether the quantities are of second order in the wave
     """
 
     ring: Ring
@@ -173,15 +177,15 @@ class AtHeadings:
         return values
 
     def deviation(self, values, independent):
-        """Standard deviation of `value`; shape (q, u, …); `independent` (…): the ring values that do not follow from
-        other ring values"""
+        """Standard deviation of `value`; shape (q, u, …)
+        independent : ring values that do not follow from other ring values, (…)"""
         scale = np.sum(np.abs(_joined(self._root, values)) ** 2, axis=1) / np.maximum(independent, 1)
         left = self._left.reshape(*self._left.shape, *[1] * (values.ndim - 2))
         return np.sqrt(left * scale[:, None])
 
     def unfolded_deviation(self, deviation, kind):
-        """Deviations at the wanted headings, shape (q, p, …), from deviations (q, u, …) at `folded` headings; a turned
-        vector combines its two components"""
+        """Deviations at the wanted headings, shape (q, p, …), from deviations (q, u, …) at `folded` headings. Where a
+        vector is turned, the deviations of its two components are combined"""
         if self._as_folded or not self.ring.is_round:
             return deviation[:, self.source]
         if kind == "kochin":
@@ -202,13 +206,13 @@ class AtHeadings:
 
     @property
     def folded(self):
-        """The wanted headings, replaced by their mirror images on one side of every plane of symmetry, each once, rad;
-        shape (u,)"""
+        """Different headings, rad, that remain when the wanted headings are mirrored to one side of every plane of
+        symmetry; shape (u,)"""
         return self._once[0]
 
     @property
     def source(self):
-        """Number in `folded` used for each heading wanted; shape (p,)"""
+        """Index in `folded` of the heading used for each wanted heading; shape (p,)"""
         return self._once[1]
 
     @cached_property
@@ -282,7 +286,7 @@ def ring(headings, theta, symmetry, is_round=False, from_others=False, wall=None
 
     symmetry : planes, from `whole_mirrors`; theta : equally spaced from 0, t a multiple of 4 or 0
     is_round : whether the body is unchanged by a turn about the vertical, so that no mirror planes are needed
-    from_others, wall : see `Ring`; motions : more than six are of several bodies, without mirrors
+    from_others, wall : see `Ring`; motions : number of motions; more than six belong to several bodies, without mirrors
     """
     symmetry = "" if is_round else symmetry
     found, source = np.asarray(headings, float), np.arange(len(headings))
@@ -303,9 +307,10 @@ def ring(headings, theta, symmetry, is_round=False, from_others=False, wall=None
 
 
 def at_headings(ring, wanted, omega, between, quadratic=False):
-    """`AtHeadings` (p,) rad at omega (q,) rad/s for the hull of a `between_frequencies.Between`.
+    """`AtHeadings` of the headings `wanted` (p,) rad at omega (q,) rad/s for the hull of a
+    `between_frequencies.Between`.
 
-    The last `KEPT` results are kept with their weights, which forces, Kochin functions, drift and errors share.
+    The last `KEPT` results are kept with their weights: forces, Kochin functions, drift and errors share these weights.
     """
     omega = np.asarray(omega, float)
     of_ring = ring.headings.tobytes(), ring.force.tobytes(), ring.is_round

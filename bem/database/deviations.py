@@ -1,6 +1,6 @@
-"""Estimated errors of a `reader.Reader`: errors of both interpolations, also propagated to derived quantities.
+"""Estimated errors of a `reader.Reader`: errors of interpolation over frequency and heading, and of derived quantities.
 
-Every deviation is about one standard deviation, for complex quantities of the modulus.
+Every deviation is about one standard deviation; for complex quantities it is that of the modulus.
 """
 
 from functools import cache
@@ -49,8 +49,7 @@ def carried(reader, omega, headings, name, names):
 
 
 def interpolated(reader, omega, headings, name):
-    """Deviation of a quantity at omega (q,), rad/s, and headings (p,), rad, None for the stored headings; shape (q, p,
-    …)"""
+    """Deviation of a quantity at omega (q,) rad/s and headings (p,) rad (None: the stored headings); shape (q, p, …)"""
     error = reader.between.error(omega, name)
     if headings is None or name in (*RADIATION, "kochin_radiation"):
         return error
@@ -74,7 +73,7 @@ def interpolated(reader, omega, headings, name):
 def one_by_one(equation, parts, errors):
     """Deviation of equation(parts): each quantity in turn deviates by one random number, and the effects are combined.
 
-    parts : {name: array}; errors : the same of deviations
+    parts : {name: array}; errors : deviations of the parts, {name: array}
     """
     value, variance = equation(parts), 0.0
     for name, error in errors.items():
@@ -86,11 +85,12 @@ def one_by_one(equation, parts, errors):
 def by_chance(equation, parts, errors, smooth, waves):
     """Deviation of equation(parts) under random deviations of all quantities (q, …), smooth over θ for `smooth`.
 
-    waves : (q,) k times the radius of the hull, which is the number of harmonics of a Kochin function over its last
+    waves : k times the radius of the hull, (q,); a Kochin function has about this number of harmonics over its last
         axis
 
-    A deviation that is the same at all angles would not change the slope, and the estimated error of the moment would
-    be zero.  The random draws are equal at all frequencies, so that an estimate does not depend on other frequencies.
+    If the deviation were the same at all angles, the slope over θ would not change, and the estimated error of the
+    moment would be zero.  The random draws are equal at all frequencies, so that an estimate does not depend on other
+    frequencies.
     """
     generator, value, variance = np.random.default_rng(0), equation(parts), 0.0
     angles = parts[smooth[0]].shape[-1]

@@ -4,9 +4,10 @@ Drift follows from motions X and Kochin functions (`bem.drift`).  Energy,
 
     −Re H(β) = (1/2π) ∫ |H|² dθ + kP/(2ρgC_g),    P = ½ω² X* B′ X the power absorbed,
 
-replaces the forward value in the forces, which would otherwise be a small difference of inexact numbers. The moment has
-no such value.  At stored waves the far field of the fixed body deviates from the stored drift by the error of panels.
-This deviation, linear between frequencies, is subtracted.  Without Kochin functions the drift itself is interpolated.
+gives the forward value of H in the forces, which would otherwise be a small difference of inexact numbers. For the
+moment energy gives no value.  At stored waves the far field of the fixed body deviates from the stored drift by the
+discretisation error of the panels. This deviation, interpolated linearly between frequencies, is subtracted. Without
+Kochin functions the drift itself is interpolated.
 
 Every function takes a `reader.Reader`, omega (q,) rad/s, and headings (p,) rad or None for the stored ones.
 """

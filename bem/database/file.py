@@ -1,5 +1,4 @@
-"""The file of a database. It is opened only if valid, has its full size from the start, and is visible only when
-complete."""
+"""The HDF5 file of a database: it has its full size from the start, and it has its name only when complete."""
 
 import contextlib
 import json
@@ -51,12 +50,12 @@ class Header:
 
     mesh, lid : PanelMesh, or None for no lid
     water_depth : m (may be inf); density : kg/m³; gravity : m/s²; rotation_center : (3,) m
-    body : known values among the names in `schema.BODY`
+    body : known values of the body, {name in `schema.BODY`: value}
     theta : (t,) rad, directions of the Kochin functions
-    dimensions : what the scene calls the body's sizes, m
-    scene, scene_hash : text, and the hash of the part that must not change while a file grows
+    dimensions : sizes of the body, m, under their names in the scene
+    scene : text of the scene; scene_hash : hash of the part of this text that must not change while the file grows
     attributes : further root attributes
-    bodies : `bem.modes.Body` of each of several bodies, whose values have one row per body; empty for one body
+    bodies : `bem.modes.Body` of each of several bodies, whose values then have one row per body; empty for one body
     modes : `bem.modes.Mode` of each shape beyond the rigid motions
     """
 
@@ -130,7 +129,7 @@ def beside(path, later=()):
 def opened(path, mode="r", checked=False) -> Iterator[Any]:  # h5py has no types
     """The open HDF5 file, from a path or an open file.
 
-    checked : seal or schema have been checked already
+    checked : whether seal or schema have been checked already
 
     Raises DatabaseError if it is not a database of this schema version.
     """
@@ -168,7 +167,8 @@ def opened(path, mode="r", checked=False) -> Iterator[Any]:  # h5py has no types
 
 @contextlib.contextmanager
 def unlocked(path, mode="r"):
-    """The open HDF5 file.  Raises DatabaseError where it cannot be opened, as while another process writes it."""
+    """The open HDF5 file.  Raises DatabaseError where it cannot be opened, for example while another process writes
+    it."""
     try:
         file = h5py.File(path, mode)
     except OSError as error:
@@ -201,7 +201,7 @@ def _reason(error):
 
 
 def lay_out(file, header, omega, wave_direction, names):
-    """Write all values known beforehand to a new file, and NaN for every number that follows later."""
+    """Write all values known before the computation to a new file, and NaN for every number still to be computed."""
     file.attrs.update(_attributes(header))
     _lay_out_coordinates(file, header, omega, wave_direction)
     _lay_out_quantities(file, [name for name in QUANTITIES if name in names])

@@ -1,9 +1,9 @@
 """Whether a database is unchanged since it was written: its schema, and checksums of every number.
 
-The mark of a stored cell is the CRC-32 of its bytes, 0 where nothing is stored, so that data and checksum become valid
-in one step (`storing.append`); checks and wall time of a frequency have one CRC-32 for the row; the seal of the file
-(`results`) covers the rest: structure, attributes, coordinates, body, mesh.  Files older than checksums have marks of
-one byte and no seal; only their schema is checked.
+The mark of a stored cell is the CRC-32 of its bytes, 0 where nothing is stored, so that data and checksum become
+valid in one step (`storing.append`). Checks and wall time of a frequency have one CRC-32 for the row. The seal of the
+file (`results`) covers the rest: structure, attributes, coordinates, body, mesh. Files older than checksums have
+marks of one byte and no seal; only their schema is checked.
 """
 
 import tomllib
@@ -136,7 +136,7 @@ def _wrong_coordinates(file, coordinates):
 
 
 def damaged_cells(file, name, values=None):
-    """Marked cells of a quantity that differ from the stored values: a bool array over `schema.CELL_AXES`.
+    """Marked cells of a quantity whose values differ from their checksum: a bool array over `schema.CELL_AXES`.
 
     values : the whole dataset, if already read
     """
@@ -155,7 +155,7 @@ def damaged_cells(file, name, values=None):
 
 
 def damaged_rows(file):
-    """Whether each solved frequency has checks or a wall time that differ from the stored values; shape (n,)"""
+    """Whether the checks or the wall time of each solved frequency differ from their checksum; shape (n,)"""
     solved = file["solved"][()]
     if ROWS not in file or not solved.any():
         return np.zeros(len(solved), bool)
@@ -215,7 +215,7 @@ def _where(file, damaged):
 
 
 def repair(file):
-    """Mark damaged cells of an open file as not stored and set their numbers to NaN.  returns : {name: number of cells}
+    """Mark damaged cells of an open file as not stored and set their numbers to NaN.  Returns {name: number of cells}.
 
     raises : DatabaseError for damage that marks cannot mend
     """

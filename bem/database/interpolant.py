@@ -10,11 +10,11 @@ exp(ikd), with d > 0 because it returns later.  So
 
     κ(x, y) = exp(−(s − t)²/2ℓ²) Σⱼ aⱼ exp(i(k − q) dⱼ),    s = ½ (ω √(L/g) + √(kL)),    Σ aⱼ = 1
 
-with s, k of x and t, q of y.  A resonance of the water in a moonpool or a gap is a pole s_p that all quantities of the
-body share (`bem.algebra.poles`), and adds h_p(s) h_p(t)* to the kernel, h_p = c / (s − s_p).  Waves that meet the hull
-at the distance `lead` ahead of the origin have the phase exp(−ik lead), which is removed before the fit.  No single ℓ
-and set of echoes fits all quantities. Every member of a family is fitted and weighted by the inverse fourth power of
-its error at nodes left out (Rippa, Advances in Computational Mathematics 11, 1999).
+where s and k belong to x, and t and q to y.  A resonance of the water in a moonpool or a gap is a pole s_p that all
+quantities of the body share (`bem.algebra.poles`), and adds h_p(s) h_p(t)* to the kernel, h_p = c / (s − s_p). Waves
+that meet the hull at the distance `lead` ahead of the origin have the phase exp(−ik lead), which is removed before
+the fit. No single ℓ and set of echoes fits all quantities. Every kernel of a family is therefore fitted, and weighted
+by the inverse fourth power of its error at nodes left out (Rippa, Advances in Computational Mathematics 11, 1999).
 """
 
 from dataclasses import dataclass, field
@@ -43,7 +43,7 @@ SAMPLE = 15  # functions of a group that are used as a sample of it
 
 
 class Abscissa(NamedTuple):
-    """Arguments of the kernel: s and kL of `interpolant`, both (n,)"""
+    """Arguments of the kernel: s (n,) and kL (n,) of `interpolant`"""
 
     smooth: np.ndarray
     phase: np.ndarray
@@ -52,8 +52,8 @@ class Abscissa(NamedTuple):
 class Member(NamedTuple):
     """A kernel of the family.
 
-    reach : ℓ, but at most `nodes` mean distances of the nodes; delays : dⱼ in lengths of the body, with their
-    weights aⱼ; lead : share of the `lead` that is removed
+    reach : ℓ, limited to `nodes` mean distances of the nodes
+    delays : dⱼ in lengths of the body; weights : aⱼ; lead : share of the `lead` that is removed
     """
 
     reach: float
@@ -110,8 +110,8 @@ def abscissa(omega, depth, gravity, length):
 class Rows(NamedTuple):
     """Every kernel of the family between nodes x (n,) and places y (q,), whatever is fitted.
 
-    cardinal : (kernels, q, n) value at y of the function that is 1 at one node and 0 at the others; left : (kernels, q)
-    remaining share of the variance
+    cardinal : value at y of the function that is 1 at one node and 0 at all other nodes, (kernels, q, n)
+    left : share of the variance that remains at y, (kernels, q)
     """
 
     cardinal: np.ndarray
@@ -120,7 +120,8 @@ class Rows(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Nodes:
-    """Frequencies at which functions are known, and the weights of a fit; for real functions the real part of κ.
+    """Frequencies at which functions are known, and the weights of a fit. Real functions are fitted with the real
+    part of κ.
 
     x : Abscissa (n,)
     """
@@ -174,11 +175,12 @@ class Nodes:
 
 @dataclass(frozen=True, eq=False)
 class Interpolant:
-    """Functions known at `nodes`: values (n, g, c), lead (g, c) or (1, c), of all groups, in lengths of the body.
+    """Functions known at `nodes`: values (n, g, c), with `lead` (g, c), or (1, c) for all groups, in lengths of the
+    body.
 
     A group has c functions, which share one estimated error and the weights of the members. A Kochin function at all
-    its angles is one group; a coefficient is a group by itself.  Complex functions have echoes on one side only
-    (d > 0), real functions on both.
+    its angles is one group; a coefficient is a group by itself.  Complex functions have echoes with d > 0 only, real
+    functions with both signs of d.
     """
 
     nodes: Nodes
@@ -186,7 +188,7 @@ class Interpolant:
     lead: np.ndarray
 
     def value(self, y):
-        """Values at y; shape (q, g, c); at the nodes the known value except for the nugget"""
+        """Values at y; shape (q, g, c). At a node the value differs from the known value by the effect of the nugget"""
         return np.concatenate([self._value(part) for part in _blocks(y)])
 
     def deviation(self, y):
@@ -273,10 +275,9 @@ class Window(NamedTuple):
 
 
 def windows(x, real=False, ringing=()):
-    """`Window`s of rising nodes x (n,): one window for all nodes, or several for many nodes, each with neighbours on
-    both sides
+    """`Window`s of rising nodes x (n,): one window for all nodes, or several windows for many nodes, which overlap
 
-    ringing : (p,) poles of the water, in s, the variable made from x
+    ringing : poles of water resonances in the variable s of `interpolant`, (p,)
     """
     ringing = np.array(ringing, complex)
     n, out = len(x.smooth), []
@@ -290,14 +291,13 @@ def windows(x, real=False, ringing=()):
 
 @dataclass(frozen=True, eq=False)
 class Joined:
-    """An `Interpolant` in each of the `windows` of nodes x, with the arguments of `Interpolant`, joined from node to
-    node.
+    """Functions of nodes x by an `Interpolant` in each of the `windows`, joined from node to node.
 
     The residual of a fit at its nodes, due to the nugget, is added back linearly. Nodes then return their values, and
     the function is continuous from window to window.
-    The deviation is corrected in the same way and is zero at the nodes. Damping of a thousandth of its largest value,
-    which governs a resonance, is then as accurate beside a node as at the node.  Groups that
-    are zero at every node, such as most couplings of a symmetric body, are zero between nodes and are not fitted.
+    The deviation is corrected in the same way and is zero at the nodes. A damping that is a thousandth of the largest
+    value can govern a resonance; this correction makes it as accurate beside a node as at the node.  Groups that are
+    zero at every node, such as most couplings of a symmetric body, are zero between nodes and are not fitted.
     """
 
     x: Abscissa
@@ -441,9 +441,9 @@ def unknown(x, y):
 
 
 def chosen(x, y, count):
-    """Indices of `count` points of y (m,) to be computed next, one after another, if x are known.
+    """Indices of the `count` points of y (m,) to be computed next, in order, when the points x are known.
 
-    Each point is the one of largest `unknown`; where all are below the nugget, it is the point farthest from known
+    The next point is the one of largest `unknown`, or, where all are below the nugget, the point farthest from known
     points.
     """
     new = []

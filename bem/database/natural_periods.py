@@ -21,11 +21,11 @@ class NaturalPeriods:
     with most of its kinetic energy.
 
     names : (n,); period : (n,) s, inf without restoring, nan where the body is unstable
-    shapes : (n, n), rows are modes, largest component 1 after rotations are multiplied by `scale` m
-    inside : (n,) False where the added mass had to be held at the end of the stored frequencies, and where the
-    water of a gap or a moonpool resonates
-    water : (m,) rad/s, lowest stored frequency at which water in a gap or a moonpool, above its resonance, makes the
-        inertia of each motion of the body negative; nan if there is none
+    shapes : mode shapes in rows, (n, n), with largest component 1 after rotations are multiplied by `scale` m
+    inside : False for a mode whose added mass is the value at the end of the stored frequencies, and where the water
+        of a gap or a moonpool resonates, (n,)
+    water : lowest stored frequency at which water in a gap or a moonpool, above its resonance, makes the inertia of
+        each motion negative, rad/s, (m,); nan if there is none
     """
 
     names: tuple[str, ...]
@@ -44,8 +44,9 @@ class NaturalPeriods:
 def natural_periods(body, coupled=True) -> NaturalPeriods:
     """Natural periods of a body with frequency-dependent added mass.
 
-    body : `bem.database.reader.Reader`, `restrained` by its mooring; its added mass keeps its end value outside
-    value, which `inside` reports.  coupled : False for each motion alone
+    body : `bem.database.reader.Reader`, `restrained` by its mooring. Outside the stored frequencies its added mass
+        keeps the value at their end, and `inside` is False
+    coupled : whether the motions are coupled; False: each motion alone
     raises : ValueError where inertia, stiffness or added mass are not stored
     """
     if body.inertia is None or body.stiffness is None:

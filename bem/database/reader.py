@@ -13,8 +13,8 @@ forces, as its error shows.  In a stored wave the result is the stored number.  
 itself is interpolated, with an error that includes the step to the next stored frequency.
 
 With several bodies the motions are n = 6 for each moving body, one body after another, then the shapes of flexible
-bodies, all coupled; drift is that of the whole about the origin, and drift of each body (`drift_of_each`) the stored
-one of freely floating bodies.
+bodies, all coupled; drift is that of the whole about the origin, and drift of each body (`drift_of_each`) is the
+stored drift of freely floating bodies.
 """
 
 from dataclasses import dataclass, replace
@@ -48,11 +48,11 @@ class Reader:
     between : stored quantities over frequency; inertia, stiffness : (n, n) or None; damping : (n, n) without radiation
     rotation_center : m; symmetry : planes of hull and water, "", "x", "y" or "xy"
     is_round : whether the hull is one of revolution about the vertical through the origin
-    own : whether stored motions and drift belong to this body
-    viscous : `bem.viscous.Viscous`, damping in addition to radiation at its wave amplitude; or None
+    own : whether the stored motions and drift are those of this body; False once a restraint is added
+    viscous : damping in addition to radiation, `bem.viscous.Viscous`, valid at its wave amplitude; or None
     mesh : PanelMesh of the hull, or None; bodies : `bem.modes.Body` of each of several, empty for one
     modes : `bem.modes.Mode` of each shape
-    links : `bem.hinges.Link` between them, exact
+    links : `bem.hinges.Link` between the bodies, imposed exactly
     """
 
     between: Between
@@ -126,7 +126,7 @@ class Reader:
 
     @property
     def radius(self):
-        """m, of the hull about the origin"""
+        """Radius of the hull in plan about the origin, m"""
         return float(np.hypot(*self.between.outline.T).max())
 
     @property
@@ -164,7 +164,7 @@ class Reader:
 
     @cached_property
     def free(self):
-        """Motions, in columns, that links leave free; shape (n, m); None without links"""
+        """Motions, in columns, that the links permit; shape (n, m); None without links"""
         return free_of(self._held) if self.links else None
 
     @cached_property
@@ -183,7 +183,7 @@ class Reader:
         return forces_of(self.links, self._held, left) + pulls_of(self, self.inside(omega), motions)
 
     def floating(self):
-        """The same body without viscous damping in stored motions, if all quantities for its motions are stored.
+        """The same body with motions computed without viscous damping.
 
         Raises BetweenError, which names the missing quantity.
         """
@@ -199,7 +199,7 @@ class Reader:
         return replace(self, viscous=None, own=self.own and not self.viscous)
 
     def without_drift(self):
-        """The same body without mirror images of its motions and drift, as for a body with unsymmetric restraint"""
+        """The same body with no mirror images of its motions and drift, as an unsymmetric restraint requires"""
         left_out = (*DRIFT, "kochin_diffraction")
         kept = {name: values for name, values in self.between.quantities.items() if name not in left_out}
         return replace(self, between=replace(self.between, quantities=kept))
@@ -231,13 +231,13 @@ class Reader:
         return 2 * C / omega
 
     def knows_added_mass(self, omega):
-        """Whether added mass is known at omega (q,), rad/s; shape (q,): in the stored band, or beyond the band if the
-        limit of added mass is stored"""
+        """Whether added mass is known at omega (q,) rad/s, shape (q,). Inside the stored band it is known; outside it
+        is known if the limit of added mass is stored"""
         return np.abs(np.atleast_1d(omega) - self._nearest(omega)) <= 0
 
     def held_added_mass(self, omega):
-        """Added mass at omega (q,) rad/s from 0; where it is unknown, the value at the end of the band; shape (q, n,
-        n)"""
+        """Added mass at omega (q,) rad/s, which may be 0; shape (q, n, n). Where it is unknown, the value at the
+        nearest end of the stored band"""
         return self.between.value(self._nearest(omega), "added_mass")
 
     def coefficients(self, omega, motions=None):
@@ -251,8 +251,9 @@ class Reader:
         return self.between.inside(omega)
 
     def forces(self, omega, headings=None, name="excitation_force"):
-        """Wave forces per unit amplitude at omega (q,), rad/s, and headings (p,), rad, None for the stored headings,
-        N/m and N m/m; shape (q, p, n), complex."""
+        """Wave forces per unit amplitude, N/m and N m/m, complex, at omega (q,) rad/s and headings (p,) rad; shape
+        (q, p, n).
+        headings : None for the stored headings"""
         stored = self.between.value(self.inside(omega), name)
         if headings is None:
             return stored
@@ -268,7 +269,8 @@ class Reader:
         return over.unfolded(there[:, round_:], "force") + over.value(on_ring - there[:, :round_], "force")
 
     def far_field(self, omega, headings=None):
-        """Kochin functions (q, n, t) of the radiation, None where none is stored, and (q, p, t) of the diffraction."""
+        """Kochin functions of the radiation, (q, n, t), or None if they are not stored, and of the diffraction, (q,
+        p, t)."""
         omega, stored = self.inside(omega), [name for name in KOCHIN if name in self.between.quantities]
         *radiated, diffracted = (_known(name, self.between.value(omega, name)) for name in stored)
         radiated = radiated[0] if radiated else None
@@ -279,8 +281,9 @@ class Reader:
     def motions(self, omega, headings=None):
         """Motions about rotation_center per unit wave amplitude, m/m and rad/m; shape (q, p, n), complex.
 
-        omega : (q,) rad/s; headings : (p,) rad, travelled to, None for those stored
-        raises : BetweenError outside the database, and without inertia
+        omega : frequencies, rad/s, (q,); headings : directions that waves travel to, rad, (p,); None for the stored
+            ones
+        raises : BetweenError outside the stored frequencies and headings, and for a body without inertia
         """
         omega = self.inside(omega)
         found = self.where_stored(omega, headings, "rao")
@@ -327,11 +330,11 @@ class Reader:
 
     def drift_of_each(self, omega, headings=None, fixed=False):
         """Mean drift per squared wave amplitude on each of several bodies, fixed bodies included; shape (q, p, bodies,
-        3). It is about the point of each body, in the axes of that body.
-        The drift is interpolated from stored drift, which is
-        for fixed bodies or for the stored motions, even if the motions are restrained here.
+        3). The moment is about the reference point of each body; components are along the axes of the body.
+        It is interpolated from the stored drift of fixed bodies or of the stored motions, even if the motions are
+        restrained here.
 
-        Raises BetweenError if it is not stored.
+        Raises BetweenError if the drift of each body is not stored.
         """
         omega, (name,) = self.inside(omega), (key for key, moves in OF_EACH.items() if moves != fixed)
         if name not in self.between.quantities:
@@ -366,7 +369,7 @@ class Reader:
         return self.between.value(omega, name), self.between.error(omega, name)
 
     def ring_of(self, name):
-        """`Ring` of stored waves and mirror images, for quantities of motions with the symmetry of the moving body"""
+        """`Ring` of stored waves and mirror images; the ring of motions has the symmetry of the moving body"""
         return self._moving_ring if name in ("rao", DRIFT[1]) else self.ring
 
     def to_headings(self, omega, headings, name=""):
@@ -382,7 +385,7 @@ class Reader:
         return factor[:, None, None] * there.swapaxes(1, 2)
 
     def solved(self, omega, A, B, F):
-        """Motions of added mass and radiation damping (q, n, n) and forces (q, p, n); shape (q, p, n)"""
+        """Motions that follow from added mass and radiation damping (q, n, n) and forces (q, p, n); shape (q, p, n)"""
         if self.viscous:
             rows = zip(omega, A, B + self.damping, F, strict=True)
             return np.array([linearised_response(*row, self.inertia, self.stiffness, self.viscous)[0] for row in rows])
@@ -393,7 +396,8 @@ class Reader:
         return np.linalg.solve(D, F.swapaxes(1, 2)).swapaxes(1, 2)
 
     def dynamic_stiffness(self, omega, A, B):
-        """Force per motion, N/m … N m/rad, of the linear body, complex; shape (q, n, n); arguments as in `solved`"""
+        """Force per motion of the linear body, N/m … N m/rad, complex; shape (q, n, n)
+        A, B : added mass and radiation damping at omega, (q, n, n)"""
         w = omega[:, None, None]
         return -(w**2) * (self.inertia + A) - 1j * w * (B + self.damping) + self.stiffness
 

@@ -1,13 +1,13 @@
-"""Resonances of a body in a database: places where a few stored frequencies miss peaks of its motions, and the height
-of the peaks.
+"""Resonances of a body in a database: peaks of its motions that may lie between stored frequencies, and their height.
 
     C q = ω² (M + A(ω)) q,    ζ = q*(B + B′)q / 2ω q*(M + A)q
 
-Eigenvalues λⱼ(ω) of C and M + A, in rising order, are continuous in frequency, so that every root of √λⱼ(ω) = ω lies
-between two neighbouring places of different sign of √λⱼ − ω.  A lightly damped motion follows 1 / (2ζ) at the root and
-has half the energy at ω (1 ± ζ). This width, not the step of stored frequencies, determines where the motion is needed.
-Coefficients are smooth there and come from `between_frequencies`. The height of a peak depends on damping alone, and so
-does its uncertainty.
+Eigenvalues λⱼ(ω) of C and M + A, in rising order, are continuous in frequency. Every root of √λⱼ(ω) = ω therefore
+lies between two neighbouring frequencies at which √λⱼ − ω has different signs.  A lightly damped motion follows
+1 / (2ζ) at the root and has half the energy at ω (1 ± ζ). This width, not the step of stored frequencies, determines
+the frequencies at which the motion is needed.
+Coefficients are smooth at a peak and come from `between_frequencies`. The height of a peak, and the uncertainty of
+this height, depend on damping alone.
 """
 
 from dataclasses import dataclass
@@ -30,10 +30,10 @@ QUIET = 1e-3  # smallest peak reported, relative to the largest motion of its ki
 
 @dataclass(frozen=True)
 class Resonance:
-    """A peak of one motion, index `mode`, called `name`, at omega rad/s in waves towards `heading` rad.
+    """A peak of the motion with index `mode` and name `name`, at omega rad/s in waves towards `heading` rad.
 
     peak : m/m or rad/m; error : its estimated error between stored frequencies; damping : ratio ζ
-    viscous : whether this motion has damping besides the damping of waves
+    viscous : whether this motion has damping in addition to wave radiation
     """
 
     mode: int
@@ -55,9 +55,9 @@ class Resonance:
 
 
 def resonances(body):
-    """[Resonance] of a `reader.Reader` within its stored frequencies, rising; [] where they are unknown.
-
-    Only resonances with a damping ratio below a quarter, excited by waves of the stored headings.
+    """[Resonance] of a `reader.Reader` within its stored frequencies, rising; [] if its motions are unknown.
+    The list contains only resonances that have a damping ratio below a quarter and that waves of the stored headings
+    excite.
     """
     if body not in _FOUND:
         _FOUND[body] = _resonances(body)
@@ -80,9 +80,9 @@ def _resonances(body):
 def about(body, found, beside=()):
     """Frequencies that show the shape of each peak of `found`, within the stored frequencies, rad/s; shape (q,)
 
-    beside : (p,) rad/s, frequencies that are known already.  Roll and pitch of a round body resonate at one frequency
-    except for rounding. A frequency too near to an earlier one, or to a frequency of `beside`, is left out, so that
-    splines can pass through the remaining frequencies.
+    beside : frequencies that are known already, rad/s, (p,)
+    Roll and pitch of a round body resonate at one frequency except for rounding. A frequency too near to an earlier
+    one, or to a frequency of `beside`, is left out, so that splines can pass through the remaining frequencies.
     """
     low, high = body.between.span
     omega = np.concatenate([[], *(_places(one.omega, one.damping) for one in found)])
@@ -103,7 +103,8 @@ def natural_modes(inertia, stiffness):
 
 
 def positive(inertia):
-    """Symmetric inertia (…, n, n), with eigenvalues of 0 and less replaced by the smallest positive one
+    """Symmetric inertia (…, n, n) in which the smallest positive eigenvalue replaces all eigenvalues that are not
+    positive
 
     At resonance of the water in a gap or a moonpool, negative added mass exceeds the mass of the body. λ then grows
     without limit towards this frequency, and the search continues beyond it.
@@ -120,7 +121,7 @@ def by_motion(energies):
     """Index of the mode of each motion, by the assignment with the largest sum of energy shares; shape (n,); −1 for
     none.
 
-    energies : (m, n) kinetic energy, rows are modes, fewer than motions where links constrain some
+    energies : kinetic energy of each motion in each mode, (m, n); links make m smaller than n
     """
     shares = energies / energies.sum(axis=1, keepdims=True)
     modes, motions = np.arange(len(shares)), np.argmax(shares, axis=1)
@@ -134,11 +135,11 @@ def by_motion(energies):
 
 
 def zeros(functions, low, f, high, g):
-    """Frequencies ω between low (m,) and high (m,) at which m nearly straight functions with the values f and g there
-    are zero; shape (m,)
+    """Zeros ω of m nearly straight functions that have the values f at low (m,) and g at high (m,); shape (m,)
 
-    functions : (m,) → (m,).  A secant within a bracket: the value at an end that stays for a second step is halved
-    (Illinois; Dowell and Jarratt, BIT 11, 1971). The error is squared every three steps.
+    functions : (m,) → (m,)
+    The method is a secant within a bracket: if an end of the bracket stays for a second step, its value is halved
+    (Illinois; Dowell and Jarratt, BIT 11, 1971). Three steps square the error.
     """
     last, x = np.zeros(len(low)), high
     for _ in range(MOST):
@@ -184,7 +185,7 @@ def _modes(body, omega):
 def free_modes(free, inertia, stiffness):
     """`natural_modes` of the motions permitted by links, columns of `free` (n, m); None for all motions
 
-    vectors : (…, n, m) of all motions
+    The vectors (…, n, m) contain all motions.
     """
     if free is None:
         return natural_modes(inertia, stiffness)

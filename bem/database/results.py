@@ -1,6 +1,6 @@
 """Results of studies in HDF5: written whole and sealed (`meshing.seals`), read only if unchanged.
 
-Their attribute `schema` is "hakobune", the kind of result, and a version; databases have none.
+The attribute `schema` of a result is "hakobune", the kind of result, and a version; databases have no such attribute.
 """
 
 import contextlib
@@ -43,8 +43,8 @@ STATUS = (
 
 
 def seal_of(file, image, later=()):
-    """The seal, a block before the image of an open HDF5 file; later : names of datasets and groups that are filled in
-    later"""
+    """The seal of an open HDF5 file, a block that stands before the image of the file
+    later : names of datasets and groups that are filled in later"""
     places, filled, first = {}, [STATUS] if later else [], file.userblock_size
     for name, item in _datasets(file).items():
         if item.id.get_offset() is not None:
@@ -77,7 +77,8 @@ def check_seal(path, remedy=seals.REMEDY):
 
 
 def check_any_version(path, found=None):
-    """Like `check_version`, for files of any kind including databases; found : its attribute `schema`, or None"""
+    """Raise VersionError for a result or database with another version; found : attribute `schema` of the file, or
+    None"""
     for kind, version in READS.items():
         check_version(path, f"{OURS}{kind} {version}", found)
     if found is None:
@@ -92,7 +93,7 @@ def has_schema(path, schema):
 def check_version(path, schema, found=None):
     """Raise VersionError for a file of the kind `schema` with another version, even if its checksum is wrong.
 
-    found : the attribute of the file; None to search the bytes, where HDF5 might fail on the file
+    found : attribute `schema` of the file; None to search its bytes, because HDF5 may fail on a damaged file
     """
     kind, version = named(schema), schema.rsplit(" ", 1)[1]
     if found is None:
@@ -106,7 +107,7 @@ def check_version(path, schema, found=None):
 
 
 def check_database_version(path, found=None):
-    """Like `check_version`, for a database; found : its version number, None to search the bytes"""
+    """Raise VersionError for a database with another version; found : its version number; None to search the bytes"""
     if found is None:
         found = [struct.unpack("<q", part)[0] for part in _numbers(path, NUMBER)]
         found = [one for one in found if 0 <= one <= HIGHEST and one != SCHEMA_VERSION][-1:]
@@ -136,7 +137,7 @@ def _numbers(path, pattern):
 def schema_of(path):
     """The attribute `schema` of a file; "" where the file or the attribute is missing
 
-    raises : as `check_seal`, and VersionError where a file with a broken seal may be intact with another version
+    raises : DamagedError for a broken seal; VersionError if this file may be an intact file of another version
     """
     if not Path(path).is_file():
         return ""
@@ -154,7 +155,8 @@ def schema_of(path):
 
 @contextlib.contextmanager
 def opened_result(path, schema):
-    """The open HDF5 file of a result with this `schema`.  Raises DatabaseError, also for a broken seal."""
+    """The open HDF5 file of a result with this `schema`.  Raises DatabaseError for another kind of file and for a
+    broken seal."""
     path = Path(path)
     if not path.exists():
         raise DatabaseError(f"{path} does not exist")

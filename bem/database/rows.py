@@ -2,9 +2,9 @@
 
 Every quantity is a full grid over frequencies and headings, allocated and set to NaN when the file is made. An append
 therefore changes numbers in place and never the structure of the file.
-The group /stored has one mark per frequency (and
-heading).  Data are written first, then flushed, then marked.  The file is made under another name and renamed, so that
-it is never incomplete; `widening` replaces it by a new file.
+The group /stored has one mark per frequency (and heading). Data are written first, then flushed, then marked. A new
+file is made under another name and renamed when complete;
+`widening` replaces a file by a new file.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ class Row:
 
 @dataclass(frozen=True)
 class Pending:
-    """All a file still lacks: the names of limits, and rows by frequency."""
+    """All numbers that a file still lacks: names of limits, and a `Row` for each frequency."""
 
     limits: tuple[str, ...]
     rows: tuple[Row, ...]
@@ -83,7 +83,8 @@ def estimate_of(name):
 
 
 def row_values(file, omega, headings, names):
-    """{name: values, in the shape that `append` needs} of one frequency; None if one of these values is not stored"""
+    """Stored values of one frequency, {name: array in the shape that `append` needs}; None if one of the values is
+    missing"""
     (i,) = places_on(file, [omega], "omega")
     columns, found = places_on(file, headings, "wave_direction"), {}
     for name in names:
@@ -97,7 +98,7 @@ def row_values(file, omega, headings, names):
 
 
 def pending(path):
-    """Rows still missing of all that the file was made or extended for; the file is a path or open."""
+    """`Pending` rows and limits of a file, given as a path or open."""
     with opened(path) as file:
         names = [name for name in QUANTITIES if name in file]
         limits = tuple(name for name in names if name in LIMITS and not file["stored"][name][()])
@@ -110,7 +111,7 @@ def pending(path):
 def open_database(path: str | os.PathLike[str] | h5py.File) -> Database:
     """Read access to a database.  Raises DatabaseError if `path` is not one of this version.
 
-    path : path of the file, which is opened again for every reading; or the file, open from `writing`
+    path : path of the file, which is opened again for every reading; or the open file from `writing`
     """
     with opened(path) as file:
         attributes, there = dict(file.attrs), set(file)
@@ -136,9 +137,9 @@ def open_database(path: str | os.PathLike[str] | h5py.File) -> Database:
 class Database:
     """The solved part of a file, frequencies ascending.
 
-    names : quantities of the file; rows : (all,) which of its frequencies are solved
-    omega : (n,) rad/s, the solved ones; wave_direction : (m,) rad; attributes : attributes of the file
-    file : open file for reading; if None or closed, every reading opens `path`
+    names : quantities of the file; rows : whether each frequency of the file is solved, (all,)
+    omega : solved frequencies, rad/s, (n,); wave_direction : headings, rad, (m,); attributes : attributes of the file
+    file : file open for reading; if it is None or closed, every reading opens `path`
     """
 
     path: Path
@@ -179,7 +180,8 @@ class Database:
             return value[self.rows] if _first_axis(name) == "omega" else value
 
     def require(self, *names: str) -> None:
-        """Raises DatabaseError if one of the quantities is missing; the message says what to add to the command."""
+        """Raise DatabaseError if one of the quantities is missing; the message names the option to add to the
+        command."""
         for name in names:
             if name not in QUANTITIES:
                 raise DatabaseError(f"{name!r} is not a quantity of a database; allowed: {', '.join(QUANTITIES)}")
@@ -223,7 +225,7 @@ class Database:
 
     @property
     def has_damping_lids(self) -> bool:
-        """Whether lids on the water absorb energy: damping then exceeds the radiated energy"""
+        """Whether lids on the water absorb energy: the damping then exceeds the damping by radiated waves"""
         return bool(self._scene.get("damping_lids"))
 
     @property
@@ -258,8 +260,8 @@ class Database:
     def reader(self) -> Reader:
         """`bem.database.reader.Reader`: the bodies in any wave, with estimated errors, from the stored rows
 
-        raises : DatabaseError for a database of several bodies or of a flexible one, unsupported by studies of one
-            rigid body
+        raises : DatabaseError for a database of several bodies or of a flexible one, which studies of one rigid body
+            do not support
         """
         self.require_one_body()
         return self.bodies_reader
@@ -273,8 +275,8 @@ class Database:
         return reader(self)
 
     def at(self, omega: Any, name: str, headings: Any = None) -> tuple[np.ndarray, np.ndarray]:
-        """A quantity at omega (q,) rad/s and headings (p,) rad (None for the stored headings). Returns its stored value
-        (q, …) and its estimated error (q, …).
+        """Value (q, …) of a quantity, in its stored unit, and estimated error (q, …) at omega (q,) rad/s and headings
+        (p,) rad; headings : None for the stored headings
 
         raises : `bem.database.between_frequencies.BetweenError`, a ValueError, outside the stored range and for unknown
             values
@@ -282,7 +284,7 @@ class Database:
         return self.reader.at(omega, name, headings)
 
     def holds(self, name: str) -> bool:
-        """Whether a limit is stored, or whether a quantity is part of the file"""
+        """Whether the limit called `name` is stored, or the quantity called `name` is part of the file"""
         return name in self.names and (name not in LIMITS or self._stored(name))
 
     def checks(self) -> dict[str, np.ndarray]:
@@ -320,7 +322,7 @@ class Database:
 
     @property
     def complete(self) -> bool:
-        """Whether every frequency and limit the file was made for is solved."""
+        """Whether all requested frequencies and limits of the file are solved."""
         return bool(self.rows.all()) and all(self._stored(name) for name in self.names if name in LIMITS)
 
     @property
@@ -350,8 +352,8 @@ class Database:
 
     @property
     def sizes(self) -> dict[str, float]:
-        """Dimensions, m. For a hull that is neither box nor ship they are those of the box about the origin that
-        encloses the hull, with the radius of a round hull"""
+        """Dimensions, m. A hull that is neither box nor ship has the dimensions of the box about the origin that
+        encloses it; a round hull also has its radius"""
         if self.is_round:
             points = np.zeros((1, 3)) if self.mesh is None else self.mesh.whole().points
             found = {"radius": float(np.hypot(*points[:, :2].T).max()), "draft": float(-points[:, 2].min())}
@@ -365,8 +367,8 @@ class Database:
 
     @property
     def is_round(self) -> bool:
-        """Whether the hull is a body of revolution about the vertical through the origin, without a wall or the fixed
-        bodies of an import beside it"""
+        """Whether the hull is a body of revolution about the vertical through the origin, and neither a wall nor
+        fixed bodies of an import stand beside it"""
         return (
             self.wall is None
             and not self.header.attributes.get(BESIDE)
@@ -376,14 +378,14 @@ class Database:
     @property
     def symmetry(self) -> str:
         """Planes of symmetry of hull and water, "", "x", "y" or "xy": a wall destroys the symmetry in the plane
-        parallel to it, fixed bodies of an import beside it destroy all"""
+        parallel to the wall; fixed bodies of an import beside the hull destroy every symmetry"""
         if self.header.attributes.get(BESIDE):
             return ""
         return self.mesh.symmetry if self.wall is None else self.mesh.symmetry.replace("y", "")
 
     @property
     def mesh(self) -> PanelMesh:
-        """PanelMesh the results were computed with"""
+        """PanelMesh with which the results were computed"""
         return self.header.mesh
 
     @property
@@ -411,7 +413,8 @@ def _sum(first, second):
 
 
 def mark_whole_rows(file):
-    """Mark the frequencies that have all their quantities; file : open file, or a mapping with its datasets by name"""
+    """Mark the frequencies that have all their quantities; file : open file, or a mapping {name: dataset} of the
+    file"""
     whole = np.ones(len(file["omega"]), bool)
     for mark in [file[f"stored/{name}"][()] for name in file["stored"] if name not in LIMITS]:
         whole &= (mark != 0).reshape(len(whole), -1).all(axis=1)
@@ -445,7 +448,8 @@ def same_heading(a, b):
 
 
 def places_on(file, values, axis):
-    """Indices at which an axis of the file has the given `values`.  Raises DatabaseError for one not there."""
+    """Indices at which an axis of the file has the given `values`.  Raises DatabaseError if the axis lacks one of
+    them."""
     same = same_omega if axis == "omega" else same_heading
     known = file[axis][()]
     places = []

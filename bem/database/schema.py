@@ -1,6 +1,6 @@
 """The contents of a database: one table of names, axes, units and types, used by writing, reading and plots.
 
-Names follow Capytaine where it has one.  Every dataset carries its axes as HDF5 dimension scales.
+A quantity that Capytaine also has bears Capytaine's name.  Every dataset has its axes as HDF5 dimension scales.
 """
 
 import numpy as np

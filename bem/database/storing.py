@@ -1,7 +1,7 @@
-"""Storing of frequencies in a database: data first, then a flush, then the mark that they are stored.
+"""Storing of frequencies in a database: the data are written, then flushed, then marked as stored.
 
-A write takes HDF5 0.1 to 0.2 ms, and a frequency has about forty writes. Frequencies that follow one another are stored
-together, each quantity in one write.  A kill loses only what was not yet given to `store`.
+HDF5 takes 0.1 to 0.2 ms for a write, and a frequency needs about forty writes. Consecutive frequencies are therefore
+stored together, each quantity in one write.  A kill loses only results that `store` has not yet written.
 """
 
 import json
@@ -18,9 +18,8 @@ from .schema import CELL_AXES, CHECKS, LIMITS, NEEDS_MOTION, QUANTITIES
 class Solved(NamedTuple):
     """One frequency ready to be stored.
 
-    place : number of the row; columns : indices of the headings; values : {name: array}
-        errors : {name: array} for quantities with stored errors; checks : {name: largest violation}; seconds : {step:
-        wall time, s}
+    place : index of the row; columns : indices of the headings; values : {name: array}
+    errors : estimated errors, {name: array}; checks : {name: largest violation}; seconds : {step: wall time, s}
     """
 
     place: int
@@ -32,7 +31,7 @@ class Solved(NamedTuple):
 
 
 class Storing:
-    """Frequencies on their way into the open file of `rows.writing`."""
+    """Results of solved frequencies that wait to be stored in the open file of `rows.writing`."""
 
     def __init__(self, file):
         self.file, self.waiting, self.opened = file, [], Opened(file)
@@ -46,7 +45,7 @@ class Storing:
         """Add the results of one frequency, which `store` stores.
 
         omega : rad/s; headings : (m,) rad, the order of the heading axis in `result`
-        result : {name: array}, and "checks", "estimated_error", "wall_time" as returned by `solve_frequency`
+        result : dictionary from `solve_frequency`: {name: array}, with "checks", "estimated_error" and "wall_time"
         Raises DatabaseError, and adds nothing, if a value has the wrong shape or is not finite.
         """
         (i,) = places_on(self.axes, [omega], "omega")
@@ -149,8 +148,7 @@ def _append_checks(opened, rows, sealed):
 
 
 def put(dataset, name, rows):
-    """Write (row, value) pairs of a quantity in ascending order; rows that follow each other without a gap need one
-    write"""
+    """Write (row, value) pairs of a quantity, in ascending order of rows; consecutive rows need one write"""
     every = list(range(dataset.shape[1])) if len(CELL_AXES[name]) > 1 else None
     if every is not None and any(row.columns != every for row, _ in rows):
         for row, value in rows:

@@ -1,8 +1,8 @@
-"""Widening of a database by frequencies, headings and quantities: a new file that copies the rows of the old one.
+"""Widening of a database by frequencies, headings and quantities: a new file gets the rows of the old file.
 
 The new file is made beside the old file and renamed when complete, so that a run can be killed at any instant.  Groups
-beside the grid over frequencies are written whole and sealed with the file, and are kept when the file is widened. A
-group has datasets with their own axes, named in their attribute `axes`.
+outside the grid over frequencies are written whole and sealed with the file, and are kept when the file is widened.
+The attribute `axes` of a dataset in a group names the axes of the dataset.
 """
 
 import numpy as np
@@ -16,11 +16,11 @@ GROUPS = ("qtf", "qtf_sum")
 
 
 def extend(path, *, omega=(), wave_direction=(), names=(), header=None, anew=()):
-    """Widen a file by frequencies, headings and quantities; its contents are kept, the rest is pending.
+    """Widen a file by frequencies, headings and quantities; its contents are kept, and the added numbers are pending.
 
-    header : replaces the stored header where something is added, or at once if its `scene_hash` differs
+    header : header that replaces the stored one, if something is added or the `scene_hash` of the two differs
     anew : names of quantities whose stored values are dropped
-    Returns whether anything was added: then a new file has the name, and a file given open is the old one.
+    Returns whether anything was added. If so, `path` names a new file, and a file that was open remains the old file.
     """
     with writing(path) as old:
         kept = read_header(old)
@@ -48,9 +48,7 @@ def extend(path, *, omega=(), wave_direction=(), names=(), header=None, anew=())
 
 def write_group(path, name, datasets, attributes):
     """Write a group to a database and replace a group of the same name; a new file is written and renamed when
-    complete.
-
-    As `fill`.
+    complete.  Arguments as in `fill`.
     """
     with writing(path) as old, beside(old.filename, LATER) as file:
         quantities = [quantity for quantity in QUANTITIES if quantity in old]
@@ -91,8 +89,8 @@ def take_over(old, new, anew=()):
 def at_angles(values, count):
     """Kochin functions (…, count) at more evenly spaced angles, from values (…, t) at angles that resolve them
 
-    At such angles Kochin functions are trigonometric polynomials to the last digits, and the series gives their values
-    at any angle.
+    At angles that resolve them, Kochin functions are trigonometric polynomials to the last digits, and the Fourier
+    series gives their values at any angle.
     """
     series = np.fft.fft(values, axis=-1)
     half, out = values.shape[-1] // 2, np.zeros((*values.shape[:-1], count), complex)
@@ -109,7 +107,7 @@ def _union(old, new, same):
 def fill(file, name, datasets, attributes):
     """Write a group to an open file and replace a group of the same name.
 
-    datasets : {name: (axes, unit, values)}, the axes first; attributes : attributes of the group
+    datasets : {name: (axes, unit, values)}, with the datasets of axes first; attributes : attributes of the group
     """
     if name in file:
         del file[name]

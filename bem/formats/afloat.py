@@ -1,9 +1,9 @@
 """Check of the body data in another program's file against the hull.
 
-    C₃₃ = ρ g A_w,    V,    m = ρ V        of the hull in its water; a length in a wrong unit shows in each of them
+    C₃₃ = ρ g A_w,    V,    m = ρ V        of the hull in its water; a length in a wrong unit changes C₃₃, V and m
 
-With mass, centre of mass and radii of gyration, which the file lacks, the motions follow as for a solved body. They use
-the inertia about the rotation centre and the stiffness of the hull with the weight.
+If mass, centre of mass and radii of gyration, which the file lacks, are given, motions are computed as for a solved
+body: from the inertia about the rotation centre and the stiffness of the hull with its weight.
 """
 
 from dataclasses import replace
@@ -26,10 +26,9 @@ NEEDED = ("added_mass", "radiation_damping", "excitation_force")
 
 
 class Weight(NamedTuple):
-    """mass : kg, by default the displaced mass; center : (3,) m, by default the centre in the file, else 0; gyration :
-    (3,) m
-
-    Each is None if not given.
+    """mass : mass, kg; None: the displaced mass
+    center : centre of mass, m, (3,); None: the centre in the file, or 0 if the file has none
+    gyration : radii of gyration, m, (3,); None if not given
     """
 
     mass: float | None = None
@@ -44,7 +43,8 @@ class Weight(NamedTuple):
 def on_hull(values, mesh, weight=Weight()):  # noqa: B008 - a frozen value
     """Values whose body has the geometry of a hull (PanelMesh in its water), and messages on the changes.
 
-    weight : replaces the values of the file.  Raises FormatError for a contradiction of file and hull.
+    weight : `Weight` that replaces the values of the file
+    Raises FormatError if file and hull contradict each other.
     """
     body, remarks = dict(values.body), []
     if weight.center is not None:

@@ -1,12 +1,12 @@
-"""AQWA's NAME.AH1, which has numbers only, and its listing NAME.LIS (Aqwa Reference Manual, "AH1 file", "Listing
-file").
+"""Files of AQWA: numbers in NAME.AH1, a listing in NAME.LIS (Aqwa Reference Manual, "AH1 file", "Listing file").
 
     .AH1   structures, headings, frequencies; GENERAL depth ρ g; COG, MASS, HYDSTIFFNESS, DISPLACEMENT : of each
            structure; ADDEDMASS, DAMPING : two structures, frequency, A (6, 6);
            FORCERAO  structure, heading, frequency, F, φ
     .LIS   the same in tables of each structure
 
-SI, exp(−iωt), directions that waves travel to, as ours; everything, including phases, is about the centre of gravity.
+SI units, the time factor exp(−iωt) and headings that waves travel to are the same as here. Forces, motions and phases
+refer to the centre of gravity.
 """
 
 import re
@@ -32,8 +32,10 @@ class Water(NamedTuple):
 
 
 def read(place, known=None):
-    """The Values of one structure of NAME.AH1 or NAME.LIS; known : {"body": number from 1} if the file has several
-    Raises FormatError."""
+    """The Values of one structure of NAME.AH1 or NAME.LIS.  Raises FormatError.
+
+    known : {"body": number of the structure, from 1} if the file has several structures
+    """
     place = Path(place)
     kind = _listing if place.suffix.lower() == ".lis" else _numbers
     try:
@@ -70,7 +72,7 @@ def _numbers(place, known):
     omega = np.array(head[3 + headings : 3 + headings + frequencies])
 
     def own(name, size):
-        """Matrix of the structure, shape (size,), or None"""
+        """Matrix of one structure, shape (size,), or None"""
         rows = sections.get(name)
         return None if rows is None else np.array(rows).reshape(count, -1)[which, -size:]
 
@@ -101,8 +103,9 @@ def _numbers(place, known):
 
 
 def coupled(place, known, count):
-    """{quantity: array} of added mass, damping and limits of `count` structures together, (…, 6 count, 6 count), about
-    the centre of gravity of each; known : as in `read`.  Raises FormatError.
+    """{quantity: array} of added mass, damping and limits of `count` structures together, (…, 6 count, 6 count),
+    about the centre of gravity of each structure.
+    known : as in `read`; raises FormatError
     """
     place, side = Path(place), 6 * count
     if place.suffix.lower() == ".lis":
@@ -135,7 +138,8 @@ def _blocks(sections, key, count):
 
 
 def own_water(numbers):
-    """`Water` of depth, density and gravity, which follow the number of the structure since release 18.2"""
+    """`Water` from depth, density and gravity, which stand after the number of the structure in files since release
+    18.2"""
     start = next(i for i in (1, 0) if len(numbers) > i + 2 and 900 < numbers[i + 1] < 1100)
     return Water(*numbers[start : start + 3])
 

@@ -1,5 +1,7 @@
-"""The HDF5 file of BEMIO, which WEC-Sim and HydroChrono read: a group for each body, normalised, exp(+iωt), rising
-frequencies.  Rows are motions of the body, columns are motions of all N bodies.
+"""The HDF5 file of BEMIO, which WEC-Sim and HydroChrono read.
+
+The file has a group of dimensionless quantities for each body, the time factor exp(+iωt) and rising frequencies. Rows
+are motions of the body, columns are motions of all N bodies.
 
     added_mass/all A/ρ (6, 6N, n);  radiation_damping/all B/ρω (6, 6N, n);  excitation re, im, mag, phase X/ρg (6, m, n)
     linear_restoring_stiffness C/ρg;  mean_drift/momentum_conservation/val F/ρg (6, m, n), of heave, roll, pitch zero
@@ -8,8 +10,8 @@ frequencies.  Rows are motions of the body, columns are motions of all N bodies.
 
 Forces, motions and coefficients are about the centre of gravity, the origin of bodies in WEC-Sim.  Impulse responses
 are computed by the trapezoidal rule between the lowest and the highest stored frequency, with linear interpolation of
-B̄ and X. They are a start for WEC-Sim, limited by the band.
-Layout: WEC-Sim documentation, "BEMIO", and its writeBEMIOH5.
+B̄ and X. WEC-Sim can start from these impulse responses, but the band of frequencies limits their accuracy.
+The layout is described in the WEC-Sim documentation, "BEMIO", and in the function writeBEMIOH5 of WEC-Sim.
 """
 
 from contextlib import contextmanager
@@ -36,8 +38,8 @@ TIMES, POINTS = 100.0, 1001  # s and samples of impulse responses
 def write(values, place):
     """Write NAME.h5.  Returns its path.
 
-    raises : FormatError without the centre of mass, to which all quantities refer, and for a fixed body, since the file
-        has to contain motions
+    raises : FormatError if the centre of mass, to which all quantities refer, is missing, and for a fixed body, because
+        the file must contain motions
     """
     fixed = [body.name for body in values.bodies if body.fixed]
     if fixed:
@@ -152,7 +154,7 @@ def _rest(hydro, values):
 
 
 def trapezoid(w):
-    """Weights of the trapezoidal rule at rising w"""
+    """Weights of the trapezoidal rule at rising frequencies w"""
     return 0.5 * (np.diff(w, prepend=w[0]) + np.diff(w, append=w[-1]))
 
 
@@ -165,7 +167,7 @@ def linear(w, omega, values):
 
 
 def read(place, known=None):
-    """The Values of one body of NAME.h5; known : {"body": number from 1} if the file has several
+    """The Values of one body of NAME.h5; known : {"body": number of the body, from 1} if the file has several bodies
     Raises FormatError."""
     with _opened(place) as file:
         return _read(file, Path(place).stem, body_of(place, _bodies(file) or 1, known))
@@ -174,7 +176,7 @@ def read(place, known=None):
 def coupled(place, known, count):
     """{quantity: array} of added mass, damping and limits of `count` bodies together, (…, 6 count, 6 count)
 
-    known : as in `read`, without effect.  Raises FormatError.
+    known : as in `read`, has no effect; raises FormatError
     """
     with _opened(place) as file:
         rho, omega = (np.ravel(file[f"simulation_parameters/{name}"][()]) for name in ("rho", "w"))

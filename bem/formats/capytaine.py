@@ -1,10 +1,11 @@
-"""The netCDF file of Capytaine (documentation, "Outputs"): labelled, SI, exp(−iωt), directions travelled to, as ours.
+"""The netCDF file of Capytaine (documentation, "Outputs"): in SI, exp(−iωt) and headings as here.
 
-Complex numbers have a last axis `complex` of re, im, as `capytaine.export_dataset` splits them.  The names follow
-Capytaine's. Modes are labelled, so their order does not matter.  Mean drift is `far_field_mean_drift_force`; its pairs
-of different headings are NaN in our files. With several bodies modes are called `barge__Surge`. They are along the axes
-of the scene and about the point of each body, and quantities of one body have an axis `body`. netCDF 3 files, which
-Capytaine writes without netCDF4, are read too.
+Complex numbers have a last axis `complex` of re, im, as in files of `capytaine.export_dataset`. Datasets have the
+names that Capytaine uses. Modes are labelled, so their order does not matter.  Mean drift is
+`far_field_mean_drift_force`; in files written here, its values for pairs of different headings are NaN. In files of
+several bodies the modes are called `barge__Surge`. These modes are along the axes of the scene and about the
+reference point of each body, and quantities of one body have an axis `body`. netCDF 3 files, which Capytaine writes
+without netCDF4, are read too.
 """
 
 from pathlib import Path
@@ -100,7 +101,7 @@ def _drift(file, values):
 
 
 def read(place, known=None):
-    """The Values of one body of NAME.nc; known : {"body": number from 1} if the file has several
+    """The Values of one body of NAME.nc; known : {"body": number of the body, from 1} if the file has several bodies
     Raises FormatError."""
     try:
         with _opened(Path(place)) as file:

@@ -5,8 +5,9 @@
     [INCIDENCE_EFM_MOD_h] heading, [INCIDENCE_EFM_PH_h] heading      period, size and phase (rad) of the excitation
     [INCIDENCE_EFM_FFK_MOD_h], [INCIDENCE_EFM_DIFF_MOD_h]            of its parts;    [INCIDENCE_DFM_h]  mean drift
 
-SI, with F = i |F| exp(iφ) in exp(−iωt).  AQUA+ has [FROUDE-KRYLOV_FORCES_AND_MOMENTS] in sections of the same name, and
-no section with the sum.  Everything is about the centre of gravity.  Depth, density and gravity are not in the file.
+SI, with F = i |F| exp(iφ) in exp(−iωt).  In files of AQUA+ the Froude–Krylov forces stand in sections
+[FROUDE-KRYLOV_FORCES_AND_MOMENTS], and no section has the sum.  All quantities are about the centre of gravity.
+Depth, density and gravity are not in the file.
 """
 
 import re

@@ -1,10 +1,11 @@
 """A project of HAMS: Input/ControlFile.in, HullMesh.pnl, Hydrostatic.in, and Output/Wamit_format/Buoy.1 .3 …
 
-The results are in the files of WAMIT (`wamit`) with its time factor, made dimensionless by Reference_body_length.
-Output_frequency_type (`PERIOD_KINDS`) gives the first column; hakobune writes 4, the period.  HAMS of Y. Liu
-(2019), Journal of Marine Science and Engineering 7(3).  HAMS-MREL, for several bodies, has AmssDamp.1, ExcForce.3 …,
-Reference_body_center_1, HullMesh_1.pnl, Hydrostatic_1.in and so on. Its hulls are in axes of their own, whose position
-in the water is given by LCS_1 ….
+The results are in WAMIT's formats (`wamit`), with WAMIT's time factor, made dimensionless by Reference_body_length.
+Output_frequency_type (`PERIOD_KINDS`) gives the kind of the first column; hakobune writes 4, the period.  HAMS is
+described by Y. Liu (2019), Journal of Marine Science and Engineering 7(3).
+HAMS-MREL, for several bodies, has AmssDamp.1, ExcForce.3 …,
+Reference_body_center_1, HullMesh_1.pnl, Hydrostatic_1.in and so on. Each hull of HAMS-MREL has axes of its own, whose
+position in the water is given by LCS_1, LCS_2 ….
 """
 
 from dataclasses import replace
@@ -26,7 +27,7 @@ PERIOD_KINDS = {1: "deep wavenumber", 2: "wavenumber", 3: "frequency", 4: "perio
 
 
 def write(values, place):
-    """Write the folder of a project, including the parts that HAMS would compute.  Returns the paths."""
+    """Write the folder of a project, including the results that HAMS would compute. Returns the paths."""
     from hakobune.meshing.files import write_mesh
 
     place = Path(place)
@@ -114,7 +115,7 @@ def _numbers(row):
 
 
 def read(place, known):
-    """The Values of a project; known : {"density", "gravity"}, the depth is in ControlFile.in.  Raises FormatError."""
+    """The Values of a project; known : {"density", "gravity"}; ControlFile.in has the depth. Raises FormatError."""
     place = Path(place)
     given = _given(place, known)
     found = wamit.read(given.results, given.known)
@@ -130,25 +131,26 @@ def read(place, known):
 
 
 def coupled(place, known, count):
-    """As `wamit.coupled`; known : as in `read`"""
+    """Matrices of several bodies together, as from `wamit.coupled`; known : as in `read`"""
     given = _given(Path(place), known | {"body": 1})
     return wamit.coupled(given.results, given.known, count)
 
 
 def hull_of(place, known=None):
-    """The hull in Input; with several bodies the hull of known["body"]"""
+    """The hull in the folder Input; in a project of several bodies the hull of known["body"]"""
     place = Path(place)
     several = place / "Input" / f"HullMesh_{(known or {}).get('body') or 1}.pnl"
     return several if several.is_file() else place / "Input" / "HullMesh.pnl"
 
 
 def drawn_at(place, known):
-    """Origin of the hull in Input, in the water, m; shape (3,)"""
+    """Position in the water of the origin of the hull in Input, m; shape (3,)"""
     return _given(Path(place), known).drawn_at
 
 
 class Given(NamedTuple):
-    """results : path of NAME.1; known : as in `wamit.read`; number : "" or "_1" on; drawn_at : m, origin of the hull"""
+    """results : path of NAME.1; known : as in `wamit.read`; number : ending of the body's file names, "", "_1", "_2" …
+    drawn_at : position in the water of the origin of the hull, m"""
 
     results: Path
     known: dict

@@ -1,11 +1,12 @@
-"""A folder of HydroStar's files with one quantity each (.rao, .dat), as HydroStar and HAMS write them, read only.
+"""A folder of HydroStar's files with one quantity each (.rao, .dat), from HydroStar or HAMS; read only.
 
     # … Water density, Gravity acceleration, Waterdepth, Ref.pt incident wave, Forward speed, Reference point of body 1
     #RAOTYPE AddedMass | WaveDamping | LOAD, Excitation   #COMPONENT ij, of a force i   #HEADING degrees
     ω rad/s   values for each heading   phases in degrees for each heading
 
-SI, with exp(+iωt): the conjugates of ours; waves travel to the heading.  Matrices may have only the lower triangle.
-The format was derived from files of HydroStar 8 and of HAMS whose numbers are also in WAMIT's files beside them.
+Units are SI. The time factor is exp(+iωt), so numbers are the conjugates of ours; headings are those that waves
+travel to.  Matrices may have only the lower triangle.
+The format was derived from files of HydroStar 8 and of HAMS; WAMIT's files of the same runs have the same numbers.
 """
 
 import re

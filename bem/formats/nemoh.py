@@ -1,12 +1,12 @@
-"""A folder of Nemoh: Nemoh.cal, Mesh/ (hull, Hydrostatics.dat, KH.dat) and Results/*.tec, in SI and exp(−iωt) as ours.
+"""A folder of Nemoh: Nemoh.cal, Mesh/ (hull, Hydrostatics.dat, KH.dat) and Results/*.tec, in SI and exp(−iωt) as here.
 
 RadiationCoefficients.tec has a zone for each motion j: ω, then A_ij and B_ij of i = 1 … 6; ExcitationForce.tec,
 DiffractionForce.tec and FKForce.tec one for each heading: ω, then amplitude and phase (rad) of i = 1 … 6. Nemoh.cal
-gives frequencies and headings by first, last and count; sets that are not evenly spaced are refused.  Zones are
-counted, not named: Nemoh 2 calls the zones of the excitation "Diffraction force" too.
-With N bodies there are zones for
-each motion, 6N columns, and files Hydrostatics_0.dat, KH_0.dat and so on; a fixed body has no motions.  File names are
-accepted in any case, as Nemoh 3 writes results/.  G. Delhommeau, C. Lheea, École centrale de Nantes, Nemoh v3 manual.
+gives frequencies and headings by first, last and count; frequencies or headings that are not evenly spaced are
+refused.  Zones are counted, not named: Nemoh 2 calls the zones of the excitation "Diffraction force" too.
+With N bodies there are a zone for each motion of each body, 6N columns, and files Hydrostatics_0.dat, KH_0.dat and so
+on; a fixed body has no motions. File names are accepted in any case, as Nemoh 3 writes results/. Source: Nemoh v3
+manual, LHEEA, École centrale de Nantes.
 """
 
 import re
@@ -157,8 +157,11 @@ def read(place, known=None):
         if path.exists():
             own, rows = _zones(path, len(cal.headings), columns)
             if len(own) != len(omega) or not np.allclose(own, omega, rtol=1e-6):
+                missing = [f"{w:.5g}" for w in omega if not np.isclose(own, w, rtol=1e-6).any()]
+                lacks = f"; it has no {', '.join(missing[:4])} rad/s" if missing else ""
                 raise FormatError(
-                    f"{path} does not have the frequencies of RadiationCoefficients.tec; allowed: the same frequencies"
+                    f"{path} does not have the frequencies of RadiationCoefficients.tec; allowed: the same "
+                    f"frequencies{lacks}"
                 )
             pairs = _taken(rows, forces, 2)
             X = (pairs[..., 0] * np.exp(1j * pairs[..., 1])).transpose(1, 0, 2)
@@ -214,7 +217,7 @@ def _inside(folder, name):
 
 
 class Body(NamedTuple):
-    """mesh : name of its file; motions, forces : rows of kind (1 or 2), direction (3), point (3)"""
+    """mesh : name of the mesh file; motions, forces : rows of kind (1 or 2), direction (3), point (3)"""
 
     mesh: str
     motions: list
@@ -222,7 +225,8 @@ class Body(NamedTuple):
 
 
 class Cal(NamedTuple):
-    """Content of Nemoh.cal: SI, headings (m,) rad, crest (x, y) m that phases refer to, bodies : [Body]"""
+    """Content of Nemoh.cal in SI. headings : (m,) rad; crest : point (x, y) to which phases refer, m; bodies :
+    [Body]"""
 
     density: float
     gravity: float

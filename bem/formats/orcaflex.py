@@ -1,8 +1,8 @@
 """The vessel type of OrcaFlex as its text data file, NAME.yml (OrcaFlex help, "Text data files", "Vessel types").
 
-    units as UnitsSystem of General says: SI (t, kN, m), US (kip, kip, ft), or User with LengthUnits, MassUnits and
-    ForceUnits; here SI is written: rad/s; forces in kN, kN m, motions in m, ° for each metre of wave amplitude; phases
-    in degrees that lag the crest, those of ours;
+    units of UnitsSystem in General: SI (t, kN, m), US (kip, kip, ft), or User with LengthUnits, MassUnits and
+    ForceUnits; hakobune writes SI: rad/s; forces in kN, kN m, motions in m, ° for each metre of wave amplitude;
+    phases in degrees of lag behind the crest, as here;
     surge forward, sway to port, heave up, and rotations right-handed about them: roll starboard down, pitch bow down,
     yaw bow to port; directions that the waves travel to
 
@@ -169,7 +169,7 @@ def _matrices(values):
 def read(place, known):
     """The Values of the first draught of a vessel type of NAME.yml.  Raises FormatError.
 
-    known : {"gravity": m/s²}, and "body", index of the vessel type from 1, if there are several
+    known : {"gravity": m/s²}, and "body", number of the vessel type from 1, if there are several vessel types
     """
     place = Path(place)
     try:
@@ -188,7 +188,7 @@ def read(place, known):
 
 
 class Units(NamedTuple):
-    """Size in m, kg and N of the units of length, mass and force of a model"""
+    """The model's units of length, mass and force, in m, kg and N"""
 
     length: float
     mass: float

@@ -24,12 +24,13 @@ class FormatError(ValueError):
 
 @dataclass(frozen=True, eq=False)
 class Values:
-    """omega : (n,) rad/s, rising; wave_direction : (m,) rad, rising; water_depth : m, may be inf
-
-    quantities : {name of `schema.QUANTITIES`: array}, axes as there; body : {name of `schema.BODY`: value}
-    rotation_center : (3,) m; mesh : PanelMesh, or None; name : name of the body
-    others : bodies beside it, which are fixed; left_out : messages on ignored data, with the reason
-    bodies : `bem.modes.Body` of each of several, for formats that hold them; their motions along the axes of the scene
+    """omega : frequencies, rising, rad/s, (n,); wave_direction : headings, rising, rad, (m,); water_depth : m, may be
+    inf
+    quantities : {name: array}, names and axes of `schema.QUANTITIES`; body : {name of `schema.BODY`: value}
+    rotation_center : rotation centre, m, (3,); mesh : PanelMesh, or None; name : name of the body
+    others : fixed bodies beside the body; left_out : messages on ignored data, with the reason
+    bodies : `bem.modes.Body` of each of several bodies, with motions along the axes of the scene, for formats of
+        several bodies
     """
 
     omega: np.ndarray
@@ -51,7 +52,7 @@ class Values:
         return self.quantities.get(name, self.body.get(name))
 
     def need(self, *names):
-        """The quantities.  Raises FormatError, which names the missing ones."""
+        """The dictionary of quantities.  Raises FormatError, which names every missing quantity."""
         missing = [name for name in names if self.get(name) is None]
         if missing:
             way = "give it by --only"
@@ -62,9 +63,10 @@ class Values:
 
 
 def about(values, point):
-    """The same Values with rotations and moments about another point: (3,) m, or (N, 3), one for each of N bodies.
+    """The same Values with rotations and moments about another point, m, (3,), or about one point for each of N
+    bodies, (N, 3).
 
-    x_old = T x_new,  F_new = Tᵀ F_old,  A_new = Tᵀ A_old T,    T = [[1, −r×], [0, 1]],  r from the new to the old
+    x_old = T x_new,  F_new = Tᵀ F_old,  A_new = Tᵀ A_old T,    T = [[1, −r×], [0, 1]],  r from the new point to the old
 
     Limits that are not finite everywhere, such as heave at ω = 0 in finite depth, are removed.
     """
@@ -117,8 +119,8 @@ def _about_each(values, points):
 
 
 def of_each(values):
-    """[Values] of each of several bodies: the forces on the body due to the motions of all bodies, and the data of the
-    body. For a single body the list has the given Values"""
+    """[Values] of each body: the forces on this body due to the motions of all bodies, and the data of this body. For a
+    single body the list contains the given Values alone"""
     if not values.bodies:
         return [values]
     return [_of_one(values, number) for number in range(len(values.bodies))]
@@ -144,7 +146,7 @@ def _of_one(values, number):
 def values_of(db, several=False):
     """The Values of an opened database.  Raises DatabaseError if nothing is solved yet.
 
-    several : whether to return several bodies, otherwise they are refused
+    several : whether a database of several bodies is allowed; False: DatabaseError
     """
     db.require_rigid()
     if not several:
@@ -189,9 +191,9 @@ def _along_scene(values):
 
 
 def body_of(place, count, known):
-    """Index from 0 of the body given by known["body"], from 1.  Raises FormatError.
+    """Index, from 0, of the body whose number, from 1, is known["body"].  Raises FormatError.
 
-    Its coefficients are those of this body moving while the other bodies are fixed.
+    The coefficients of this body are those of the body moving while the other bodies are fixed.
     """
     body = (known or {}).get("body")
     if body is None and count == 1:
@@ -206,7 +208,8 @@ def body_of(place, count, known):
 
 
 def evenly(what, numbers, unit, way_out):
-    """Return (first, last, count) of equally spaced numbers.  Raises FormatError: some files support no others."""
+    """Return (first, last, count) of equally spaced numbers.  Raises FormatError for unequal spacing, which some
+    files do not support."""
     steps = np.diff(numbers)
     if len(steps) and not np.all(np.abs(steps - steps.mean()) <= EVEN * steps.mean()):
         raise FormatError(
@@ -222,10 +225,10 @@ def lines_of(path):
 
 
 def table_of(path, columns):
-    """Numbers of a text file; shape (k, columns); lines that do not begin with a number are passed over, and notes
-    after !.  Raises FormatError.
+    """Numbers of a text file; shape (k, columns); lines that do not begin with a number, and notes after an
+    exclamation mark, are ignored.  Raises FormatError.
 
-    columns : allowed numbers in a line; shorter lines are filled up with NaN
+    columns : allowed counts of numbers in a line; shorter lines are filled up with NaN
     """
     rows = []
     for number, line in enumerate(lines_of(path), 1):
@@ -250,11 +253,11 @@ def table_of(path, columns):
 
 
 def gridded(path, coordinates, values, modes=()):
-    """Rising coordinates and values on their grid.  Raises FormatError for a place that is empty or filled twice.
+    """Rising coordinates and values on their grid.  Raises FormatError for a grid point with no value or two.
 
     coordinates : list of (k,); values : (k, …); returns : list of (n_i,), array (n_0, n_1, …, …)
-    modes : all possible numbers of each of the last coordinates; those missing from the table are 0, since programs
-        omit values that are 0 by symmetry (WAMIT user manual, version 7.4, chapter 5)
+    modes : all possible numbers of each of the last coordinates; a value missing from the table is 0, because
+        programs omit values that are 0 by symmetry (WAMIT user manual, version 7.4, chapter 5)
     """
     free = len(coordinates) - len(modes)
     axes, places = zip(*(np.unique(axis, return_inverse=True) for axis in coordinates), strict=True)
@@ -287,11 +290,11 @@ def gridded(path, coordinates, values, modes=()):
 
 
 def omega_of(column, kind, depth, gravity, length=1.0):
-    """Frequencies, rad/s, from numbers that represent a frequency, including 0 and infinity; shape (n,)
+    """Frequencies, rad/s, which may be 0 and infinite, from numbers of the given kind; shape (n,)
 
-    kind : "period", s, whose 0 is ω = ∞ and −1 ω = 0; "frequency", rad/s, "wavenumber" or "deep wavenumber", rad/m,
-        and "wavelength", m: of the first three 0 is ω = 0 and −1 ω = ∞
-    length : m that wavenumbers are multiplied by
+    kind : "period", s, or "wavelength", m, with 0 for ω = ∞ and −1 for ω = 0; "frequency", rad/s, "wavenumber" or
+        "deep wavenumber", rad/m, with 0 for ω = 0 and −1 for ω = ∞
+    length : length by which wavenumbers are multiplied, m
     """
     x = np.asarray(column, float)
     limits = {"period": (-1.0, 0.0), "wavelength": (-1.0, 0.0)}.get(kind, (0.0, -1.0))
@@ -308,8 +311,8 @@ def omega_of(column, kind, depth, gravity, length=1.0):
 def with_headings_once(values):
     """Values with each heading once: headings that differ by full circles are merged if they agree.
 
-    Programs list −180 and 180, or 0 and 360.  Raises FormatError if the two differ by more than `SAME_HEADING` of the
-    largest value of their quantity.
+    Programs list −180 and 180, or 0 and 360.  Raises FormatError if values of one heading differ by more than
+    `SAME_HEADING` of the largest value of their quantity.
     """
     turned = np.mod(values.wave_direction, 2 * np.pi)
     turned = np.where(turned > 2 * np.pi - 1e-6, 0.0, turned)

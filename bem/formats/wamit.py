@@ -8,12 +8,13 @@
     .hst          I J C̄                              C = ρg L^(2 + p_I + p_J) C̄
     .mmx          volume, centres and mass (`wamit_out`)
 
-with p = 0 for translations and 1 for rotations, L = ULEN; PER as given by IPEROUT, by default the period in s, −1 at ω
-= 0 and 0 at ω = ∞; BETA in degrees that the waves travel to, phases in degrees of exp(+iωt): the conjugates of ours.
-Pairs I, J and modes I that are 0 by symmetry are omitted.  Written with L = 1 m.  The .8 file is for the free body if
+with p = 0 for translations and 1 for rotations, L = ULEN; PER as given by IPEROUT, by default the period in s, −1 at
+ω = 0 and 0 at ω = ∞. BETA is the heading in degrees that the waves travel to, and phases are in degrees with
+exp(+iωt), so numbers are the conjugates of ours.
+Values that are 0 by symmetry are omitted.  Files are written with L = 1 m.  The .8 file is for the free body if
 motions are stored (then a .4 file lies beside it), and otherwise for the fixed body. It is omitted for several bodies,
-whose modes are numbered 7 to 12 and so on.  These files contain neither depth, density, gravity nor hull; ULEN and the
-reference point of moments are in the input files beside the results (`wamit_inputs`).
+whose modes are numbered 7 to 12 and so on.  These files contain neither depth, density, gravity nor hull. WAMIT's
+input files beside the results contain ULEN and the reference point of moments (`wamit_inputs`).
 """
 
 from pathlib import Path
@@ -47,9 +48,11 @@ DRIFT_INDEX = [DOFS.index(name) + 1 for name in DRIFT_DOFS]
 
 
 def write(values, place, names=None):
-    """Write NAME.1 … beside each other; place : NAME with or without a suffix.  Returns the paths.
+    """Write NAME.1 and the other files of a set.  Returns the paths.
 
-    names : {suffix: name} of the files that are written, in place of NAME; by default all
+    place : path NAME, with or without a suffix
+
+    names : {suffix: file name} of the files to write; None: all files, with the name NAME
     """
     A, B = values.need("added_mass", "radiation_damping")
     place, rho, rho_g = Path(place), values.density, values.density * values.gravity
@@ -77,7 +80,8 @@ def write(values, place, names=None):
 
 
 def stands_for(values, name):
-    """Matrix of a limit (6, 6); entries that are missing or not finite are taken from the nearest frequency"""
+    """Matrix (6, 6) of an added-mass limit; entries that are missing or not finite are taken from the nearest
+    frequency"""
     limit, nearest = values.get(name), values.get("added_mass")[0 if name == "added_mass_zero" else -1]
     return nearest if limit is None else np.where(np.isfinite(limit), limit, nearest)
 
@@ -115,8 +119,9 @@ def _forces(values, X, index, twice=False):
 def read(place, known):
     """The Values of NAME.1 and the files beside it (`wamit_inputs`), or of NAME.out, which contains all of them.
 
-    known : {"density", "gravity"}, and if given "water_depth" m, "length_unit" m, "rotation_center" (3,) m and "body",
-        from 1.  Raises FormatError.
+    known : {"density", "gravity"}; optional are "water_depth" m, "length_unit" m, "rotation_center" (3,) m and "body",
+        the number of the body from 1
+    Raises FormatError.
     """
     place = Path(place)
     whole = place.suffix.lower() == ".out"
@@ -194,12 +199,11 @@ def _some(numbers):
 
 
 class OtherPlaces(FormatError):
-    """Raised for a file whose periods or headings differ from those of the other files."""
+    """A file has other periods or headings than the other files of the set."""
 
 
 class Columns(NamedTuple):
-    """given : `wamit_inputs.Inputs`; modes : (6,) numbers of the body's modes, or the numbers of the modes of all
-    bodies"""
+    """given : `wamit_inputs.Inputs`; modes : numbers of the body's modes, (6,), or of the modes of all bodies"""
 
     given: object
     modes: np.ndarray
@@ -215,7 +219,7 @@ class Columns(NamedTuple):
 
 
 def tables_beside(place):
-    """{suffix: Table} of the files with the name of `place`, or with HAMS-MREL's names beside AmssDamp.1"""
+    """{suffix: Table} of the files with the name of `place`; beside AmssDamp.1, of the files with HAMS-MREL's names"""
     widths = {".1": (4, 5), ".hst": (3,)} | dict.fromkeys(FORCES, (7,)) | dict.fromkeys(DRIFTS, (8,))
     names = NAMES_OF_HAMS if place.stem == NAMES_OF_HAMS[".1"] else {}
     there = {suffix: beside(place.with_name(names.get(suffix, place.stem) + suffix), suffix) for suffix in widths}

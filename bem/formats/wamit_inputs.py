@@ -3,12 +3,11 @@
     NAME.gdf   header / ULEN GRAV / …                          the length for dimensionless results
     NAME.pot   header / HBOT / IRAD IDIFF / NPER / PER … / NBETA / BETA … / NBODY / gdf / XBODY(1-4) / IMODE
     NAME.cfg   KEY = value, in any order                       IPEROUT: kind of the first column of results
-    NAME.out   the listing has all of this, and its periods show the kind of the first column of NAME.1
+    NAME.out   a listing of these inputs; its periods show the kind of the first column of NAME.1
 
-Results are about the body's own axes, whose origin in the axes of the water is XBODY(1-3). The .gdf is in the body's
-axes too.
-Lengths are in feet if GRAV is; wavenumbers in the first column are multiplied by ULEN (chapter 4).  Lists are read as
-in Fortran: text after the wanted numbers of a line is a remark.
+Results are along the axes of the body, whose origin in the axes of the water is XBODY(1-3). The hull in the .gdf is in
+the axes of the body too.  If GRAV is in feet, lengths are in feet; wavenumbers in the first column are multiplied by
+ULEN (chapter 4).  Lists are read as in Fortran: text after the wanted numbers of a line is a remark.
 """
 
 import re
@@ -31,9 +30,10 @@ PERIOD_KINDS = {1: "period", 2: "frequency", 3: "deep wavenumber", 4: "wavenumbe
 
 
 def pot_of(values, hulls):
-    """Text of NAME.pot of several bodies, each along the axes of the scene about the reference point of the body
+    """Text of NAME.pot of several bodies. Each body has axes parallel to those of the scene, through its reference
+    point
 
-    values : `values.Values` with bodies; hulls : names of their .gdf files, in these axes
+    values : `values.Values` with bodies; hulls : names of the bodies' .gdf files, in these axes
     """
     depth = values.water_depth if np.isfinite(values.water_depth) else 0.0  # 0 for deep water
     periods, degrees = 2 * np.pi / values.omega, np.degrees(values.wave_direction)
@@ -67,12 +67,11 @@ class Table(NamedTuple):
 
 
 class Inputs(NamedTuple):
-    """length : m, ULEN; about : (3,) m, XBODY; period_kind : period kind of the first column of results, as in
-    `omega_of`
-
-    wave_length : m that wavenumbers of that column are multiplied by; said : which of these a file gives, in words
-    depth : m, may be inf, None if not given; gravity : m/s²; bodies : their number; hull : name of the .gdf
-    told : whether a file gives the number of bodies
+    """length : ULEN, m; about : XBODY, m, (3,); period_kind : kind of the first column of results, as in `omega_of`
+    wave_length : length by which wavenumbers in the first column are multiplied, m
+    said : description of the values that a file gives
+    depth : m, may be inf, None if not given; gravity : m/s²; hull : name of the .gdf
+    bodies : number of bodies; told : whether a file gives this number
     """
 
     length: float = 1.0
@@ -88,10 +87,10 @@ class Inputs(NamedTuple):
 
 
 def inputs_of(place, known):
-    """`Inputs` of NAME.gdf, NAME.pot and NAME.cfg if they exist, each read for values that are not given.
+    """`Inputs` from `known`; values not given are read from NAME.gdf, NAME.pot and NAME.cfg if these files exist.
 
     known : {"length_unit": m, "rotation_center": (3,) m, "period_kind", "water_depth": m, "gravity": m/s², "body"},
-        each None or missing if not given
+        with None or no entry for values not given
     Raises FormatError.
     """
     place, known = Path(place), {name: value for name, value in known.items() if value is not None}
@@ -171,7 +170,7 @@ def _listed(place, known):
 
 
 def listed_inputs(place, lines, known):
-    """`Inputs` of the lines of NAME.out before its first period"""
+    """`Inputs` from the lines that precede the first period in NAME.out"""
     places = numbers_after(r"XBODY\s*=.*", lines) or [[0.0, 0.0, 0.0, 0.0]]
     which = body_of(place, len(places), known)
     if len(places[which]) > 3 and places[which][3]:
@@ -198,7 +197,8 @@ def numbers_after(pattern, lines):
 
 
 def before_periods(path):
-    """Lines of a WAMIT listing, and their number before its first period, None for another file"""
+    """Lines of a WAMIT listing, and the number of lines before its first period; this number is None for another
+    file"""
     lines = lines_of(path)
     if not any("WAMIT" in line for line in lines[:20]):
         return lines, None
@@ -218,7 +218,7 @@ def _kind_listed(place, given):
 
 
 def beside(place, suffix):
-    """The file with the name of `place` and another suffix, with any case of letters; None without one"""
+    """The file with the name of `place` and another suffix, in any case of letters; None if there is no such file"""
     found = (place.with_suffix(one) for one in (suffix, suffix.upper()))
     return next((path for path in found if path.is_file()), None)
 
@@ -251,15 +251,16 @@ def _period_kind(path):
 
 
 class Potential(NamedTuple):
-    """Contents of a .pot: depth in the unit of the file, ≤ 0 for deep water; bodies : [(name of the .gdf, (x, y, z) of
-    XBODY)]"""
+    """Content of a .pot file
+
+    depth : depth in the unit of the file, ≤ 0 for deep water; bodies : [(name of the .gdf, (x, y, z) of XBODY)]"""
 
     depth: float
     bodies: list
 
     def of_body(self, number):
-        """Name of the .gdf and XBODY of a body, numbered from 1; those of the last body for a larger number; "" and
-        None without bodies"""
+        """Name of the .gdf and XBODY of body `number`, from 1. A larger number gives the last body; a file without
+        bodies gives "" and None"""
         return self.bodies[min(number, len(self.bodies)) - 1] if self.bodies else ("", None)
 
 

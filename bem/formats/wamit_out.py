@@ -1,16 +1,18 @@
-"""NAME.out of WAMIT, a listing for readers. It has the numbers of NAME.1, .3, .8 and of still water in one file.
+"""NAME.out of WAMIT, a printed listing with the numbers of NAME.1, .3, .8 and the hydrostatics in one file.
 
     Gravity, Length scale, Water depth; for each body XBODY, volumes, centres, C(3,3) … C(5,6) and radii of gyration
     for each period ADDED-MASS AND DAMPING COEFFICIENTS, EXCITING FORCES AND MOMENTS, … DRIFT FORCES (Momentum …)
 
-Phases in this file are whole degrees, so forces are within 1 % in phase.  NAME.mmx has volume, centres and mass:
+Phases in this file are whole degrees, so the rounding of phases changes forces by at most 1 %.  NAME.mmx has volume,
+centres and mass:
 
     WAMIT  Ouputs for body N = …      each with volumes, centres in the body's axes, and one of
     Normalized mass matrix:           I J M/ρ                IALTFRC = 1
     External force matrices:          I J M D K              IALTFRC = 2 and 3; M in the units of ρ and lengths
 
-Modes beyond the six of a body are ignored, as are damping and stiffness of lines.  A matrix without rotational inertia,
-as in a run without motions, gives the mass alone. User manual, version 7.4, section 4.9 and chapter 5.
+Modes beyond the six of a body are ignored, as are damping and stiffness of lines.  A matrix without rotational
+inertia, such as that of a run without motions, gives only the mass.
+User manual, version 7.4, section 4.9 and chapter 5.
 """
 
 import re
@@ -33,7 +35,7 @@ CENTERS = {"Center of Buoyancy": "center_of_buoyancy", "Center of Gravity": "cen
 
 
 def read_out(place, known):
-    """{suffix: Table}, `Inputs` and the known data of the body in SI.  Raises FormatError."""
+    """The tables {suffix: Table}, the `Inputs`, and the known data of the body in SI.  Raises FormatError."""
     place = Path(place)
     lines, start = before_periods(place)
     if start is None:
@@ -111,7 +113,9 @@ def _body(numbers, which, given, origin, density):
 
 
 def mass_of(path, which, density, origin):
-    """{name of `schema.BODY`: value} of body `which`, from 0; origin : (3,) m of its axes.  Raises FormatError."""
+    """{name of `schema.BODY`: value} of the body with index `which`, from 0.  Raises FormatError.
+
+    origin : origin of the axes of the body, m, (3,)"""
     lines = lines_of(path)
     starts = [n for n, line in enumerate(lines) if BODY.search(line)]
     if which >= len(starts):

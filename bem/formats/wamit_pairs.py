@@ -3,9 +3,10 @@
     PER₁ PER₂ BETA₁ BETA₂ I Mod Pha Re Im        F(t) = Re Σᵢ Σⱼ Aᵢ Āⱼ ρg F̄_ij exp{+i(ωᵢ − ωⱼ)t}    of .12d
                                                  F(t) = Re Σᵢ Σⱼ Aᵢ Aⱼ ρg F̄_ij exp{+i(ωᵢ + ωⱼ)t}    of .12s
 
-with F̄ multiplied by ULEN for forces and by its square for moments; periods in s, headings in degrees that waves
-travel to, phases in degrees: the conjugates of ours.  The files contain the pairs with PER₁ ≤ PER₂. A pair in the other
-order has the conjugate value in .12d, the same value in .12s.  I counts the forces of several bodies from 1 to 6N.
+with F̄ multiplied by ULEN for forces and by ULEN² for moments.  Periods are in s, headings in degrees that waves
+travel to, phases in degrees; numbers are the conjugates of ours.
+The files contain the pairs with PER₁ ≤ PER₂. A pair with PER₁ > PER₂ has the conjugate value in .12d and an equal
+value in .12s.  I numbers the forces of N bodies from 1 to 6N.
 """
 
 from pathlib import Path
@@ -26,7 +27,7 @@ EVEN = 1e-3  # relative variation of the frequency step that counts as even; per
 def write_pairs(forces, place, weight, bodies=()):
     """Write NAME.12d or .12s of a `QuadraticForces` and return its path
 
-    weight : ρg, N/m³; bodies : `bem.modes.Body` of each of several, whose forces are turned to the axes of the scene
+    weight : ρg, N/m³; bodies : `bem.modes.Body` of each of several bodies; forces are turned to the axes of the scene
     """
     path, degrees = Path(place).with_suffix(SUFFIXES[forces.kind]), np.degrees(forces.headings)
     T = forces.total.conj() / weight
@@ -46,11 +47,11 @@ def write_pairs(forces, place, weight, bodies=()):
 
 
 def read_pairs(place, weight, kind=DIFFERENCE, length=1.0):
-    """`QuadraticForces` of NAME.12d or .12s, all as squares, since the file does not separate the parts; None without a
-    file
+    """`QuadraticForces` of NAME.12d or .12s; None if the file does not exist. All forces are stored as squares,
+    because the file does not separate the parts
 
     weight : ρg, N/m³; length : m, ULEN
-    raises : FormatError for uneven frequencies, pairs of a difference or sum that are missing
+    raises : FormatError for uneven frequencies, and if pairs of a difference or sum frequency are missing
     """
     path, second = Path(place).with_suffix(SUFFIXES[kind]), kind.second
     if not path.exists():

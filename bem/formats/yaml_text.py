@@ -2,7 +2,7 @@
 
 
 class YamlFault(ValueError):
-    """A text is not YAML of plain data; line : number from 1, or None where the fault belongs to no line."""
+    """A text is not YAML of plain data; line : line number from 1, or None if the fault belongs to no single line."""
 
     def __init__(self, line, text):
         super().__init__(text)

@@ -1,1 +1,1 @@
-"""Problems of the panel method and of the methods for boxes and cylinders; near-field drift by both."""
+"""Problems of the panel method and of the methods for boxes and cylinders, and near-field drift by these methods."""

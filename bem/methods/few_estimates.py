@@ -1,13 +1,13 @@
 """Errors of many frequencies from the differences between two resolutions at a few of these frequencies.
 
-Both resolutions of the contour method increase in steps over the frequency; between steps their difference is smooth.
-Frequencies with the same resolutions form a range.  A range is halved until two conditions hold. At its middle
-frequency the difference is close to the straight line between its ends, and its ends are less than half an oscillation
-of a wave along the body apart.
-At the other frequencies of such a range the difference is taken from the parabola through these three values. Its bound
-is `MARGIN` times the largest of the three.
+The two resolutions of the contour method increase in steps over the frequency; between steps the difference of their
+results is smooth.  Frequencies with the same resolutions form a range.  A range is halved until two conditions hold:
+at the middle frequency of the range the difference is close to the straight line between the ends of the range, and
+between the ends the phase of a wave along the body changes by less than half an oscillation.
+At the other frequencies of the range the difference is taken from the parabola through the values at the ends and the
+middle. The bound of this difference is `MARGIN` times the largest of the three values.
 
-The choice of these frequencies depends only on the list of frequencies, not on the order of solution.
+The choice of the few frequencies depends only on the list of frequencies, not on the order of solution.
 """
 
 from functools import cached_property
@@ -29,7 +29,8 @@ SAME = 1e-9  # relative in omega
 
 
 class Differences(NamedTuple):
-    """Differences of two resolutions at one frequency, as `bem.frequency.FrequencyRun.differences`; `kochin_errors`"""
+    """Differences of two resolutions at one frequency, as `bem.frequency.FrequencyRun.differences`, and
+    `kochin_errors`"""
 
     radiation: np.ndarray
     excitation: np.ndarray
@@ -45,7 +46,7 @@ class FewEstimates:
         self.ahead, self.differences = {}, {}
 
     def run(self, omega, *question):
-        """The quantities of one frequency; question : as in `bem.frequency.FrequencyRun` after the frequency"""
+        """The run of one frequency; question : arguments of `bem.frequency.FrequencyRun` after the frequency"""
         i = int(np.argmin(np.abs(self.omegas - omega)))
         own_angles = question[2] is None and bool(set(question[1]) & DRIFT)  # Kochin functions of others are at theirs
         if own_angles or abs(self.omegas[i] - omega) > SAME * omega:
@@ -119,7 +120,8 @@ class FewEstimates:
 class BetweenRun(ShapeRun):
     """A frequency whose differences are interpolated from other frequencies.
 
-    near : `Differences`; bounds : bounds of radiation (6, 6), real and imaginary part apart, and of excitation (m, 6)
+    near : `Differences`; bounds : bounds of radiation (6, 6), separately for real and imaginary part, and of
+        excitation (m, 6)
     """
 
     interpolated, bounds, margin = True, None, MARGIN

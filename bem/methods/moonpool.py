@@ -1,10 +1,10 @@
-"""Piston mode of the water in a moonpool: where it resonates, and how far it rises in waves while the hull is held.
+"""Piston mode of the water in a moonpool: its resonance frequency, and the rise of the water in waves on a held hull.
 
-The mean rise of the water is taken on a damping lid without damping (`bem.panels.damping_lid`).  Around its resonance
-the water rises like a mass on a spring, and 1 / rise is a smooth function of ω². Three frequencies give a parabola for
-it; its smallest modulus gives the next frequency.  For a ring of 1 600 panels with one node each, the frequency is 0.7
-% and the rise 2 % too low. If the gap under the keel is a fifth of the draft, the frequency is 2 % too low and the rise
-is exact.
+The mean rise of the water is computed on a damping lid whose damping is zero (`bem.panels.damping_lid`).  Around its
+resonance the water rises like a mass on a spring, and 1 / rise is a smooth function of ω². Values of 1 / rise at
+three frequencies give a parabola, and its smallest modulus gives the next frequency. For a ring of 1 600 panels with
+one node each, the resonance frequency is 0.7 % and the rise 2 % too low. If the gap under the keel is a fifth of the
+draft, the frequency is 2 % too low and the rise is exact.
 """
 
 from typing import NamedTuple
@@ -25,17 +25,19 @@ FEW_NODES = 600  # up to which a panel has four
 
 
 class Piston(NamedTuple):
-    """omega : rad/s of the largest rise; rise : amplitude of the water over the amplitude of the wave, in the worst
-    heading"""
+    """omega : frequency of the largest rise, rad/s
+    rise : amplitude of the water over the amplitude of the wave, for the heading with the largest rise"""
 
     omega: float
     rise: float
 
 
 def piston(mesh, corners, depth, headings, near, gravity=9.80665):
-    """`Piston` of the moonpool with `corners` (k, 2) of a held hull, or None if it has too many panels or no peak.
+    """`Piston` of the moonpool with `corners` (k, 2) in a held hull; None for too many panels, or if the rise has no
+    peak.
 
-    mesh : hull; near : rad/s, of a formula; headings : (m,) rad
+    mesh : PanelMesh of the hull; near : resonance frequency by a formula, rad/s; headings : headings of waves, rad,
+        (m,)
     Raises ValueError for a moonpool that is not convex.
     """
     lids = (DampingLid(corners, 0.0),)

@@ -1,4 +1,4 @@
-"""Mean drift from the pressure on the hull, if a method provides it: an independent check of the far field.
+"""Mean drift from the pressure on the hull: an independent check of the drift from the far field.
 
     F = −½ρg ∮ ζ_r² n dl + ½ρ ∬ |∇φ|² n dS + ρ ∬ (X·∇φ_t) n dS + α × F₁,        M alike, and α × M₁ + X_c × F₁
 
@@ -7,11 +7,11 @@ of a hull point, X_c the displacement of the rotation centre, α the rotations;
 F₁ and M₁ the first-order load of water and weight
 about the rotation centre, equal to inertia times acceleration for a body without other restraint.
 
-The error of the drift is the error of the pressures, as a fraction of ρgζ² times the breadth, however small the drift
+The relative error of the pressures, times ρgζ² times the breadth, is the error of the drift, however small the drift
 is. In long waves this error exceeds the drift.
 
-A surface in the water around the hull would be no check. For every flow by Green's theorem or by eigenfunctions, right
-or wrong, the momentum flux through it equals the flux far away.
+The momentum flux through a surface in the water around the hull would be no check: for every flow by Green's theorem
+or by eigenfunctions, right or wrong, it equals the flux far away.
 """
 
 import numpy as np
@@ -21,12 +21,14 @@ from ..second_order.rotations import first_order_loads
 
 
 def near_field_drift(run, moving):
-    """Mean drift about the rotation centre from the potentials of a solved frequency, as `bem.drift.mean_drift`; shape
-    (m, 3).
+    """Mean drift about the rotation centre from the potentials of a solved frequency; shape (m, 3).
 
-    run : the quantities of one frequency of a mesh with four nodes per panel (`bem.panels.one_frequency.PanelRun`) or
-        of the contour method (`bem.methods.shape_run.ShapeRun`), which also needs the drift by the far field
-    moving : freely floating instead of fixed
+    Units and axes are those of `bem.drift.mean_drift`.
+
+    run : the quantities of one frequency of a mesh with four nodes per panel (`bem.panels.one_frequency.PanelRun`)
+        or of the contour method (`bem.methods.shape_run.ShapeRun`); a run of the contour method must include the
+        drift by the far field
+    moving : whether the body floats freely; False: the body is fixed
     raises : ValueError for a method without pressures on the hull, or a run without the needed quantities
     """
     force = _method(run, moving).pressure_drift(run, _motions(run, moving))
@@ -34,17 +36,20 @@ def near_field_drift(run, moving):
 
 
 def near_field_error(run, moving):
-    """Estimated bound of the difference between drift from the near field and from the far field, N/m², N m/m²; shape
-    (m, 3), as in `near_field_drift`.
+    """Estimated bound, N/m² and N m/m², of the difference between the drifts from near field and far field; shape (m,
+    3)
 
-    Per metre of breadth and wave amplitude squared the terms are up to ρg(1 + v)² at the waterline, with water up to
-    twice the wave height at a wall, and ρω²d a² on the sides. Here v is the vertical motion at the waterline, and a the
-    motion of any point of the hull.
+    For each metre of breadth and squared wave amplitude, the terms at the waterline are up to ρg(1 + v)², because water
+    rises to twice the wave height at a wall, and the terms on the sides are up to ρω²d a². Here v is the vertical
+    motion at the waterline, and a the motion of any point of the hull.
     A relative error of the pressures causes twice this relative error in these terms.  The relative error of the
-    pressures is taken from the estimated errors of coefficients and forces. For the contour method, whose forces are
-    wrong at second order and whose pressures at first order, it is no less than `bem.contour.pressure_drift.PRESSURES`.
-    Errors of the motions are not included: near and far field are equal for any motions. run, moving : as in
-    `near_field_drift` raises : ValueError as in `near_field_drift`, and for panels without an estimate of their errors
+    pressures is taken from the estimated errors of coefficients and forces. In the contour method the error of forces
+    is of second order and that of pressures of first order; the relative error of pressures is therefore taken as at
+    least `bem.contour.pressure_drift.PRESSURES`.
+    Errors of the motions are not included, because drift from near and far field is equal for any motions.
+
+    run, moving : as in `near_field_drift`
+    raises : ValueError as in `near_field_drift`, and for panels without an estimate of their errors
     """
     method, radius, draft = _method(run, moving), run.prepared.radius, run.prepared.draft
     if run.errors is None:
@@ -87,7 +92,8 @@ def _method(run, moving):
 
 
 def rotated_loads(run):
-    """Mean surge, sway and yaw by first-order loads that turn with the body, about the rotation centre; shape (m, 3)"""
+    """Part of mean surge, sway and yaw drift from first-order loads that turn with the body, about the rotation centre;
+    shape (m, 3)"""
     pairs = rotated_pairs(first_order_loads(run, run.problem, run.rao), run.rao)
     each = np.arange(len(run.headings))
     return pairs[each, each][:, [0, 1, 5]].real

@@ -1,4 +1,4 @@
-"""The radiation–diffraction problem of a panel mesh, and its frequency-independent part."""
+"""The radiation–diffraction problem of a panel mesh, and the part of its solution that is equal at all frequencies."""
 
 from __future__ import annotations
 
@@ -29,16 +29,17 @@ class PanelProblem(Problem):
     """A floating body in water for the panel method: all input except frequency and headings.
 
     mesh : hull panels; lid : interior free-surface panels or None
-    coarse : (mesh, lid) of the same body with about half as many panels, for the error estimate; None for no estimate
-    finer : for frequencies whose estimated error exceeds the tolerance, also after extrapolation from both meshes; or
-        None.  finer(mesh, lid) returns both of the same body with about twice as many panels, or None at the limit;
-        finer.omegas (n,) rad/s are the frequencies of the run; finer.band(mesh, lid, omegas) gives the `band` of some
-        of them on that mesh, or None
+    coarse : (mesh, lid) of the same body with about half as many panels, for the error estimate; None: no estimate
+    finer : object that refines the mesh at frequencies whose estimated error exceeds the tolerance even after
+        extrapolation from the two meshes; or None. finer(mesh, lid) returns a mesh and a lid of the body with about
+        twice as many panels, or None at the limit; finer.omegas (n,) are the frequencies of the run, rad/s;
+        finer.band(mesh, lid, omegas) gives the `band` of frequencies on that mesh, or None
     nodes_per_panel : 4 (bilinear) or 1 (constant)
-    wall : y in m of a vertical wall along x that reflects all waves; None for open water
-    zero_draft : the flat bottom of the hull laid into the water surface, `bem.panels.zero_draft`
-    damping_lids : `bem.panels.damping_lid.DampingLid` of each damped water area; then each frequency is solved alone
-    band : (low, high) rad/s of a run with many frequencies: they then share the work of `bem.panels.band.equations`
+    wall : y of a vertical wall along x that reflects all waves, m; None for open water
+    zero_draft : whether the flat bottom of the hull lies in the water surface (`bem.panels.zero_draft`)
+    damping_lids : `bem.panels.damping_lid.DampingLid` of each damped water area; with them each frequency is solved
+        alone
+    band : lowest and highest frequency of a run, rad/s, whose frequencies share the work of `bem.panels.band.equations`
     """
 
     mesh: object
@@ -52,7 +53,7 @@ class PanelProblem(Problem):
     band: tuple | None = None
 
     def prepared(self):
-        """`PreparedPanelProblem`: with elements, images and all other data that depend only on geometry"""
+        """`PreparedPanelProblem`: the elements, images and all other data that depend only on geometry"""
         coarse = self.coarse and self._on(*self.coarse, finer=None).prepared()
         return self.prepared_beside(coarse)
 
@@ -67,15 +68,15 @@ class PanelProblem(Problem):
         return replace(self, mesh=mesh, lid=lid, coarse=None, **changes)
 
     def refined(self):
-        """The same problem on more panels, each frequency solved alone, or None; without a lid if this problem has no
-        lid"""
+        """The same problem on more panels, with each frequency solved alone; None at the limit. A problem without a lid
+        gives a problem without a lid"""
         found = None if self.finer is None else self.finer(self.mesh, self.lid)
         return None if found is None else self._on(*found, band=None)
 
 
 @dataclass(frozen=True, eq=False)
 class PreparedPanelProblem:
-    """A `PanelProblem` with its frequency-independent part, computed when first needed."""
+    """A `PanelProblem` and the part of its solution that is equal at all frequencies, computed when first needed."""
 
     problem: PanelProblem
     geometry: Geometry
@@ -93,7 +94,7 @@ class PreparedPanelProblem:
 
     @cached_property
     def axisymmetric_geometry(self):
-        """The geometry of an axisymmetric body with an axisymmetric lid, which replaces any other lid.
+        """Geometry of an axisymmetric body with an axisymmetric lid, which replaces the lid of the problem.
 
         φ' vanishes on the lid, so that any lid is valid.
         """
@@ -114,7 +115,7 @@ class PreparedPanelProblem:
 
     @cached_property
     def band_equations(self):
-        """Return the `bem.panels.band.equations.BandEquations` of the problem's band, first of its lower part without
+        """The `bem.panels.band.equations.BandEquations` of the problem's band, beginning with its lower part, without
         lid"""
         from ..checks import sufficient_accuracy
         from ..panels.band.equations import band_equations
@@ -125,12 +126,12 @@ class PreparedPanelProblem:
 
     @property
     def refinement(self):
-        """Ratio of the panel number to that of the coarse mesh."""
+        """Number of panels over the number of panels of the coarse mesh."""
         return self.problem.mesh.total / self.coarse.problem.mesh.total
 
     @cached_property
     def finer(self):
-        """The same problem on more panels, with this problem as its coarser problem; or None"""
+        """The same problem on more panels, whose coarser problem is this problem; None at the limit"""
         problem = self.problem.refined()
         if problem is None:
             return None
@@ -156,12 +157,12 @@ class PreparedPanelProblem:
 
     @property
     def radius(self):
-        """m, largest distance of the hull from the vertical axis through the origin"""
+        """Largest distance of the hull from the vertical axis through the origin, m"""
         return self.geometry.radius
 
     @property
     def draft(self):
-        """m, of the hull"""
+        """Draft of the hull, m"""
         return self.geometry.draft
 
     def run(self, omega, *arguments, **more):
@@ -224,5 +225,6 @@ def _geometry(problem, mesh, lid):
 
 
 def prepare(problem):
-    """A `PanelProblem` or `ShapeProblem` prepared; its expensive parts are computed with the first frequency."""
+    """The prepared problem of a `PanelProblem` or `ShapeProblem`; its expensive parts are computed at the first
+    frequency."""
     return problem.prepared()

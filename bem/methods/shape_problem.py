@@ -13,15 +13,15 @@ from .shape_run import RESOLVED, ShapeRun
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class ShapeProblem(Problem):
-    """A box or buoy in water, its waterplane centred at the origin, or several without panels.
+    """One box or buoy whose waterplane is centred at the origin, or several boxes and buoys, solved without panels.
 
-    method : contour, strip, inverse-strip or, of several bodies, transfer
+    method : "contour", "strip" or "inverse-strip", or "transfer" for several bodies
     shape : box (length, beam, draft) or buoy (radius, draft)
-    sizes : m, in that order; tolerance : relative error asked for
-    shapes : shapes of several `bodies`, the shape and sizes of each, in place of these
+    sizes : sizes of the shape in the order given above, m; tolerance : requested relative error
+    shapes : shape and sizes of each of several `bodies`; they replace `shape` and `sizes`
     panels : `bem.methods.panel_problem.PanelProblem` of the same body, for pressures on its panels, or None
-    omegas : (n,) rad/s, ascending, of the run: for many frequencies, errors of some give those of the others
-        (`bem.methods.few_estimates`)
+    omegas : frequencies of the run, ascending, rad/s, (n,); if there are many, errors are estimated at a few
+        frequencies and interpolated (`bem.methods.few_estimates`)
     """
 
     method: str
@@ -39,7 +39,7 @@ class ShapeProblem(Problem):
 
 @dataclass(frozen=True, eq=False)
 class PreparedShapeProblem:
-    """A `ShapeProblem` and the solver of its method, whose frequency-independent part is kept."""
+    """A `ShapeProblem` and the solver of its method, which keeps all that is equal at all frequencies."""
 
     problem: ShapeProblem
 
@@ -65,14 +65,14 @@ class PreparedShapeProblem:
 
     @cached_property
     def panels(self):
-        """The prepared panels; raises ValueError without panels"""
+        """The prepared panel problem of the same body.  Raises ValueError for a problem without panels."""
         if self.problem.panels is None:
             raise ValueError(f"method {self.problem.method} has no panels, so there is no pressure on panels")
         return self.problem.panels.prepared()
 
     @property
     def radius(self):
-        """m, largest distance of the hull from the vertical axis through the origin"""
+        """Largest distance of the hull from the vertical axis through the origin, m"""
         problem = self.problem
         if problem.shapes:
             each = zip(problem.shapes, problem.bodies, strict=True)
@@ -81,17 +81,17 @@ class PreparedShapeProblem:
 
     @property
     def draft(self):
-        """m, draft of the hull, or of the deepest of several hulls"""
+        """Draft of the hull, or of the deepest of several hulls, m"""
         return max(sizes[-1] for _, sizes in self.shapes)
 
     @property
     def displacing(self):
-        """Whether a mode displaces water; shape (6,); for several bodies (6N,)"""
+        """Whether each mode displaces water; shape (6,), for N bodies (6N,)"""
         return np.array([moves for shape, _ in self.shapes for moves in [True] * 5 + [shape == "box"]])
 
     @property
     def shapes(self):
-        """Shape and sizes of the body, or of each of several"""
+        """Shape and sizes of the body, or of each of several bodies"""
         return self.problem.shapes or ((self.problem.shape, self.problem.sizes),)
 
     def run(self, *arguments):
@@ -100,12 +100,13 @@ class PreparedShapeProblem:
 
     @cached_property
     def few_estimates(self):
-        """`bem.methods.few_estimates.FewEstimates`, or None where each frequency has an error estimate of its own"""
+        """`bem.methods.few_estimates.FewEstimates`; None if errors are estimated at every frequency"""
         many = self.problem.method in RESOLVED and len(self.problem.omegas) >= FEWEST
         return FewEstimates(self, self.problem.omegas) if many else None
 
     def added_mass_limit(self, which):
-        """A (6, 6), of several (6N, moving), about the rotation centre for the frequency `which`, zero or infinity"""
+        """Added mass about the rotation centre at the frequency `which`, "zero" or "infinity"; shape (6, 6), for N
+        bodies (6N, moving)"""
         if self.problem.shapes:
             return self._limit_of_several(which)
         T, about_origin = self.problem.transform, self.solver.added_mass_limit(which, self.problem.density)

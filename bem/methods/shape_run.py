@@ -13,7 +13,8 @@ RESOLVED = ("contour", "transfer")  # methods that have finer bodies
 class ShapeRun(FrequencyRun):
     """One frequency of a method without panels, by the prepared solver or by a more accurate solver.
 
-    Few problems need one: gap heights and drafts for which radiation of keel and sides nearly cancels.
+    Few problems need the more accurate solver: those whose gap height and draft make the waves radiated by keel and
+    sides nearly cancel.
     """
 
     most_sharper = 2  # number of additional digits beyond the tolerance
@@ -24,7 +25,7 @@ class ShapeRun(FrequencyRun):
 
     @property
     def sharper(self):
-        """The run with one digit more; None if no digit is left"""
+        """The same run with a solver that is accurate to one more digit; None if this is not possible"""
         if self.problem.method not in RESOLVED or self.solver.sharper is None:
             return None
         return partial(ShapeRun, self.prepared, *self.question, self.solver.sharper)
@@ -53,12 +54,12 @@ class ShapeRun(FrequencyRun):
 
     @property
     def waves(self):
-        """Headings of the waves; shape (m,); empty if no diffraction is wanted"""
+        """Headings of the waves, rad, shape (m,); empty if no diffraction is wanted"""
         return self.headings if self.diffracts else np.empty(0)
 
     @cached_property
     def differences(self):
-        """Differences from the finer body; None for strips, where the larger error of strip theory itself is not
+        """Differences from the finer body; None for strips, because the larger error of strip theory itself is not
         estimated"""
         if self.problem.method not in RESOLVED:
             return None
@@ -105,8 +106,8 @@ class ShapeRun(FrequencyRun):
         return self.first_order.residual
 
     def drift_of_each(self, moving):
-        """Mean surge, sway and yaw drift of each body, about the point of the body in its own axes, by
-        `bem.transfer.drift`; shape (m, bodies, 3)"""
+        """Mean surge, sway and yaw drift of each body by `bem.transfer.drift`; shape (m, bodies, 3). The drift is
+        about the reference point of the body, in the axes of the body"""
         problem = self.problem
         motions = np.zeros((len(self.headings), self.count), complex)
         if moving:
@@ -120,5 +121,5 @@ class ShapeRun(FrequencyRun):
         return found
 
     def pressure(self):
-        """Pressure, which only the panel method computes"""
+        """Pressure on the hull, which only the panel method computes"""
         return self.prepared.panels.run(self.omega, self.headings, {"pressure"}, None, None).pressure()

@@ -1,11 +1,11 @@
-"""Axisymmetric bodies: panels that a rotation by 2π/N about a vertical axis maps onto each other.
+"""Axisymmetric bodies: a rotation by 2π/N about a vertical axis maps the panels of such a body onto each other.
 
-Their influence matrices are block-circulant (Davis, Circulant Matrices, 1979): with i and j among the p nodes of one
-sector and R_k the rotation by α_k = 2πk/N the blocks a(i, R_k j) determine the matrix.  In the Fourier coefficients
+The influence matrices are block-circulant (Davis, Circulant Matrices, 1979). With i and j among the p nodes of one
+sector and R_k the rotation by α_k = 2πk/N, the blocks a(i, R_k j) determine the matrix.  In the Fourier coefficients
 
     φ(R_k j) = Σ_m φ̂_m(j) exp(imα_k)        Â_m(i, j) = Σ_k a(i, R_k j) exp(imα_k)
 
-every harmonic m has its own equations, p × p. Only harmonics in a right-hand side are solved: one for heave, one for
+each harmonic m has separate equations, p × p. Only harmonics in a right-hand side are solved: one for heave, one for
 surge and pitch, and about kR + 10 for incident waves.
 
 With a mirror plane M, which maps m to −m, half the harmonics and half the rows of a sector are enough: M i = R_s(i) i*
@@ -36,10 +36,11 @@ NEGLIGIBLE = 1e-13  # harmonics below this fraction of a right-hand side count a
 class Sectors(NamedTuple):
     """N sectors with p nodes each.
 
-    node, image : (N, p) node i of the first sector, rotated by α_k, is mirror image image[k, i] of mesh node node[k, i]
-    hull : (p,) whether a node is on the hull, not on the lid
-    rows : (r,) indices, within the sector, of the nodes whose rows are computed; the mirror plane gives the others
-    mirror_node, shift : (p,) i* and s of every node; empty without mirror plane
+    node, image : arrays (N, p): node i of the first sector, rotated by α_k, is image image[k, i] of mesh node node[k,
+        i]
+    hull : whether a node is on the hull; False on the lid, (p,)
+    rows : indices, within the sector, of the nodes whose rows are computed, (r,); the mirror plane gives the other rows
+    mirror_node, shift : i* and s of every node, (p,); empty without mirror plane
     """
 
     node: np.ndarray
@@ -144,7 +145,7 @@ def solved_by_harmonics(geometry, S, D, K, velocities, all_harmonics=True):
     """Return ({class: potentials (columns, hull nodes)}, largest residual relative to its right-hand side).
 
     S, D : `sector_rows`; K : ω²/g in 1/m; velocities : {class: (columns, hull nodes)}, m/s
-    all_harmonics : False for those that exert a force on the body only, the harmonics of its modes of motion
+    all_harmonics : whether all harmonics are solved; False: only those that exert a force, the harmonics of the motions
     raises : LinAlgError if the equations of a harmonic are singular
     """
     from scipy.linalg import solve

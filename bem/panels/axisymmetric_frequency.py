@@ -11,7 +11,7 @@ from .one_frequency import PanelRun
 
 
 class AxisymmetricRun(PanelRun):
-    """Like `PanelRun`, from the rows of the influence matrices that belong to one sector."""
+    """A `PanelRun` that needs only the rows of the influence matrices for one sector."""
 
     def __init__(self, prepared, omega, *arguments, **more):
         super().__init__(prepared, omega, *arguments, **more)
@@ -19,7 +19,8 @@ class AxisymmetricRun(PanelRun):
 
     @cached_property
     def force_potentials(self):
-        """{class: potentials (columns, n)}, only harmonics that exert a force on the body if no others are needed"""
+        """{class: potentials (columns, n)}; if no other harmonics are needed, only those that exert a force on the
+        body"""
         return self.potentials if self.far_field or self.whole_field else self._solved(all_harmonics=False)
 
     def _solved(self, all_harmonics=True):

@@ -1,18 +1,20 @@
-"""Lids on the water between hulls or in a moonpool that absorb energy, instead of the eddies of the real flow.
+"""Damping lids: lids on the water between hulls or in a moonpool that absorb the energy which eddies absorb in reality.
 
 With the time factor exp(−iωt) a lid of damping ε has
 
     g ∂φ/∂z = ω² (1 + iε) φ      on F, with φ the whole potential
 
-(Chen 2004, Newman 2004).  G satisfies the free-surface condition without loss, so that iεK ∬ G φ dS remains of the
-integrals over F.  With n out of the bodies and ψ = φ + φ_I on F the equations of `bem.panels.influence` become
+(Chen 2004, Newman 2004).  G satisfies the free-surface condition without damping, so that of the integrals over F the
+term iεK ∬ G φ dS remains.
+With n out of the bodies and ψ = φ + φ_I on F the equations of `bem.panels.influence` become
 
     hull:        2πφ − Dφ − KSφ′ − iεK S_F ψ = −SV
     damping lid: 4πψ − Dφ − KSφ′ − iεK S_F ψ = −SV + 4πφ_I
     inner lid:   4πφ′ + KSφ′ + Dφ + iεK S_F ψ = SV
 
 φ_I is zero for a body that moves in calm water.  The lid absorbs the mean power ½ρωεK ∬ |ψ|² dS, and radiates like
-sources of the strength iεKψ. The exchange of waves (Haskind) and the balance of energy include both.
+sources of the strength iεKψ. Haskind's relation and the balance of energy include the absorbed power and the waves
+from these sources.
 """
 
 from functools import cached_property
@@ -34,15 +36,15 @@ MOST_NODES = 8000  # largest number of nodes of a symmetric part; full complex e
 
 
 class DampingLid(NamedTuple):
-    """corners : (k, 2) m of a convex polygon, counter-clockwise; damping : ε"""
+    """corners : corners of a convex polygon, counter-clockwise, m, (k, 2); damping : ε"""
 
     corners: np.ndarray
     damping: float
 
 
 def with_damping_lids(problem):
-    """Return (`Geometry` of the hull, damping lids and inner lid; the nodes of the damping lids; ε of each) of a
-    `PanelProblem`
+    """Return, for a `PanelProblem`, the `Geometry` of hull, damping lids and inner lid, the nodes of the damping
+    lids, and ε of each of these nodes.
 
     Raises ValueError for more lid nodes than can be solved.
     """
@@ -63,7 +65,7 @@ def with_damping_lids(problem):
 
 
 class DampedRun(PanelRun):
-    """Like `PanelRun`, with damping lids on the water"""
+    """A `PanelRun` with damping lids on the water"""
 
     def __init__(self, prepared, omega, *arguments, **more):
         super().__init__(prepared, omega, *arguments, **more)
@@ -73,7 +75,7 @@ class DampedRun(PanelRun):
 
     @property
     def K(self):
-        """1/m"""
+        """K = ω²/g, 1/m"""
         return self.omega**2 / self.problem.gravity
 
     @property
@@ -111,13 +113,14 @@ class DampedRun(PanelRun):
         return found, float(max(part.max(initial=0.0) for part in left))
 
     def on_damping_lids(self, cls):
-        """ψ (columns, nodes of damping lids) m²/s, of unit motions φ alone"""
+        """ψ on the damping lids, m²/s; shape (columns, nodes of damping lids). For unit motions ψ is φ"""
         _ = self.potentials
         return self.solutions[cls][self.on_lids].T
 
     @property
     def mean_rise(self):
-        """Mean elevation of the water over all damping lids, beside bodies at rest, m per m; shape (m,)"""
+        """Mean elevation of the water over all damping lids, beside fixed bodies, m per m of wave amplitude; shape
+        (m,)"""
         weights = self.geometry.elements.weights[self.on_lids]
         _ = self.potentials
         return 1j * self.omega / self.problem.gravity * self._of_waves[1, 1] @ weights / weights.sum()
@@ -149,7 +152,7 @@ class DampedRun(PanelRun):
 
     @property
     def radiated(self):
-        """Damping over frequency, B/ω, of the waves far away and of the lids; shape (6, 6)"""
+        """Damping over frequency, B/ω, by the radiated waves and by the lids; shape (6, 6)"""
         far = super().radiated
         return None if far is None else far + self.problem.density * self._taken(self._of_motions, self._of_motions)
 
@@ -159,7 +162,7 @@ class DampedRun(PanelRun):
         return self._extinction(np.diag(self._taken(self._of_waves, self._of_waves)))
 
     def damping_lid_power(self):
-        """Mean power that the lids absorb per squared metre of wave amplitude, W/m², beside free or fixed bodies; shape
+        """Mean power that the lids absorb, beside free or fixed bodies, over the squared wave amplitude, W/m²; shape
         (m,)"""
         psi = self._of_waves
         if self.free:

@@ -1,9 +1,9 @@
 """Panels as boundary elements: axes, nodes, shape functions and integration points.
 
 The potential on a panel is bilinear in the panel's own axes and given at the 2 × 2 Gauss points, which are also the
-collocation points. Constant panels (one node, the centroid) are available for meshes of very many panels.
-Collocation at Gauss points converges two orders faster than the interpolation error.  Surge added mass of a box 100 ×
-50 × 10 m: 104 bilinear panels are as accurate as 900 constant panels and take a tenth of the time.
+collocation points. Constant panels, whose only node is the centroid, are available for meshes of very many panels.
+Collocation at Gauss points converges two orders faster than the interpolation error.  For the surge added mass of a
+box of 100 × 50 × 10 m, 104 bilinear panels are as accurate as 900 constant panels and take a tenth of the time.
 """
 
 from typing import NamedTuple
@@ -35,7 +35,7 @@ class Quadrature(NamedTuple):
 def elements(mesh, per_panel=4):
     """Boundary elements of a PanelMesh.
 
-    per_panel : 4 nodes (bilinear) or 1 (constant)
+    per_panel : number of nodes of a panel, 4 (bilinear) or 1 (constant)
     """
     v = mesh.flat_vertices
     x = v[:, 1] + v[:, 2] - v[:, 0] - v[:, 3]
@@ -64,7 +64,7 @@ def elements(mesh, per_panel=4):
 
 
 def quadrature(mesh, element, *counts):
-    """`Quadrature` of count × count Gauss points on every panel for each of `counts`, rule after rule.
+    """`Quadrature` on every panel: count × count Gauss points for each count of `counts`, one rule after another.
 
     element : `Elements` of the mesh, for the shape functions
     """

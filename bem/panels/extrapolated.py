@@ -1,11 +1,10 @@
-"""A frequency from two meshes: results are extrapolated to panels of zero size (Richardson 1911).
+"""Results of one frequency on two meshes, extrapolated to panels of zero size (Richardson 1911).
 
-The error of a mesh decreases with a known power of its number of panels (`bem.checks.ERROR_ORDER`). A coarser mesh
-therefore shows most of the error, with its sign.
-After this error is subtracted, a sixth of it remains at the median of random bodies, and at most a third in nine of
-ten. In short waves more remains: with panels a fifth of a wave long, a third of the error at the median, and two thirds
-in nine of ten (`left_over`).
-This takes no time, whereas twice as many panels, which leave 0.45 of the error, take three
+The error of a mesh decreases with a known power of its number of panels (`bem.checks.ERROR_ORDER`). The difference
+from a coarser mesh therefore shows most of the error, with its sign. After this error is subtracted, a sixth of the
+error remains at the median of random bodies, and at most a third in nine bodies of ten. In short waves more remains:
+with panels a fifth of a wave long, a third of the error at the median, and at most two thirds in nine bodies of ten
+(`left_over`). Extrapolation takes no time, whereas twice as many panels, which leave 0.45 of the error, take three
 times as long.
 """
 
@@ -25,7 +24,7 @@ TRUSTED = 1 / 3
 
 
 class ExtrapolatedRun(FrequencyRun):
-    """A `bem.panels.one_frequency.PanelRun` extrapolated from two meshes, without most of the error of its mesh.
+    """A `bem.panels.one_frequency.PanelRun` whose results are extrapolated from two meshes.
 
     Every quantity that is linear in the potentials is extrapolated, and motions and drift forces follow from these
     quantities. `pressure` is not extrapolated.
@@ -49,7 +48,7 @@ class ExtrapolatedRun(FrequencyRun):
 
     @cached_property
     def left_over(self):
-        """Share of the mesh's error that remains"""
+        """Share of the mesh's error that remains after extrapolation"""
         return left_over(self.run.problem.mesh.sizes.max() * self.k / (2 * math.pi))
 
     @cached_property
@@ -74,7 +73,7 @@ class ExtrapolatedRun(FrequencyRun):
 
     @property
     def residual(self):
-        """The larger residual of both meshes"""
+        """The larger of the residuals on the two meshes"""
         return max(self.run.residual, self.run.coarse.residual)
 
     @cached_property
@@ -84,12 +83,12 @@ class ExtrapolatedRun(FrequencyRun):
 
     @cached_property
     def kochin_errors(self):
-        """Like `differences`, for Kochin functions"""
+        """Estimated errors of the Kochin functions"""
         return [self.left_over * error for error in self.run.kochin_errors]
 
     @cached_property
     def tolerances(self):
-        """The largest estimated error over the trusted share of the tolerance"""
+        """The largest estimated error, divided by a share of the tolerance"""
         return super().tolerances / TRUSTED
 
     def enlarged(self, radiation, excitation):
@@ -110,5 +109,6 @@ class ExtrapolatedRun(FrequencyRun):
 
 
 def left_over(panels_per_wave):
-    """Share of a mesh's error that remains after extrapolation; largest edge of a panel over the wave"""
+    """Share of a mesh's error that remains after extrapolation; panels_per_wave : largest edge of a panel over the
+    wavelength"""
     return min(1.0, LEFT + OF_WAVES * panels_per_wave**2)

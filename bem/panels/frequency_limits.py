@@ -1,7 +1,7 @@
 """Added mass of panels at the limits ω → 0 (rigid lid) and ω → ∞ (φ = 0 on the surface), by their Green functions.
 
-In finite depth a mode with net flux q = ∬ n dS (heave; roll and pitch of an asymmetric waterplane) acts as
-ω → 0 like a source in plan, φ ~ ln kR: A ~ −ρ q²/(2πh) ln kR, so that its zero-frequency added mass is infinite.
+In finite depth a mode with net flux q = ∬ n dS (heave; roll and pitch of an asymmetric waterplane) acts as ω → 0
+like a source in plan, φ ~ ln kR. Its added mass A ~ −ρ q²/(2πh) ln kR is therefore infinite at zero frequency.
 """
 
 import numpy as np
@@ -17,7 +17,8 @@ from .influence import assembled
 def added_mass_limit(prepared, which):
     """Added mass about the rotation centre at ω → `which`, "zero" or "infinity": (6, 6), or (6N, moving modes).
 
-    returns : kg, kg m, kg m²; entries between two modes with net flux are +inf or −inf at zero in finite depth
+    returns : kg, kg m, kg m²; in finite depth, entries between two modes with net flux are +inf or −inf at zero
+        frequency
     """
     g, velocities, table, mirror = given_at_limit(prepared, which)
     if g.sectors:
@@ -35,7 +36,7 @@ def added_mass_limit(prepared, which):
 
 
 def given_at_limit(prepared, which):
-    """Geometry, velocities (n, columns) of each class, table of G and factor of 1/r₁ of the limit `which`"""
+    """Geometry, velocities (n, columns) of each class, table of G, and factor of 1/r₁, at the limit `which`"""
     if which not in ("zero", "infinity"):
         raise ValueError(f"limit is {which!r}; allowed: 'zero', 'infinity'")
     g = prepared.geometry.without_lid  # without waves there are no irregular frequencies
@@ -44,12 +45,12 @@ def given_at_limit(prepared, which):
 
 
 def unit_depth_values(z):
-    """Z and Z′ for a Green function without wave, whose factor C is zero: arbitrary"""
+    """Arbitrary Z and Z′ for a Green function without waves, in which their factor C is zero"""
     return np.ones((*z.shape, 2))
 
 
 def added_mass_of(prepared, potentials, which):
-    """Like `added_mass_limit`, from the potentials (dofs of the class, n) of each symmetry class."""
+    """Added mass as from `added_mass_limit`; potentials : potentials (dofs of the class, n) of each symmetry class"""
     g, problem, T = prepared.geometry, prepared.problem, prepared.problem.transform
     modes = g.modes * g.elements.weights[: g.hull, None] * g.copies
     out = np.zeros((len(T), len(T)))

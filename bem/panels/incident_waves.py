@@ -2,8 +2,9 @@
 
     φ_I = −(ig/ω) Z(z) X(x) Y(y),    X = exp(ikx cos β),    Y = exp(iky sin β)
 
-X is cos(kx cos β) in a class even in x, i sin(kx cos β) in an odd one, X itself if x = 0 is no mirror plane; Y
-likewise. A vertical wall, the plane y = 0, reflects the wave: twice the part even in y.
+In a class even in x, X is replaced by cos(kx cos β), in a class odd in x by i sin(kx cos β); without the mirror plane
+x = 0 it is X itself. Y is replaced in the same way. A vertical wall in the plane y = 0 reflects the wave, which
+doubles the part even in y.
 """
 
 import numpy as np
@@ -14,7 +15,8 @@ from ..waves import depth_values, real_part
 def class_waves(geometry, beta, omega, k, gravity=9.80665, nodes=None):
     """φ_I (m²/s) and ∂φ_I/∂n (m/s) per m of amplitude, two (classes, n), towards `beta` at the nodes of the hull.
 
-    geometry : `bem.panels.influence.Geometry`; phases are about the origin of the body; nodes : a slice, of others
+    geometry : `bem.panels.influence.Geometry`; phases are about the origin of the body
+    nodes : slice of other nodes, in place of those of the hull
     """
     g, nodes = geometry, slice(geometry.hull) if nodes is None else nodes
     (x, y, z), (nx, ny, nz) = g.elements.nodes[nodes].T, g.elements.normals[nodes].T

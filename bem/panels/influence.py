@@ -9,8 +9,8 @@ auxiliary density φ' on the interior free surface (the lid) satisfy
 The exact solution has φ' = 0.  The lid row imposes ∂w/∂z = 0 on the free surface of the fictitious flow inside the
 hull, so that this flow has no resonance: no irregular frequency at any ω (cf. Lee, Newman & Zhu 1996).
 
-Mirror planes split the unknowns into classes that are even or odd in x and in y. A class sees each panel together with
-its images, whose potentials are equal or opposite.
+Mirror planes split the unknowns into classes that are even or odd in x and in y. In a class, the potentials on the
+images of a panel are equal or opposite to the potential on the panel.
 """
 
 import math
@@ -37,13 +37,14 @@ FAR = 5.0
 
 
 class Geometry:
-    """Elements, mirror images and Rankine integrals of a mesh with its lid in water of a depth: no frequency.
+    """Elements, mirror images and Rankine integrals of a mesh and its lid in water of given depth, valid at all
+    frequencies.
 
     modes : `bem.modes.Mode`s beyond the rigid motions, with the mirror planes of the mesh
 
-    wall : y in m of a vertical wall that reflects all waves, along x; None for open water.  The wall replaces
-    of the mirror plane y = 0: the mesh is shifted by `origin`, behind the wall is the mirror image of the body, and the
-    flow is even in y.
+    wall : y of a vertical wall along x that reflects all waves, m; None for open water
+    The wall replaces the mirror plane y = 0: the mesh is shifted by `origin`, the mirror image of the body is behind
+    the wall, and the flow is even in y.
     """
 
     def __init__(self, mesh, lid, depth, per_panel=4, wall=None, modes=()):
@@ -76,18 +77,18 @@ class Geometry:
         return out
 
     def at(self, K):
-        """The `Geometry` to use at K = ω²/g in 1/m: with the lid only where irregular frequencies may be near"""
+        """The `Geometry` to use at K = ω²/g, 1/m; it has the lid only where irregular frequencies may be near"""
         return self if self.lid_from < K else self.without_lid
 
     @cached_property
     def lid_from(self):
-        """K in 1/m above which the lid is needed, `bem.panels.irregular_frequencies`; infinite without a lid"""
+        """K above which the lid is needed, 1/m (`bem.panels.irregular_frequencies`); infinite without a lid"""
         mesh, lid, *_ = self.given
         return np.inf if lid is None else lid_needed_from(mesh)
 
     @cached_property
     def reach(self):
-        """m, largest horizontal distance between two points of the whole hull"""
+        """Largest horizontal distance between two points of the whole hull, m"""
         return float(np.hypot(*extent(self.mesh)))
 
     @cached_property
@@ -97,12 +98,12 @@ class Geometry:
 
     @cached_property
     def radius(self):
-        """m, largest distance of the hull from the vertical axis through the origin"""
+        """Largest distance of the hull from the vertical axis through the origin, m"""
         return float(np.hypot(*(self.mesh.points - self.origin)[:, :2].T).max())
 
     @property
     def modes(self):
-        """Normal velocities of unit motions about the body's origin; shape (hull nodes, 6); of N bodies (hull nodes,
+        """Normal velocities of unit motions about the body's origin; shape (hull nodes, 6), for N bodies (hull nodes,
         6N)"""
         n, body = self.hull, self.mesh.body
         points, normals = self.elements.nodes[:n] - self.origin, self.elements.normals[:n]
@@ -112,7 +113,7 @@ class Geometry:
         return modes_of(self.mesh.bodies, owner, points, normals, self.shapes)
 
     def members(self, cls):
-        """Degrees of freedom of a symmetry class, numbers 0 … 5 or, of N bodies, 0 … 6N − 1"""
+        """Degrees of freedom of a symmetry class, indices 0 … 5, or 0 … 6N − 1 for N bodies"""
         return self._members[cls]
 
     @cached_property
@@ -155,7 +156,7 @@ class Geometry:
         return self.rankine_rows(self.elements.nodes)
 
     def rankine_of(self, nodes):
-        """`rankine_rows` at some nodes, taken from `rankine` if an earlier frequency has computed `rankine`"""
+        """`rankine_rows` at `nodes`, taken from `rankine` if an earlier frequency has computed `rankine`"""
         if "rankine" in vars(self.larger or self):
             return tuple(a[:, nodes] for a in self.rankine)
         return self.rankine_rows(self.elements.nodes[nodes])
@@ -258,7 +259,7 @@ def _add_row(x, y, z, e, signs, moments, s, d):
 
 
 def layers(geometry, rows, classes, mirror, table, depth_values):
-    """S and D (c, rows, n) of symmetry classes at some nodes; other arguments as in `assembled`"""
+    """S and D (c, rows, n) of symmetry classes at the nodes `rows`; other arguments as in `assembled`"""
     S, D = wave_blocks(geometry, rows, np.arange(len(geometry.elements.nodes)), table, depth_values, classes)
     rankine = geometry.rankine_of(rows)
     for i, cls in enumerate(classes):
@@ -281,8 +282,9 @@ def assembled(geometry, classes, mirror, table, depth_values, velocities, hull=N
     """`Equations` of the given symmetry classes.
 
     mirror : factor of the 1/r₁ part (1 for waves, −1 at infinite frequency); table : wave part of G
-    depth_values : z → (…, 2) of Z and Z′; velocities : per class (columns, hull nodes), padded with
-    zeros to the same number of columns; hull : number of nodes on the hull, the others are lid
+    depth_values : function z → (…, 2) of Z and Z′
+    velocities : (columns, hull nodes) of each class, padded with zeros to an equal number of columns
+    hull : number of nodes on the hull; the remaining nodes are on the lid
     """
     g, n = geometry, len(geometry.elements.nodes)
     hull, nodes = g.hull if hull is None else hull, np.arange(n)

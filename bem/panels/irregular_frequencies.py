@@ -1,15 +1,17 @@
 """Lowest irregular frequency, above which a lid is needed.
 
-The direct equation of the outside has a false resonance wherever the water inside the hull, with φ = 0 on it, has one:
+The direct equation of the outer flow has a false resonance wherever a flow inside the hull, with φ = 0 on the hull,
+resonates:
 
     K = min ∭ |∇φ|² dV / ∬ φ² dS    over flows that are zero on the hull, dS on the water surface inside.
 
-Continued by zero, such a flow is also one of the box around the hull, whose minimum can only be lower:
+Continued by zero, a flow inside the hull is also a flow inside a box around the hull, whose minimum can only be lower:
 
     K ≥ κ coth κd,    κ² = π² (1/L² + 1/B²),    equal for a box of length L, beam B, draft d.
 
-A hull that stands on the bed, where ∂φ/∂z = 0, has κ tanh κd in place of it.  Of all boxes with a side along an edge of
-the convex hull of the plan, the box with the largest κ is used. A rotation of the hull does not change it.
+For a hull that stands on the bed, where ∂φ/∂z = 0, κ tanh κd replaces κ coth κd.  Of all boxes with a side along an
+edge of the convex hull of the plan, the box with the largest κ is used. A rotation of the hull does not change this
+box.
 """
 
 import numpy as np
@@ -23,23 +25,25 @@ SHARE = 0.6
 
 
 def lowest_irregular(length, beam, draft, bottom=True):
-    """K = ω²/g in 1/m, below which no hull inside a box of these dimensions (m) has an irregular frequency
+    """K = ω²/g, 1/m, below which no hull inside a box of these dimensions (m) has an irregular frequency
 
-    bottom : False for walls that end on the bed
+    bottom : whether the box has a bottom; False for walls that end on the bed
     """
     kappa = np.pi * np.hypot(1 / length, 1 / beam)
     return float(kappa * np.tanh(kappa * draft) ** (-1 if bottom else 1))
 
 
 def lid_needed_from(mesh):
-    """K = ω²/g in 1/m below which a hull is solved without a lid; mesh : PanelMesh, with or without mirror planes"""
+    """K = ω²/g, 1/m, below which a hull is solved without a lid; mesh : PanelMesh, with or without mirror planes"""
     if mesh.body is not None:
         return min(lid_needed_from(mesh.of_body(i)) for i in range(mesh.bodies))
     return SHARE * lowest_irregular(*rectangle_around(mesh), mesh.draft, mesh.foot is None)
 
 
 def rectangle_around(mesh):
-    """Sides of the rectangle around the plan of the whole hull, at any angle, with the largest κ, m; shape (2,)"""
+    """Sides, m, of the rectangle with the largest κ among the rectangles at any angle around the plan of the whole
+    hull;
+    shape (2,)"""
     copies = [mesh.points[:, :2] * image for image in mesh.reflections()]
     corners = convex_hull(np.concatenate(copies))
     along = np.roll(corners, -1, axis=0) - corners

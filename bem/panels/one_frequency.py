@@ -23,7 +23,7 @@ class PanelRun(FrequencyRun):
     """Potentials and forces of one frequency, by direct boundary elements (`bem.panels.influence`).
 
     Only symmetry classes with a wanted degree of freedom or an incident wave are assembled and solved.
-    refined : the run on fewer panels that this one refines; or None
+    refined : the run on fewer panels that this run refines, or None
     """
 
     most_sharper = 3
@@ -55,7 +55,7 @@ class PanelRun(FrequencyRun):
 
     @cached_property
     def differences(self):
-        """`bem.checks.estimate` against the coarser mesh; None without one"""
+        """Errors by `bem.checks.estimate` from the coarser mesh; None without a coarser mesh"""
         return None if self.coarse is None else estimate(self, self.coarse, self.prepared.refinement)
 
     @cached_property
@@ -65,16 +65,16 @@ class PanelRun(FrequencyRun):
 
     @cached_property
     def extrapolated(self):
-        """The same frequency without most of the error that the coarser mesh shows"""
+        """The same frequency, extrapolated from this mesh and the coarser mesh"""
         from .extrapolated import ExtrapolatedRun
 
         return ExtrapolatedRun(self)
 
     @property
     def sharper(self):
-        """Extrapolated from both meshes or, if the extrapolation is not accurate enough, solved on the next finer mesh
+        """The run extrapolated from two meshes or, if this is not accurate enough, a run on the next finer mesh
 
-        None if no estimate requires it, and for a requested number of panels
+        None if no estimate requires a sharper run, and if the user has set the number of panels
         """
         if self.coarse is None or self.problem.finer is None:
             return None
@@ -82,7 +82,7 @@ class PanelRun(FrequencyRun):
 
     @property
     def on_finer_mesh(self):
-        """A run on the next finer mesh of the problem, or None at the last"""
+        """A run on the next finer mesh of the problem; None if there is no finer mesh"""
         finer = self.prepared.finer
         return None if finer is None else partial(self._on, finer)
 
@@ -92,7 +92,7 @@ class PanelRun(FrequencyRun):
 
     @property
     def kochin_errors(self):
-        """Like `errors`, for Kochin functions"""
+        """Estimated errors of the Kochin functions"""
         share = share_left(self.prepared.refinement)
         return [share * (rough - H) for H, rough in zip(self.kochin, self.coarse.kochin, strict=True)]
 
@@ -103,12 +103,12 @@ class PanelRun(FrequencyRun):
 
     @property
     def reach(self):
-        """m, largest horizontal distance between two interacting points"""
+        """Largest horizontal distance between two interacting points, m"""
         return self.geometry.reach
 
     @cached_property
     def hull(self):
-        """Nodes, weights and normals of the hull (without the lid)."""
+        """Nodes, weights and normals of the hull, without those of the lid."""
         e, n = self.geometry.elements, self.geometry.hull
         return e.nodes[:n], e.weights[:n], e.normals[:n]
 
@@ -133,8 +133,7 @@ class PanelRun(FrequencyRun):
 
     @cached_property
     def columns(self):
-        """{class: (radiating dofs, headings) of the class}, the right-hand sides; classes without right-hand sides are
-        omitted."""
+        """Right-hand sides {class: (radiating dofs, headings)}; classes without right-hand sides are omitted."""
         table, incident_headings = {}, self.incident_headings if self.diffracts else {}
         for cls in self.geometry.classes:
             own = self.geometry.members(cls)
@@ -148,7 +147,7 @@ class PanelRun(FrequencyRun):
 
     @property
     def incident_headings(self):
-        """{class: headings whose waves have a part of the class's symmetry}"""
+        """{class: headings whose waves have a part with the symmetry of the class}"""
         sizes = {cls: np.abs(velocity).max(axis=1) for cls, (_, velocity) in self.incident[0].items()}
         least = 1e-12 * max(size.max() for size in sizes.values())
         return {cls: np.flatnonzero(size > least).tolist() for cls, size in sizes.items()}
@@ -168,7 +167,7 @@ class PanelRun(FrequencyRun):
 
     @property
     def force_potentials(self):
-        """Like `potentials`, but possibly without harmonics that exert no force on the body"""
+        """{class: potentials (columns, n) on the hull}, possibly without harmonics that exert no force on the body"""
         return self.potentials
 
     def _solved(self):
@@ -205,7 +204,7 @@ class PanelRun(FrequencyRun):
         return solved_beside_few(equations, counts)
 
     def on_hull(self, solution, velocities):
-        """Potentials (columns, hull nodes) of a solution (n, columns)"""
+        """Potentials (columns, hull nodes) from a solution (n, columns) of the equations"""
         return np.ascontiguousarray(solution[: self.geometry.hull].T)
 
     @cached_property
@@ -247,7 +246,7 @@ class PanelRun(FrequencyRun):
     def haskind(self):
         """Excitation (m, 6) from the radiation potentials: −iρω ∬ (φ_I nⱼ − φⱼ ∂φ_I/∂n) dS (Haskind 1957)
 
-        None if these or the diffraction are not solved.
+        None if the radiation or the diffraction is not solved.
         """
         if not (self.radiates and self.diffracts):
             return None
@@ -284,7 +283,7 @@ class PanelRun(FrequencyRun):
         return self.hull
 
     def sent(self, cls):
-        """Potentials and normal velocities (columns, senders) of a class"""
+        """Potentials and normal velocities (columns, nodes of `senders`) of a class"""
         return self.potentials[cls], self.velocities(cls)
 
     def disturbance(self, heading, motion):
@@ -316,8 +315,8 @@ class PanelRun(FrequencyRun):
     def pressure(self):
         """Mean dynamic pressure iωρφ on each panel, Pa per m of wave amplitude; shape (m, panels of the whole hull)
 
-        It is for the freely floating body if its inertia is known, otherwise for the fixed body. Panels are as in
-        `mesh.whole()`; the mesh is that of the original run if this run is finer.
+        The body floats freely if its inertia is known, and is fixed otherwise. Panels are those of `mesh.whole()`,
+        also if this run is on a finer mesh.
         """
         if self.refined is not None:
             return self.refined.pressure()

@@ -1,9 +1,10 @@
-"""Real wave part of S and D between all nodes, from one evaluation of G for both ends of a pair.
+"""Real wave part of S and D between all nodes; one evaluation of G gives the entries of a pair of nodes in both
+directions.
 
 G is symmetric in its two points, and its ∂/∂R, ∂/∂z and ∂/∂ζ follow from the same polynomials. Half of all evaluations
 are therefore enough.
-The imaginary part is in `bem.panels.standing_waves`.  Integrals are those of `bem.panels.wave_influence`:
-at the nodes, and with the fine points on panels whose surface image is close.
+`bem.panels.standing_waves` gives the imaginary part. Integrals are those of `bem.panels.wave_influence`: with the
+nodes, or with finer points on panels whose surface image is close.
 """
 
 import math
@@ -23,7 +24,8 @@ TILE = 2  # panels whose nodes fill a cache line of a column of the matrices
 def add_wave_part(geometry, classes, table, depth_values, S, D):
     """Add the real wave part to S and D (c, n, n) of symmetry classes of a `bem.panels.influence.Geometry`.
 
-    Its panels have four nodes.  table : `bem.green.tables.Table`; depth_values : z → (…, 2) of Z and Z′
+    The panels have four nodes.
+    table : `bem.green.tables.Table`; depth_values : function z → (…, 2) of Z and Z′
     """
     e, images, signs = geometry.elements, geometry.images, np.array([geometry.signs(c) for c in classes])
     close = close_up_to(e.sizes, table.k, geometry.depth)

@@ -1,11 +1,13 @@
-"""Imaginary part of the influence matrices S and D: a sum over a few standing waves, of both symmetries at each plane.
+"""Imaginary part of the influence matrices S and D: a sum over a few standing waves, even or odd at each mirror plane.
 
     Im G = C Z(z) Z(ζ) J₀(kR),    J₀(kR) = ⟨cos(kΔx cos θ) cos(kΔy sin θ)⟩
 
-averaged over a quarter of directions θ.  With T equally spaced directions on the circle the error is at most 2 J_T(kR).
+where ⟨ ⟩ is the average over a quarter circle of directions θ.  With T equally spaced directions on the circle the
+error is at most 2 J_T(kR).
  With f =
-Z(z) times cos or sin of kx cos θ times cos or sin of ky sin θ, with the symmetry of the class at each mirror plane,
-the sum over the images is Σ f(point) f(source).  The number of columns is the number of functions f and does not grow
+Z(z) times cos or sin of kx cos θ times cos or sin of ky sin θ, with cos or sin by the symmetry of the class at each
+mirror plane, the sum over the images is Σ f(point) f(source).
+The number of columns is the number of functions f and does not grow
 with the number of nodes.
 """
 
@@ -17,7 +19,7 @@ from .wave_influence import COARSE, close_up_to
 
 
 def standing_waves(geometry, classes, table, depth_values):
-    """f at the nodes, and integrals of f and of ∂f/∂n over the panels, each (c, n, t) and real.
+    """f at the nodes, and integrals of f and of ∂f/∂n over the panels; three real arrays (c, n, t).
 
     Im S = f (∫f)ᵀ, Im D = f (∫∂f/∂n)ᵀ of `bem.panels.wave_influence`; geometry : `bem.panels.influence.Geometry`
     table : `bem.green.tables.Table`; depth_values : z → (…, 2) of Z and Z′
@@ -43,9 +45,9 @@ def standing_waves(geometry, classes, table, depth_values):
 
 
 def directions(phase):
-    """Number of directions on a quarter circle; four times as many give J₀ with an error of 1e-13 up to the phase kR
+    """Number of directions on a quarter circle with which the error of J₀ is 1e-13 up to the phase kR
 
-    Jₙ(x) decays like Airy's function from n = x on: to 1e-13 within a further 10 x^(1/3).
+    Jₙ(x) decays from n = x on like Airy's function, and is 1e-13 after another 10 x^(1/3) orders.
     """
     return int(np.ceil((phase + 10 * phase ** (1 / 3) + 12) / 4))
 

@@ -1,8 +1,9 @@
-"""Wave part of the influence matrices S and D: blocks of some points, some sources, all symmetry classes.
+"""Wave part of the influence matrices S and D: blocks of given points and sources for all symmetry classes.
 
-S and D are the integrals of G and ∂G/∂n over panels (`bem.panels.influence`, where their Rankine part 1/r + 1/r₁ + 1/r₂
-is); here G is the remainder of `bem.green.finite_depth`, by Gauss quadrature.  The imaginary part of G is as smooth as
-the wave. Close panels take fine points for the real part alone, unless the wave is short relative to them.
+S and D are the integrals of G and ∂G/∂n over panels. `bem.panels.influence` integrates the Rankine part 1/r + 1/r₁ +
+1/r₂; this module integrates the remainder of `bem.green.finite_depth` by Gauss quadrature. The imaginary part of G is
+as smooth as the wave. On close panels only the real part is integrated with fine points, unless the wave is short
+relative to the panels.
 """
 
 import math
@@ -30,14 +31,14 @@ class Sources(NamedTuple):
 
     @classmethod
     def of(cls, nodes, per_panel):
-        """`Sources` from the numbers of their nodes (m,), in increasing order."""
+        """`Sources` from the indices of their nodes (m,), in increasing order."""
         nodes = np.asarray(nodes)
         panels, first = np.unique(nodes // per_panel, return_index=True)
         return cls(panels, np.append(first, len(nodes)), nodes % per_panel)
 
 
 class Pairs(NamedTuple):
-    """Points, sources and their frequency-independent data: r points, m sources on s panels."""
+    """Data of r points and m sources on s panels that do not depend on frequency."""
 
     at: np.ndarray  # (r, 3) m
     sources: Sources
@@ -54,7 +55,7 @@ class Pairs(NamedTuple):
         """`Pairs` of a `bem.panels.influence.Geometry`: points at the nodes `points` (r,), sources at `nodes` (m,), in
         increasing order
 
-        classes : all if None
+        classes : symmetry classes; None: all
         """
         g, e = geometry, geometry.elements
         sources = Sources.of(nodes, e.inverse.shape[2])
@@ -69,7 +70,8 @@ class Pairs(NamedTuple):
     def blocks(self, table, depth_values, classes=slice(None)):
         """Wave part of S and D, each (classes, r, m) and complex.
 
-        table : `bem.green.tables.Table`; depth_values : z → (…, 2) of Z and Z′; classes : index of the classes wanted
+        table : `bem.green.tables.Table`; depth_values : function z → (…, 2) of Z and Z′; classes : indices of the
+            wanted classes
         """
         where, sources, signs = self.quadrature.points, self.sources, self.signs[classes]
         arguments = (
@@ -89,13 +91,14 @@ class Pairs(NamedTuple):
 
 
 def close_up_to(sizes, k, depth):
-    """Distance to the surface image up to which panels of these sizes (m) use the fine points, m; shape (s,)"""
+    """Largest distance to the surface image at which panels of the given sizes (m) use the fine points, m; shape
+    (s,)"""
     length = min(1 / k if k > 0 else np.inf, depth)
     return np.where(sizes > PER_WAVE * length, np.inf, NEAR * sizes)
 
 
 def wave_blocks(geometry, points, nodes, table, depth_values, classes=None):
-    """`Pairs.blocks` of `Pairs.of` the same arguments"""
+    """Wave part of S and D, each (classes, r, m), for arguments of `Pairs.of` and `Pairs.blocks`"""
     return Pairs.of(geometry, points, nodes, classes).blocks(table, depth_values)
 
 

@@ -24,7 +24,7 @@ HORIZONTAL = 1e-6  # sine of the largest slope of a panel of a flat bottom
 
 
 def bottom(mesh):
-    """Whether a panel belongs to the flat bottom; shape (n,)"""
+    """Whether each panel belongs to the flat bottom; shape (n,)"""
     deepest = mesh.vertices[:, :, 2].max(axis=1) <= -mesh.draft * (1 - HORIZONTAL)
     return deepest & (mesh.normals[:, 2] < 0)
 
@@ -32,7 +32,7 @@ def bottom(mesh):
 def flattened(mesh):
     """The flat bottom of a hull, moved to the water surface, as a PanelMesh.
 
-    raises : ValueError if the waterplane is not as large as the bottom: only vertical sides may be neglected
+    raises : ValueError if the waterplane is not as large as the bottom, because only vertical sides may be neglected
     """
     chosen = bottom(mesh)
     area, waterplane = mesh.areas[chosen].sum(), -mesh.area_vectors[:, 2].sum()
@@ -61,7 +61,7 @@ class ZeroDraftRun(PanelRun):
         return np.ascontiguousarray((-velocities - solution.T) / K)
 
     def pressure(self):
-        """Like `PanelRun.pressure` on the bottom; zero on the sides, which have no height."""
+        """Pressure as from `PanelRun.pressure` on the bottom; zero on the sides, which have no height."""
         mesh, plate = self.problem.mesh, bottom(self.problem.mesh)
         out = np.zeros((len(self.headings), self.geometry.copies, len(mesh)), complex)
         out[..., plate] = super().pressure().reshape(len(self.headings), self.geometry.copies, -1)
@@ -69,7 +69,8 @@ class ZeroDraftRun(PanelRun):
 
 
 def rigid_surface_limit(prepared, which):
-    """A (6, 6) about the rotation centre for ω → 0, where 4πφ = ∬ w G dS under a rigid surface; kg, kg m, kg m².
+    """Added mass (6, 6) about the rotation centre for ω → 0, kg, kg m, kg m², with 4πφ = ∬ w G dS under a rigid
+    surface.
 
     raises : ValueError for ω → ∞, where the equation has no limit
     """

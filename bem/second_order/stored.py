@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .. import DOFS
+from ..algebra.cubic_spline import cubic_spline
 from ..database.file import DatabaseError
 from ..database.widening import read_group, write_group
 from .kinds import DIFFERENCE, SUM
@@ -17,6 +18,8 @@ from .quadratic_forces import HORIZONTAL, PARTS, QuadraticForces
 GROUPS = {DIFFERENCE: "qtf", SUM: "qtf_sum"}
 ERRORS, ADDED, COARSER = "estimated_error", "added_by_far_field", "total_of_coarser"
 AXES = ("omega", "wave_direction_1", "wave_direction_2", "influenced_dof")  # axes after the frequency of the force
+APART = 0.05  # difference of drift by pressure and by far field, over the largest drift, that is accepted
+USABLE = 0.25  # and that is still used, with a warning: the bound wave alone gives 0.9 to 1.6 times the complete force
 MEANING = {
     DIFFERENCE: "T of Re sum_i sum_j a_i conj(a_j) T_ij exp(-i(omega_i - omega_j)t), of waves omega + difference "
     "towards wave_direction_1 and omega towards wave_direction_2; the other order has the conjugate; T_ii is the mean "
@@ -74,6 +77,28 @@ class StoredForces:
         """Names of the forces as results have them: "surge", of several bodies "barge surge" """
         parts = [name.rpartition("__") for name in self.names]
         return [f"{body} {dof.lower()}".strip() for body, _, dof in parts]
+
+
+def diagonal_gap(forces):
+    """Largest difference between mean drift by pressure and by the far field in surge and sway, over the largest mean
+    drift, of `QuadraticForces`; None if unknown"""
+    if forces.added is None:
+        return None
+    h = np.arange(len(forces.headings))
+    drift = forces.squares[0][:, h, h][..., :2]
+    return float(np.abs(forces.added[:, h, h][..., :2]).max() / max(np.abs(drift).max(), 1e-300))
+
+
+def failed_gap(forces):
+    """Words on a `diagonal_gap` above APART, and the gap; None for one that is accepted or unknown"""
+    gap = None if forces.kind is SUM else diagonal_gap(forces)
+    if gap is None or gap <= APART:
+        return None
+    share = f"{100 * gap:.3g}" if gap < 1 else f"{100 * gap:.0f}"
+    words = (
+        f"mean drift by pressure differs from the far-field drift by {share} % of the largest, limit {100 * APART:g} %"
+    )
+    return words, gap
 
 
 def write_forces(path, stored):
@@ -169,6 +194,8 @@ class BetweenPairs:
 
 def _through(x, y, at):
     """Values at (q,) of a cubic spline through y (n, …), or of a polynomial through fewer than four; shape (q, …)"""
-    from scipy.interpolate import BarycentricInterpolator, CubicSpline
+    if len(x) > 3:
+        return cubic_spline(x, y)(at)
+    from scipy.interpolate import BarycentricInterpolator
 
-    return (CubicSpline if len(x) > 3 else BarycentricInterpolator)(x, y)(at)
+    return BarycentricInterpolator(x, y)(at)

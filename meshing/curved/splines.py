@@ -2,9 +2,9 @@
 
     x(u, v) = Σᵢⱼ xᵢⱼ Uᵢ(u) Vⱼ(v),    u over NUG spans by splines of order KUG, v over NVG of order KVG
 
-A patch is NUG NVG, KUG KVG, NUG + 2 KUG − 1 and NVG + 2 KVG − 1 knots, then the (NUG + KUG − 1)(NVG + KVG − 1) points
-xᵢⱼ, i first.  Each patch is cut evenly in u and v, so that its panels are nearly square and of equal size.  WAMIT's
-normals u × v point into the body, normals of a PanelMesh into the water.
+The file has for each patch NUG NVG, KUG KVG, NUG + 2 KUG − 1 and NVG + 2 KVG − 1 knots, then the (NUG + KUG − 1)(NVG
++ KVG − 1) points xᵢⱼ, with i changing fastest.  Each patch is cut evenly in u and v, so that its panels are nearly
+square and of equal size.  WAMIT's normals u × v point into the body, normals of a PanelMesh into the water.
 """
 
 import numpy as np
@@ -14,7 +14,9 @@ TRIED = 8  # points along a side of a patch, used to measure its length
 
 
 def panelled(numbers, patches):
-    """Points (p, 3) and corners (n, 4) of `patches` patches whose numbers follow one another.  Raises ValueError."""
+    """Points (p, 3) and corners (n, 4) of the panels on several patches.  Raises ValueError.
+
+    numbers : numbers of the patches in the file, one patch after another; patches : number of patches"""
     if patches < 1:
         raise ValueError(f"the file has {patches} patches; allowed: 1 or more")
     splines, at = [], 0

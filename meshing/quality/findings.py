@@ -1,8 +1,8 @@
 """Errors and warnings about a mesh: findings, not exceptions, one line for each kind.
 
-Every edge of a closed hull belongs to two panels, which run along it in opposite directions; an edge with one panel
-lies in the water surface, on a mirror plane, on the sea bed under a body that stands on it, or on a seam, where panels
-lie side by side without common corners (`seams`).
+Every edge of a closed hull belongs to two panels, which run along the edge in opposite directions. An edge with one
+panel lies in the water surface, on a mirror plane, on the sea bed under a body that stands on it, or on a seam, where
+panels lie side by side without common corners (`seams`).
 """
 
 import math
@@ -29,9 +29,9 @@ LID_AREA = 0.1  # relative difference between lid and waterplane
 
 @dataclass(frozen=True)
 class Finding:
-    """One line on a mesh: cause, number, limit, remedy.
+    """A message on a mesh, in one line: cause, number, limit, remedy.
 
-    severity : "error" makes results wrong, "warning" makes them inaccurate
+    severity : "error" for a fault that makes results wrong, "warning" for a fault that makes results inaccurate
     """
 
     severity: str
@@ -45,8 +45,8 @@ def findings(mesh, depth=math.inf, shortest_wave=None, lid=None):
     """Findings on a hull mesh, errors first; an empty list without findings.
 
     mesh : PanelMesh, in the form that the solver uses
-    depth : m of water
-    shortest_wave : m, length of the shortest wave to be solved, or None
+    depth : depth of water, m
+    shortest_wave : length of the shortest wave to be solved, m, or None
     lid : PanelMesh of the inner free surface, or None
     """
     unreadable = list(_numbers(mesh))
@@ -367,8 +367,9 @@ def _clearance(mesh, depth, edges):
         yield Finding(
             "warning",
             f"{_count(wide)} on the bottom longer than the depth of water under them: up to "
-            f"{mesh.sizes[wide].max():.3g} m over {gaps[wide].min():.3g} m; give more panels: "
-            f"about {float(enough):.0f} on the whole hull are enough",
+            f"{mesh.sizes[wide].max():.3g} m over {gaps[wide].min():.3g} m; motions and mean drift "
+            f"change little, but drift by pressure and forces of wave pairs (qtf) need more panels: about "
+            f"{float(enough):.0f} on the whole hull are enough",
         )
 
 

@@ -1,7 +1,7 @@
-"""Which panels of a drawing water reaches: water on one side of them and the body on the other.
+"""Selection of the panels of a drawing that water reaches: they have water on one side and the body on the other.
 
-Winding numbers of the hull and of its image above the water tell what is on a side: 0 in water, ±1 in the body, ±2
-where parts overlap.  Inner walls have the body on both sides, folds have water on both.
+The winding number of the hull and its image above the water shows what is on a side of a panel: 0 in water, ±1 in the
+body, ±2 where parts overlap. Inner walls have the body on both sides, folds have water on both sides.
 """
 
 from dataclasses import replace
@@ -17,9 +17,10 @@ WATER, BODY = 0.3, 0.6  # winding numbers up to and from which a place is told a
 
 
 def beside(hull, panels) -> np.ndarray:
-    """Sizes of the winding numbers on the outer side, where the normal points, and the inner side of panels; (2, k)
+    """Absolute winding numbers on the outer side of panels, where the normal points, and on the inner side; shape (2,
+    k)
 
-    hull : whole PanelMesh; panels : (k,) numbers
+    hull : whole PanelMesh; panels : indices of panels, (k,)
     """
     apart = BESIDE * (hull.areas[panels] / hull.sizes[panels])[:, None] * hull.normals[panels]
     places = np.concatenate([hull.centroids[panels] + apart, hull.centroids[panels] - apart])
@@ -27,15 +28,16 @@ def beside(hull, panels) -> np.ndarray:
 
 
 def wet(numbers):
-    """Whether panels have water on one side and the body on the other; (k,), from `beside`"""
+    """Whether panels have water on one side and the body on the other; shape (k,); numbers : winding numbers from
+    `beside`"""
     return (numbers.min(axis=0) < WATER) & (numbers.max(axis=0) > BODY)
 
 
 def outer(mesh) -> PanelMesh:
-    """The panels that water reaches, turned to it: without copies, inner walls, folds, and parts inside another part.
+    """The panels that water reaches, normals to the water: no copies, inner walls, folds, or parts inside another part.
 
-    The mesh keeps its mirror planes.  Panels that cross the surface of another part are kept or left out whole, which
-    leaves a gap there that `findings` reports.
+    The mesh keeps its mirror planes.  A panel that crosses the surface of another part is kept or omitted as a whole.
+    The gap that remains at such a panel is reported by `findings`.
     """
     mesh = _without_copies(mesh.merged(SAME_POINT))
     numbers = beside(mesh.whole(), np.arange(len(mesh)))  # the meshed part comes first in the whole hull

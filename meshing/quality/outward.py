@@ -1,4 +1,4 @@
-"""Turn the normals of a drawing, which may point to either side, to the side of the water."""
+"""Normals of a drawing, which may point to either side, turned to the side of the water."""
 
 from dataclasses import replace
 
@@ -10,11 +10,11 @@ SAME_POINT = 1e-6  # points closer than this share of the mesh size are one poin
 
 
 def outward(mesh) -> PanelMesh:
-    """A copy in which neighbouring panels run along their common edge in opposite directions. If they already
-    do, and no part differs from the others, all panels are reversed.
+    """A copy in which neighbouring panels run along their common edge in opposite directions. If neighbours already
+    do so, and no part differs from the other parts, all panels are reversed.
 
-    Each part that edges of two panels join is turned so that its volume ∬ x·n dS / 3 is positive, which an open
-    waterplane in z = 0 and halves that end at x = 0 or y = 0 do not change.
+    A part is a set of panels joined by common edges. Each part is turned so that its volume ∬ x·n dS / 3 is positive.
+    An open waterplane in z = 0, or a cut at x = 0 or y = 0, does not change this volume.
     """
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components

@@ -2,9 +2,9 @@
 
     w(p) = (1/4π) Σ Ω(p),    tan Ω/2 = a·(b × c) / (|a||b||c| + (a·b)|c| + (b·c)|a| + (c·a)|b|)
 
-of triangles with corners a, b, c from p (Van Oosterom and Strackee, IEEE Transactions on Biomedical Engineering 30,
-1983) and of their
-images above the water, which close a hull with an open waterline: ±1 inside, 0 outside.
+where the sum is over triangles with corners a, b, c from p (Van Oosterom and Strackee, IEEE Transactions on Biomedical
+Engineering 30, 1983) and over their images above the water, which close a hull with an open waterline. The winding
+number w is ±1 inside the hull and 0 outside.
 """
 
 import numpy as np
@@ -20,10 +20,13 @@ BESIDE = 1e-3  # distance of a tested place from its panel, on the side of the w
 
 
 def overlaps(welded, depth=np.inf):
-    """[(panels of one part inside another, panels tested, (3,) m place of the first of these panels)] of parts of a
-    hull.  Walls that lie on those of a closed part are in it: the place beside them is tested.
+    """[(number of panels of a part inside another part, number of panels tested, place of the first such panel, m,
+    (3,))]
 
-    welded : whole PanelMesh whose panels share their points; depth : m of water, whose bed closes walls that end on it
+    The place beside a panel is tested, so a wall that lies on the wall of a closed part counts as inside that part.
+
+    welded : whole PanelMesh whose panels share their points; depth : depth of water, m; the bed closes walls that end
+        on it
     """
     part = parts(welded)
     out = []
@@ -48,7 +51,7 @@ def overlaps(welded, depth=np.inf):
 
 
 def parts(mesh):
-    """Number of the part that each panel belongs to; shape (n,); parts share no edge"""
+    """Number of the part to which each panel belongs; shape (n,). Different parts share no edge"""
     panel, edge, uses = _edges(mesh)
     number = connected(panel, len(mesh) + edge, len(mesh) + len(uses))[: len(mesh)]
     return np.unique(number, return_inverse=True)[1].reshape(-1)
@@ -72,8 +75,7 @@ def _is_closed(mesh):
 
 
 def connected(a, b, count):
-    """Number of the connected part of each node, which is the smallest node in the part; shape (count,); edges join a
-    (e,) and b (e,).
+    """Smallest node of the connected part of each node; shape (count,); edges join nodes a (e,) with nodes b (e,).
 
     Of two parts joined by an edge, the later part takes the number of the earlier, until no edge joins two parts. The
     import of scipy.sparse.csgraph would take longer than the whole check.

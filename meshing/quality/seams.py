@@ -1,13 +1,13 @@
-"""Seams where panels lie side by side without common corners: water cannot pass, although every edge there is free.
+"""Seams: places where panels lie side by side without common corners. Water cannot pass, although every edge is free.
 
 Free edges, directed as in their panels, form rings.  Each ring encloses an open area,
 
-    a = ½ Σ x × Δx        with a straight closing line where a border ends at the surface
+    a = ½ Σ x × Δx        with a straight line that closes a ring which ends at the surface
 
-whose mean width is 2|a| over the length of the ring.  A missing panel leaves a width of half an edge. Edges that
-coincide leave zero, and chords of unequal length on a curved side leave the difference of their sagittas.
-Two rims that lie along each other without a common corner, such as polygons of 12 and 16 sides, are one seam. Its area
-is the sum of the two areas.
+whose mean width is 2|a| over the length of the ring.  At a missing panel the width is half an edge, at edges that
+coincide it is zero, and between chords of unequal length on a curved side it is the difference of their sagittas.
+Two rims that lie along each other without a common corner, such as polygons of 12 and 16 sides, are one seam. The
+area of this seam is the sum of the areas of the two rings.
 """
 
 from collections import defaultdict
@@ -21,10 +21,10 @@ SLIT = 0.1  # mean width of a ring over the mean edge, below which it is a seam;
 
 
 class Rings(NamedTuple):
-    """number : (f,) ring of each free edge; seam : (r,) whether the ring is a closed seam
-    joint : (r,) common number of the two rings of a pair that close each other
-
-    length : (r,) m; area : (r,) m² that is open; widest : m, of the seams Lengths and areas exclude images.
+    """number : index of the ring of each free edge, (f,); seam : whether each ring is a closed seam, (r,)
+    joint : common number of two rings that close each other, (r,); length : length of each ring, m, (r,)
+    area : open area of each ring, m², (r,); widest : greatest width of the seams, m
+    Lengths and areas exclude images.
     """
 
     number: np.ndarray

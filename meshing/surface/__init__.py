@@ -1,1 +1,1 @@
-"""Panels on the water outside hulls"""
+"""Panels on the water surface outside hulls"""

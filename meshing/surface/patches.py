@@ -9,15 +9,15 @@ SAME = 1e-6  # corners closer than this share of the polygon size are one
 
 
 def moonpools(mesh):
-    """[(k, 2) m] counter-clockwise corners of the closed water areas inside the waterline of a hull"""
+    """Corners, m, counter-clockwise, of each closed water area inside the waterline of a hull; list of (k, 2)"""
     return [ring[::-1, :2] for ring, area in rings_of(mesh.whole()) if area < 0]
 
 
 def patch(corners, size, symmetry=""):
-    """Panels inside a convex polygon, normals up; only the part in x > 0 and y > 0 where these planes mirror.
+    """Panels inside a convex polygon, normals up; with mirror planes "x", "y" only the part in x > 0, y > 0 has panels.
 
-    corners : (k, 2) m, counter-clockwise; size : m, edge of the panels
-    returns : PanelMesh in z = 0, or None where the polygon has no such part
+    corners : corners of the polygon, counter-clockwise, m, (k, 2); size : edge length of the panels, m
+    returns : PanelMesh in z = 0; None if no part of the polygon has panels
     """
     part = _clipped(np.asarray(corners, float), symmetry)
     if part is None:
@@ -26,7 +26,7 @@ def patch(corners, size, symmetry=""):
 
 
 def patches(polygons, size, symmetry=""):
-    """`patch` of several polygons as one mesh, and the number of panels of each polygon, (k,)"""
+    """The `patch` of each of several polygons in one mesh, and the number of panels of each polygon, (k,)"""
     made = [patch(corners, size, symmetry) for corners in polygons]
     counts = np.array([0 if one is None else len(one) for one in made])
     whole = joined([one for one in made if one is not None])

@@ -1,4 +1,4 @@
-"""Requirements on a mooring: rules as data, strength of chain and rope, fatigue, and the verdict on a result.
+"""Requirements on a mooring: rule sets as data, strength of chain and rope, fatigue, and the verdict on a result.
 
 rules      criteria of rule sets, from tables beside the modules or from a user's file in the same form
 verdict    utilisation of each criterion by the results of load cases, and the governing case

@@ -1,12 +1,12 @@
-"""Utilisation of an anchor's holding capacity, and the size that holds a pull; H, V : N, along and up, s : a factor.
+"""Utilisation of an anchor's holding capacity, and the size that holds a pull; H, V : pull along and up, N; s :
+safety factor.
 
     drag anchor    used = s H/H_u,   H_u = H_R (m/m_R)^b,    m = m_R (s H/H_R)^(1/b)     a pull upwards lifts it
     sinker         used = s (H/μ + V)/W,  W its weight in water
     pile           used = s max(H/H_u, V/V_u),  by friction V_u = ψ L c of its girth, length in the bed and cohesion
 
-UFC 4-159-03 (2005), equation 26, of drag anchors by type and soil, `tables/drag_anchors.csv`; Kihara et al. (1975),
-chapter 6, of sinkers and piles.  No chart gives a drag anchor a capacity for an upward pull; a finding reports such a
-pull.
+Drag anchors by type and soil: UFC 4-159-03 (2005), equation 26, `tables/drag_anchors.csv`. Sinkers and piles: Kihara
+et al. (1975), chapter 6. No chart gives a drag anchor's capacity under an upward pull; a finding reports such a pull.
 """
 
 from functools import cache
@@ -35,11 +35,11 @@ class Chart(NamedTuple):
 
 
 class Anchor(NamedTuple):
-    """An anchor, nan for unknown values: an unknown anchor is sized, and its utilisation is nan.
+    """An anchor, with nan for unknown values. An unknown anchor is sized, and its utilisation is nan.
 
     holding, uplift : capacity of a drag anchor or a pile along the bed and upwards, N
-    weight : of a sinker in water, N; friction : coefficient of friction of a sinker
-    chart : chart of a drag anchor whose mass is wanted, else None; safety : s
+    weight : weight of a sinker in water, N; friction : coefficient of friction of a sinker
+    chart : chart of a drag anchor whose mass is wanted, else None; safety : safety factor s
     """
 
     kind: str
@@ -55,7 +55,7 @@ class Anchor(NamedTuple):
         return self.friction * (self.weight - np.maximum(up, 0.0)) if self.kind == "sinker" else self.holding
 
     def mass(self, along, up):
-        """Mass of a drag anchor of a chart, kg: its own, or the required one; nan for other anchors"""
+        """Mass of a drag anchor with a chart, kg: the given mass, or the required mass; nan for other anchors"""
         if self.chart is None or np.isnan(self.holding):
             return self.needed(along, up) if self.kind == "drag" else np.nan
         return self.chart.reference * (self.holding / self.chart.holding) ** (1 / self.chart.exponent)
@@ -69,7 +69,9 @@ class Anchor(NamedTuple):
         return self.safety * np.maximum(along / self.holding, lifted)
 
     def needed(self, along, up):
-        """Required size: kg of a drag anchor in a chart, weight in water, N, of a sinker; nan of other anchors"""
+        """Required size: mass of a drag anchor with a chart, kg; weight of a sinker in water, N; nan for other
+        anchors
+        """
         if self.kind == "sinker":
             return self.safety * (along / self.friction + np.maximum(up, 0.0))
         if self.chart is None:
@@ -93,7 +95,7 @@ def charts():
 
 
 def holding_of(chart, mass):
-    """N, capacity of a drag anchor of `mass`, kg in air"""
+    """Capacity of a drag anchor of `mass` kg in air, N"""
     return chart.holding * (mass / chart.reference) ** chart.exponent
 
 
@@ -103,7 +105,7 @@ def stored_anchor(row):
 
 
 def anchor_findings(names, anchors, along, up, where="at the largest tension"):
-    """Failures and remarks on anchors: (n,) Anchor or None, pulls (n,) N; one line of text each"""
+    """Failures and remarks on anchors, one line each; anchors : (n,), Anchor or None; pulls : (n,) N"""
     known = [i for i, one in enumerate(anchors) if one is not None]
     used = np.array([np.nan if one is None else one.used(along[i], up[i]) for i, one in enumerate(anchors)])
     over = used > 1

@@ -3,10 +3,9 @@
     N(s) = a s^(−m)                  cycles to failure at range s (of stress, or of tension over the breaking load)
     D = Σ nᵢ / N(sᵢ)                 Miner's sum; failure is expected at 1
 
-Cycles are counted in a record by rainflow (ASTM E1049-85, the library `rainflow`).
-
-Curves: from a table, or the user's own; SR179 report (1982), chapter 4, 2.1 and 2.2. Its curves are lost; it states
-what they depend on: corrosion, preload, terminations, bending over a fairlead.
+Cycles are counted in a record by rainflow (ASTM E1049-85, the library `rainflow`). Curves come from a table or from
+the user. The SR179 report (1982), chapter 4, 2.1 and 2.2, states what curves depend on: corrosion, preload,
+terminations, bending over a fairlead. The report's own curves are lost.
 """
 
 from typing import NamedTuple
@@ -25,7 +24,8 @@ YEAR = 365.25 * 86400.0  # s
 class Curve(NamedTuple):
     """Cycles to failure N = constant · s^(−exponent) · 10^(mean_slope · mean tension / breaking load)
 
-    basis : "stress", s in MPa, or "share", s the tension range over a breaking load; chain : whether it is for chain
+    basis : "stress", s in MPa, or "share", s is the tension range over a breaking load; chain : whether the curve is
+        for chain
     """
 
     name: str
@@ -39,7 +39,8 @@ class Curve(NamedTuple):
     def reference(self, diameter, breaking_load):
         """Divisor that converts a tension range in N to s.
 
-        diameter : mm, nominal; breaking_load : N, of the line; a chain's share is of grade ORQ of its diameter
+        diameter : nominal diameter, mm; breaking_load : breaking load of the line, N; a chain's share refers to
+        grade ORQ of this diameter
         """
         if self.basis == "stress":
             legs = 2 if self.chain else 1
@@ -47,12 +48,12 @@ class Curve(NamedTuple):
         return CHAIN["orq"].breaking * 1e3 * chain_factor(diameter) if self.chain else breaking_load
 
     def strength(self, mean_share=0.0):
-        """a of N = a s^(−m) at a mean tension over the breaking load"""
+        """Constant a of N = a s^(−m) at a given ratio of mean tension to breaking load"""
         return self.constant * 10.0 ** (self.mean_slope * mean_share)
 
 
 class Cycles(NamedTuple):
-    """range, mean : (n,) N; count : (n,) cycles, 0.5 or 1 each; from one record or many"""
+    """Cycles of tension from one or many records. range, mean : (n,) N; count : (n,), 0.5 or 1"""
 
     range: np.ndarray
     mean: np.ndarray
@@ -90,7 +91,7 @@ def rainflow_cycles(tension) -> Cycles:
 
 
 def miner(cycles, curve, diameter, breaking_load):
-    """Miner's sum D of Cycles, and Q, the sum of the squared damages of the cycles; diameter mm, breaking_load N
+    """Miner's sum D of Cycles, and Q, the sum of the squared damages of all cycles; diameter : mm; breaking_load : N
 
     The sum has one random term for each cycle. D²/Q is the effective number of terms, and √Q is the standard error of
     the sum.
@@ -100,6 +101,6 @@ def miner(cycles, curve, diameter, breaking_load):
 
 
 def damages(cycles, curve, diameter, breaking_load):
-    """Damage by one whole cycle of each of Cycles, 1/N(s); shape (n,); diameter mm, breaking_load N"""
+    """Damage 1/N(s) by one full cycle of each range in Cycles; shape (n,); diameter : mm; breaking_load : N"""
     s = cycles.range / curve.reference(diameter, breaking_load)
     return s**curve.exponent / curve.strength(cycles.mean / breaking_load)

@@ -1,4 +1,4 @@
-"""Lines that part, or use more of their breaking load than is allowable: a line of text each, with names and shares."""
+"""Findings on lines that break, or that exceed the allowable share of their breaking load, with names and shares."""
 
 import numpy as np
 
@@ -10,10 +10,10 @@ OF_STUDY = "; the limit is the study's own key allowable, not that of a rule set
 
 
 def overused(names, used, allowable, where, help=HELP):
-    """Failures of lines.
+    """Findings on lines that fail.
 
     names : names of the lines; used : (n,) tension over breaking load, NaN where unknown; allowable : share, at most 1
-    where : words on the tension, such as "at the largest tension"; help : the remedy
+    where : words that name the tension, such as "at the largest tension"; help : words that name the remedy
     """
     used = np.asarray(used, float)
     parted = used > 1
@@ -30,7 +30,7 @@ def overused(names, used, allowable, where, help=HELP):
 
 
 def shares(names, values):
-    """Words "fore 3 119 %, …", the largest first; NaN is omitted"""
+    """Words such as "fore 3 119 %, …", with the largest first; NaN is omitted"""
     values = np.asarray(values, float)
     order = [i for i in np.argsort(-values, kind="stable") if not np.isnan(values[i])]
     return some([f"{names[i]} {_percent(values[i])}" for i in order], LINES_NAMED)

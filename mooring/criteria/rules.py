@@ -1,4 +1,4 @@
-"""Criteria of rule sets as data: a quantity, its limit, the state to which the limit applies, the source of the limit.
+"""Criteria of rule sets as data: a quantity, its limit, the state to which the limit applies, and the limit's source.
 
 A table has a row for each criterion:
 
@@ -49,8 +49,9 @@ class RuleError(ValueError):
 
 
 class Criterion(NamedTuple):
-    """One row of a table, as the module describes it; limit and second are numbers in `unit`; motion_factor is 1 if
-    none is given"""
+    """One row of a table, as described in the module; limit and second are numbers in `unit`; motion_factor is 1 by
+    default
+    """
 
     rule: str
     edition: str
@@ -97,10 +98,10 @@ def read_rules(path=None):
 
 
 def unit_of(where, quantity, unit):
-    """The unit of a known quantity, if `unit` is the same or missing; `unit` for an unknown quantity
+    """The unit of a known quantity if `unit` agrees with it or is missing; for an unknown quantity `unit`
 
-    Nothing is converted: another unit raises RuleError, whose text begins with `where`.
-    A ratio, "… / …", has the unit -.
+    Units are not converted: a different unit raises RuleError, whose text begins with `where`. A ratio, "… / …", has
+    the unit -.
     """
     own = UNITS.get(quantity, "-" if " / " in quantity or quantity.startswith(NUMBERS) else None)
     if own is not None and unit not in ("", own):

@@ -1,9 +1,9 @@
 """Strength of chain and rope: strength after wear, the smallest size for a load, the equipment number.
 
-Chain loses diameter by wear and corrosion; break and proof loads follow d² (44 − 0.08 d) of the remaining diameter
-(`lines.catalogue`).  SR179 report (1982), chapter 4, 2.2 and 3.1; equipment numbers table 4.3.1.  Terminations: TM
-5-3810-305-10, table 4, with steel or fibre core. The value 0.86 for hand splices holds at 13 mm; thicker rope loses
-more.
+Chain loses diameter by wear and corrosion; break and proof loads are proportional to d² (44 − 0.08 d) of the
+remaining diameter d (`lines.catalogue`).  SR179 report (1982), chapter 4, 2.2 and 3.1; equipment numbers table
+4.3.1.  Terminations: TM 5-3810-305-10, table 4, for rope with steel or fibre core. The factor 0.86 for hand splices
+holds at 13 mm; thicker rope loses more strength.
 """
 
 import re
@@ -26,7 +26,7 @@ def chain_factor(diameter):
 
 
 def worn_breaking_load(breaking_load, diameter, allowance, years):
-    """Breaking load, N, of a chain after `years` of a loss of `allowance` mm of its diameter (mm) per year.
+    """Breaking load, N, of a chain that has lost `allowance` mm of its diameter (mm) in each of `years` years.
 
     raises : ValueError if less than half of the diameter remains
     """
@@ -42,7 +42,7 @@ def worn_breaking_load(breaking_load, diameter, allowance, years):
 
 
 def larger_sizes(name, most):
-    """Up to `most` names of the catalogue of the same kind as `name`, of the next larger sizes."""
+    """Up to `most` catalogue names of the kind of `name`, in the next larger sizes."""
     kind, size = kind_and_size(name)
     made = SIZES["chain" if _is_chain(kind) else "rope"]
     return [f"{kind} {larger:g} mm" for larger in made if larger > size][:most]
@@ -57,9 +57,9 @@ def kind_and_size(name):
 def equipment_number(society, displacement, *, height_times_breadth=0.0, front=0.0, side=0.0):
     """Equipment number of a class society for temporary mooring.
 
-    displacement : t, Δ; height_times_breadth : m², B h (AB, NK); front, side : projected areas above water, m²,
-        normal and parallel to the wind or front and side, as the society has them; BV's with their shape factors
-    raises : ValueError for a society without one
+    displacement : Δ, t; height_times_breadth : B h, m² (AB, NK)
+    front, side : projected areas above water, m², as the society defines them (for BV times their shape factors)
+    raises : ValueError for a society without an equipment number
     """
     terms = {
         "LR": 2.5 * front + 0.1 * side,
@@ -78,10 +78,10 @@ def equipment_number(society, displacement, *, height_times_breadth=0.0, front=0
 
 
 def equipment_of_box(dimensions, freeboard, mass):
-    """[(society, number)] of a box, SR179 (1982), table 4.3.1; [] of other bodies, whose areas are unknown.
+    """[(society, number)] of a box, SR179 (1982), table 4.3.1; [] for other bodies, whose areas are unknown.
 
-    dimensions : m, {"length", "beam", …}; freeboard m, or None; mass kg
-    The areas are those of the sides above water; BV's shape factors are 1, the value of a plane below 40 m.
+    dimensions : {"length", "beam", …}, m; freeboard : m, or None; mass : kg.
+    The areas are those of the sides above water. BV's shape factors are taken as 1, the value of a plane below 40 m.
     """
     if freeboard is None or not {"length", "beam"} <= set(dimensions):
         return []

@@ -3,7 +3,7 @@
     at most    u = value / limit          at least   u = limit / value
     partial factors    u = (γ_mean T_mean + γ_dyn (T − T_mean)) / (0.95 T_break)        DNV-OS-E301, ch. 2 sec. 2
 
-A criterion is met where u ≤ 1.  A criterion whose quantity no case has is reported as not judged, never as met.
+A criterion is met where u ≤ 1. If no case has the quantity of a criterion, it is reported as not judged, never as met.
 """
 
 from dataclasses import dataclass
@@ -27,11 +27,12 @@ CHARACTERISTIC = 0.95  # strength over minimum breaking load without statistics 
 class Tensions(NamedTuple):
     """Tensions and strengths of the lines of one load case, (n,) N each.
 
-    pretension, static, largest : at rest, under steady loads, largest; breaking : N, inf where unknown; worn : breaking
-        load after wear, None without wear
-    horizontal, holding : (n,) N at the anchor, and its holding capacity, None if not given
-    hawsers : names of the hawsers; if there are any, a criterion on hawsers applies to them alone, and any other to the
-        rest
+    pretension, static, largest : tension at rest, under steady loads, and largest; breaking : breaking load, inf
+        where unknown
+    worn : breaking load after wear, None without wear
+    horizontal, holding : horizontal pull at the anchor, and its holding capacity (None if not given), (n,) N
+    hawsers : names of the hawsers; if there are any, criteria on hawsers apply only to hawsers, all other criteria
+        only to other lines
     """
 
     names: tuple[str, ...]
@@ -49,12 +50,12 @@ class Case(NamedTuple):
     """Values of a load case for the criteria.
 
     state : normal or abnormal; lines : intact, one lost or transient; analysis : quasi-static or dynamic
-    tensions : {motion factor: Tensions}; 1 for computed motions, other factors by some rules
-    motions : {motion: amplitude in m or degrees}, largest, of several bodies {motion: {body: amplitude}}
-    others : {quantity: value} of the whole case
+    tensions : {motion factor: Tensions}; the factor is 1 for computed motions; some rules require others
+    motions : {motion: largest amplitude, m or degrees}; with several bodies {motion: {body: amplitude}}
+    others : {quantity: value} of the load case, for all other quantities
     parts : {quantity: {part: value}}, such as strains of fenders, or None
-    partial : whether it is judged only by its available quantities, such as an earthquake, which has no ropes
-    ranges : like motions, largest less smallest of a record; None for motions about their mean, twice the amplitude
+    partial : whether the case is judged only by its available quantities; an earthquake, for example, has no ropes
+    ranges : like motions, but largest less smallest value of a record; None where this is twice the amplitude
     """
 
     name: str
@@ -70,8 +71,9 @@ class Case(NamedTuple):
 
 
 class Use(NamedTuple):
-    """Utilisation of a criterion by a load case: value in the unit of the criterion, utilisation, and the line or
-    motion that has this utilisation"""
+    """Utilisation of a criterion by a load case: value in the criterion's unit, utilisation, and the line or motion
+    concerned
+    """
 
     case: str
     item: str
@@ -81,8 +83,9 @@ class Use(NamedTuple):
 
 @dataclass(frozen=True)
 class Judged:
-    """A criterion with the Use in each case to which the criterion applies, the largest first; empty if no case can be
-    judged"""
+    """A criterion, and its Use in each case to which it applies, with the largest first; empty if no case can be
+    judged
+    """
 
     criterion: Criterion
     uses: tuple[Use, ...]
@@ -100,14 +103,15 @@ class Judged:
 
 
 def judge(criteria, cases):
-    """A Judged for each criterion, in order; `cases` : any number of Case"""
+    """A Judged for each criterion, in order; cases : any number of Case"""
     return tuple(_judged(criterion, cases) for criterion in criteria)
 
 
 def _judged(criterion, cases):
     held = [case for case in cases if criterion.holds(case.state, case.lines, case.analysis)]
     if not held:
-        return Judged(criterion, (), f"no load case is {_which(criterion)}" if cases else "no load case could be run")
+        which = f"no load case is {_which(criterion)}; add such a state, or take another rule set or limits of your own"
+        return Judged(criterion, (), which if cases else "no load case could be run")
     uses, missing = [], []
     for case in held:
         try:

@@ -1,8 +1,8 @@
 """Waves of a record between zero crossings, and the distribution of their heights in a narrow spectrum.
 
-A wave lasts from one crossing to the next of the same kind; its height is its crest minus its trough.  Crossing times
-are interpolated linearly, crests and troughs by the parabola through the highest values. Without the parabola the
-heights of waves of 16 values would be 1 % too low.
+A wave lasts from one crossing to the next crossing in this direction; its height is its crest minus its trough.
+Crossing times are interpolated linearly; crests and troughs are the tops of parabolas through the highest values.
+Without parabolas, heights of waves with 16 values per period would be 1 % too low.
 
     Rayleigh: P(H > h) = exp(−h²/8m₀);  mean of the highest part p = √8m₀ {√L + √π/(2p) erfc √L},  L = ln 1/p
     width of the spectrum  ε² = 1 − m₂²/(m₀m₄) = 1 − (zero crossings / maxima)²   (Cartwright & Longuet-Higgins 1956)
@@ -23,7 +23,7 @@ EULER = 0.5772156649015329
 class Crossings:
     """Waves in the order of the record.
 
-    heights, periods : (n,) m, s; crests, troughs : (n,) m from the mean level, troughs negative
+    heights, periods : (n,), m and s; crests, troughs : (n,) m from the mean level; troughs are negative
     maxima_per_wave : local maxima of the record per wave
     """
 
@@ -40,7 +40,7 @@ class Crossings:
         return f"<{len(self)} waves, H1/3 {self.significant_height:.4g} m, T1/3 {self.significant_period:.4g} s>"
 
     def highest(self, part):
-        """Mean height (m) and period (s) of the highest `part` of the waves, 0 < part ≤ 1, of at least one wave"""
+        """Mean height (m) and period (s) of the highest `part` of the waves (0 < part ≤ 1, at least one wave)"""
         if not 0 < part <= 1:
             raise ValueError(f"the fraction of the highest waves to average is {part:g}; allowed: above 0, at most 1")
         chosen = np.argsort(self.heights)[-max(1, round(part * len(self))) :]
@@ -73,15 +73,15 @@ class Crossings:
 
     @property
     def mean_period(self):
-        """s, mean period between crossings in the same direction; for a spectrum this is T02"""
+        """Mean period between crossings in one direction, s; for a spectrum this is T02"""
         return float(self.periods.mean())
 
 
 def zero_crossings(record, step, direction="up"):
     """Crossings of a record.
 
-    record : (n,) m, its mean is subtracted; step : s; direction : "up" or "down"
-    Raises ValueError for a record of fewer than 3 waves.
+    record : (n,) m, from which the mean is subtracted; step : s; direction : "up" or "down". Raises ValueError for a
+        record of fewer than 3 waves.
     """
     record, step = row_of_numbers("record", record, 3), positive("step", step, "s")
     if direction not in ("up", "down"):
@@ -119,7 +119,7 @@ def expected_maximum_height(m0, waves):
 
 
 def local_maxima(eta):
-    """A copy with every local maximum raised to the top of its parabola, and the places of the maxima"""
+    """A copy of values with every local maximum raised to the top of its parabola, and the places of the maxima"""
     top = eta.copy()
     at = 1 + np.flatnonzero((eta[1:-1] > eta[:-2]) & (eta[1:-1] >= eta[2:]))
     slope, bend = eta[at + 1] - eta[at - 1], eta[at + 1] - 2 * eta[at] + eta[at - 1]

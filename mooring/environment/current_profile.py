@@ -2,7 +2,7 @@
 
     U(z) = U₀ (1 + z/h)^α    for −h ≤ z ≤ 0    SR179 report (1982), chapter 4, section 3.9
 
-α = 1 for a wind-driven current, for which the report uses 0.01 U₁₀ at the surface; for a tidal current 1/7 is usual
+α = 1 for a wind-driven current, whose surface speed is 0.01 U₁₀ in the report. α = 1/7 is usual for a tidal current
 (the report prints 1/2).  Above z = 0 the surface value applies, below the bed there is no current.  Profiles can be
 added: `power_law(…) + wind_drift(…)`.
 """
@@ -36,10 +36,11 @@ class CurrentProfile:
         return CurrentProfile(self.parts + other.parts)
 
     def over_draft(self, draft):
-        """Speed, m/s, and direction, rad, of the uniform current with the same mean ½ρU² along x and y over a draft
-        (m).
+        """Speed, m/s, and direction, rad, of the uniform current whose ½ρU² along x and y equals the mean over a
+        draft (m).
 
-        Box and hull coefficients come from uniform currents. If the profile turns over the draft, they are a guess.
+        Coefficients of boxes and hulls are measured in uniform currents. For a profile that turns over the draft
+        they are a guess.
         """
         positive("draft", draft, "m")
         x, weight = np.polynomial.legendre.leggauss(32)
@@ -73,15 +74,17 @@ class _Table:
 
 
 def uniform(speed, direction, depth=np.inf):
-    """The same current from the surface to the bed: speed, m/s, direction travelled to, rad, and depth, m"""
+    """A current that is constant from the surface to the bed; speed : m/s; direction : direction of travel, rad;
+    depth : m
+    """
     return power_law(speed, direction, depth, 0.0)
 
 
 def power_law(speed, direction, depth, exponent):
     """CurrentProfile with `speed` m/s at the surface towards `direction` rad in `depth` m of water.
 
-    raises : ValueError for speeds outside 0 to 20 m/s, depths not above 0, exponents outside 0 to 3, and an infinite
-    depth with an exponent above 0, which would be a uniform current
+    raises : ValueError for speeds outside 0 to 20 m/s, depths not above 0, exponents outside 0 to 3, and for an
+        infinite depth with an exponent above 0 (which would be a uniform current)
     """
     within("current speed", speed, 0.0, FASTEST, "m/s")
     if exponent == 0 and depth == np.inf:
@@ -99,10 +102,11 @@ def wind_drift(speed_10, direction, depth):
 
 
 def table(z, speed, direction):
-    """CurrentProfile through points: z (n,) m rising from the bed to the surface, speed m/s, direction rad (n,) or one.
+    """CurrentProfile through points; z : (n,) m, ascending from the bed to the surface; speed : m/s; direction :
+    rad, (n,) or one.
 
     The components along x and y are monotone cubics between the points. The last point applies up to the surface; below
-    the first point there is no current. raises : ValueError for points that are no profile
+    the first point there is no current. raises : ValueError for points that do not form a profile
     """
     z, speed = row_of_numbers("z of the current profile", z, 2), row_of_numbers("current speed", speed, 2)
     direction = row_of_numbers("current direction", np.broadcast_to(np.asarray(direction, float), z.shape))

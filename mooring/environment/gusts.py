@@ -1,6 +1,7 @@
 """Spectra of gusts, and records of gusts.
 
-Each spectrum is a variance, a time scale T and a dimensionless shape over X = T f, f in Hz, with ∫ s dX = 1:
+Each spectrum consists of a variance, a time scale T and a dimensionless shape s over X = T f, f in Hz, with ∫ s dX =
+1:
 
     S(f) = σ² T s(T f),   S(ω) = S(f)/2π
 
@@ -10,8 +11,8 @@ Each spectrum is a variance, a time scale T and a dimensionless shape over X = T
     Kaimal     σ = I U              T = L/U                  s = 4 (1 + 6X)^(−5/3)
 
 Davenport and Hino: SR179 report (1982), chapter 4, section 5.2. The exponent 4/3 and the 1/f are illegible in the
-report's prints. β has 10⁻³, where 10⁻² is printed, which would put the energy at 2 Hz. NPD: NORSOK N-003 and
-API RP 2A-WSD, S = 320 (U₀/10)² (z/10)^0.45 / (1 + f̃ⁿ)^(5/(3n)), n = 0.468, f̃ = 172 f (z/10)^⅔ (U₀/10)^(−¾), U₀ the
+report's prints. β contains 10⁻³ here; the printed 10⁻² would put the energy at 2 Hz. NPD: NORSOK N-003 and API RP
+2A-WSD, S = 320 (U₀/10)² (z/10)^0.45 / (1 + f̃ⁿ)^(5/(3n)), n = 0.468, f̃ = 172 f (z/10)^⅔ (U₀/10)^(−¾), U₀ the
 one-hour mean at 10 m. Kaimal: IEC 61400-1, L = 8.1 Λ, Λ = 0.7 z up to 60 m and 42 m above.
 """
 
@@ -28,7 +29,7 @@ MISSED = 0.01  # share of the variance that a record may omit without a warning
 
 
 class MissingVariance(UserWarning):
-    """A record's band omits more than 1 % of the variance of its spectrum."""
+    """Warning: the frequency band of a record omits more than 1 % of the variance of its spectrum."""
 
 
 @dataclass(frozen=True)
@@ -58,13 +59,13 @@ class GustSpectrum:
         return self.variance * scale * SHAPES[self.shape][0](scale * _frequencies(omega))
 
     def share(self, low, high):
-        """Part of the variance between ω = low and high (…), rad/s; shape (…)"""
+        """Fraction of the variance between ω = low and high (…), rad/s; shape (…)"""
         scale, below = self.time_scale / (2 * np.pi), SHAPES[self.shape][1]
         return below(scale * _frequencies(high)) - below(scale * _frequencies(low))
 
 
 def davenport(speed, surface_drag):
-    """Davenport's spectrum; surface_drag K is 0.003 in the guideline of the report, 0.0015 in its simulations.
+    """Davenport's spectrum; surface_drag : K, 0.003 in the report's guideline and 0.0015 in its simulations.
 
     speed : m/s, 10-minute mean at 10 m
     """
@@ -92,7 +93,7 @@ def hino(speed, surface_drag, height, exponent, stability=2.0):
 def npd(hourly_speed, height=10.0):
     """Spectrum of the Frøya measurements at `height` m; hourly_speed : m/s, one-hour mean at 10 m.
 
-    The measurements cover 1/600 to 0.5 Hz, which contain some 73 % of its variance.
+    The measurements cover 1/600 to 0.5 Hz, which contains some 73 % of the variance of the spectrum.
     """
     positive("one-hour wind speed at 10 m", hourly_speed, "m/s")
     positive("height", height, "m")
@@ -118,9 +119,8 @@ def gust_record(spectrum, t, seed, low, high, count):
 
     The band from `low` to `high` rad/s is divided into `count` pieces of equal ratio. Each component has the energy of
     its piece, a random frequency within it and a random phase, so the record does not repeat.
-    Enough components excite a
-    resonance with damping ζ where their ratio (high/low)^(1/count) is below 1 + ζ.  The report's band, 0.001 to 1 Hz,
-    contains 92 to 88 % of Davenport's variance at 25 to 50 m/s.
+    The components are close enough to excite a resonance with damping ζ if the ratio (high/low)^(1/count) is below 1
+    + ζ.  The report's band, 0.001 to 1 Hz, contains 92 to 88 % of Davenport's variance at 25 to 50 m/s.
     seed : whole number from 0; the same seed gives the same record
     raises : ValueError; warns MissingVariance with the share of the variance inside the band
     """
@@ -133,7 +133,7 @@ def gust_record(spectrum, t, seed, low, high, count):
 
 
 def gust_components(spectrum, seed, low, high, count):
-    """Frequencies rad/s, amplitudes m/s and phases rad of a record, three (count,); see `gust_record`."""
+    """Frequencies, rad/s, amplitudes, m/s, and phases, rad, of a record, each (count,); see `gust_record`."""
     positive("lowest frequency of the gusts", low, "rad/s")
     positive("highest frequency of the gusts", high, "rad/s")
     if not low < high:

@@ -1,12 +1,11 @@
-"""Columns of numbers from loggers and programs: headers of several lines, a line of units, dates.
+"""Columns of numbers in files of loggers and programs, with headers of several lines, a line of units, and dates.
 
-Columns are separated by ; , tab, : or blanks, as in the first row of numbers.  If the comma does not separate columns,
-it is the decimal mark, and a point stands between thousands.
-Lines of words above the numbers are headers. The names stand in the last header that has as many columns as the
-numbers; the units stand in a line below it.
-Dates, 2026-01-02 03:04:05.6 or 02.01.2026 03:04:05, are seconds from the first.  An empty place, NaN or "-" is a gap,
-which counts only in a column that is used.  In a table every row counts: one row of names at most, then numbers only.
-Lines that begin with # are comments.
+Columns are separated by ; , tab, : or blanks, whichever separates the first row of numbers.  A comma that does not
+separate columns is the decimal mark; points then separate thousands. Lines of words above the numbers are headers.
+The last header line with as many columns as the rows of numbers contains the names; a line below it may contain units.
+Dates, 2026-01-02 03:04:05.6 or 02.01.2026 03:04:05, are seconds from the first.  An empty place, NaN or "-" is a
+gap; gaps matter only in columns that are used. A table (`read_table`) has at most one row of names, then only rows
+of numbers. Lines that begin with # are comments.
 """
 
 import re

@@ -1,9 +1,9 @@
-"""Kinds of wave period, and their definition for a spectrum with moments m_n = ∫ ωⁿ S dω.
+"""Kinds of wave period, and the definition of each for a spectrum with moments m_n = ∫ ωⁿ S dω.
 
     T01 = 2π m₀/m₁    T02 = 2π √(m₀/m₂)    Te = 2π m₋₁/m₀    Tp = 2π/ω_p    T1/3: mean period of the highest third
 
-The first four follow from the spectrum.  T1/3 belongs to a record; it is known only for spectra whose authors relate it
-to the peak.
+The first four follow from the spectrum.  T1/3 is a property of a record. For a spectrum it is known only where the
+author relates it to the peak period.
 """
 
 from .allowed import positive
@@ -27,7 +27,7 @@ WORDS = {
 def the_one_period(family, periods):
     """Kind and value (s) of the single period given for a family of spectra.
 
-    periods : {kind: s or None} with the names of `KINDS`
+    periods : {kind: s or None}, with kinds of `KINDS`.
     Raises ValueError for an unknown kind, for no or several periods, and for a period that is not above 0.
     """
     unknown = [kind for kind in periods if kind not in KINDS]

@@ -1,12 +1,12 @@
-"""Scatter diagrams: frequency of each height and period, from a table of counts, per cents or probabilities.
+"""Scatter diagrams: probability of each height and period, from a table of counts, percentages or probabilities.
 
     # comment
     significant_period, 3.5, 4.5, 5.5
     0.25,               12,  30,   4
     0.75,                0,  18,  22
 
-The first word names the kind of period. The row has the middles of the classes of period (s), and the first column
-those of the significant height (m).  Empty fields count as 0.
+The first word names the kind of period. The first row contains the middles of the period classes (s), the first
+column the middles of the height classes (m).  Empty fields count as 0.
 """
 
 from dataclasses import dataclass

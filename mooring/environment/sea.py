@@ -1,11 +1,11 @@
-"""A sea state: a spectrum, its mean direction and spreading; divided into shares of energy per heading, or into wave
+"""A sea state: a spectrum with its mean direction and spreading, split into shares of energy per heading or into
 components.
 
     η(x, y, t) = Σ aᵢ cos{ωᵢ t − kᵢ (x cos βᵢ + y sin βᵢ) − εᵢ}
 
-Every component has its own direction.  Several directions at one frequency would have fixed phases, and the wave height
-would differ from place to place (Jefferys 1987, Applied Ocean Research 9).  Neighbours in frequency have directions
-distributed over the circle by multiples of the golden ratio, so any narrow band contains all directions.
+Every component has its own direction.  Several directions at one frequency would have fixed phases, so that the wave
+height would differ from place to place (Jefferys 1987, Applied Ocean Research 9). Multiples of the golden ratio
+spread the directions of neighbouring frequencies over the circle, so any narrow band contains all directions.
 """
 
 import warnings
@@ -27,7 +27,9 @@ GOLDEN = 0.5 * (np.sqrt(5) - 1)
 
 
 class Components(NamedTuple):
-    """Wave components, each (n,): rad/s, m, phase lag at the origin in rad, direction travelled to in rad."""
+    """Wave components, each (n,): frequency, rad/s; amplitude, m; phase lag at the origin, rad; direction of travel,
+    rad.
+    """
 
     omega: np.ndarray
     amplitude: np.ndarray
@@ -39,7 +41,7 @@ class Components(NamedTuple):
 class Sea:
     """A sea state.
 
-    spectrum : Spectrum; direction : rad, mean direction travelled to; spreading : Spreading, None for long crests
+    spectrum : Spectrum; direction : mean direction of travel, rad; spreading : Spreading, None for long crests
     """
 
     spectrum: Spectrum
@@ -53,10 +55,11 @@ class Sea:
     def directional(self, headings, omega=None):
         """Shares of the energy per heading, such that Σ share f(heading) is the mean of a response f over directions.
 
-        headings : (m,) rad travelled to, in any order; f is assumed linear between neighbours, at most 45° apart
-        omega : (n,) rad/s, or None
-        returns : (m,) of the whole sea, or (n, m) at the frequencies; rows sum to 1
-        Raises ValueError if more than 1 % of the energy travels outside the headings; less is scaled away.
+            headings : directions of travel (m,), rad, in any order, at most 45° apart; f is linear between neighbours
+            omega : (n,) rad/s, or None
+            returns : (m,) for the whole sea, or (n, m) at the frequencies; rows sum to 1.
+        Raises ValueError if more than 1 % of the energy travels outside the headings; a smaller share is made up by
+        scaling.
         """
         headings = row_of_numbers("heading", headings)
         if self.spreading is None:
@@ -75,12 +78,13 @@ class Sea:
         """Components of one realisation.
 
         count : number of components; seed : whole number, the same seed gives the same sea
-        frequencies : "equal_step", bands of equal width; "equal_energy", bands of equal energy.  The frequency
-            is random within its band, so that no record repeats; a component carries the energy of its band.
+        frequencies : "equal_step", bands of equal width; "equal_energy", bands of equal energy.  A component has the
+        energy of its band, and a random frequency in it, so that no record repeats.
         amplitudes : "deterministic", √(2 m₀) of the band, which keeps the energy of a record near that of the spectrum;
-            "random", Rayleigh-distributed with that energy as the mean, which varies the energy as in nature if no two
-            components are further apart than 2π over the length of the record
-        low, high : rad/s; by default 0.1 % of the energy lies outside.  Warns if more than 1 % does.
+            "random", Rayleigh-distributed with this mean energy, so that the energy varies as in nature if
+            components are no further apart than 2π over the length of the record
+        low, high : frequency range, rad/s; by default 0.1 % of the energy lies outside. Warns if more than 1 % lies
+        outside.
         returns : Components, rising in omega
         """
         count, rng = _whole_number("count", count, 1), np.random.default_rng(_whole_number("seed", seed, 0))

@@ -15,8 +15,9 @@ JONSWAP (Hasselmann et al. 1973; the report's guideline 2.5):
     S(f) = α g² (2π)⁻⁴ f⁻⁵ exp{−5/4 (f/f_p)⁻⁴} γ^exp{−(f−f_p)²/(2σ²f_p²)},    σ = 0.07 to f_p, 0.09 above
     by fetch x:  f_p U/g = 3.5 x̃^−0.33,  α = 0.076 x̃^−0.22,  x̃ = g x/U²
 
-A family accepts one period of any kind, by name. A kind other than the printed one is converted by the moments of the
-family's own shape.  T̄ of the paper of 1975 is the mean of a record, not T01 of the spectrum; the latter is 0.81 T1/3.
+A family accepts one period of any kind, by name. A kind other than that of the formula is converted by the moments
+of the family's shape. T̄ of the 1975 paper is the mean period of a record, not T01 of the spectrum, which is 0.81
+T1/3.
 """
 
 import warnings
@@ -55,8 +56,8 @@ MITSUYASU_PEAK = (4 * 1.03 / 5) ** 0.25  # T1/3 / Tp = 0.9527
 def issc(height, **period):
     """ISSC spectrum; 4√m₀ = height exactly.
 
-    height : m, significant; one period (s) of `periods.KINDS`.  mean_period is the T_v of the formula, and T01
-    is 1.0020 times that.  significant_period is converted as for the Mitsuyasu form, which has the same shape.
+    height : m, significant; one period (s) of `periods.KINDS`.  mean_period is the T_v of the formula, and T01 is
+        1.0020 T_v. significant_period is converted as for the Mitsuyasu form, because the two shapes are equal.
     """
     printed = ("mean_period", (0.8 * 0.44) ** -0.25)
     return _by_height("issc", height, 0.11 / (4 * 0.44), period, printed, MITSUYASU_PEAK)
@@ -85,7 +86,7 @@ def bretschneider(height, **period):
 def jonswap(height, *, gamma=3.3, **period):
     """JONSWAP spectrum scaled to 4√m₀ = height.
 
-    height : m, significant; one period (s) of `periods.KINDS`; gamma : 1 to 10
+    height : significant height, m; one period of `periods.KINDS`, s; gamma : 1 to 10.
     significant_period is T1/3 = Tp (1 − 0.132 (γ + 0.2)^−0.559), Goda (1988), found from simulated records.
     """
     within("gamma", gamma, 1, LARGEST_GAMMA)
@@ -112,7 +113,7 @@ def jonswap_fetch(wind_speed, fetch, *, gamma=3.3, gravity=GRAVITY):
 
 
 def tabulated(omega, density, name="table"):
-    """Spectrum of a table: linear between its rows, zero outside.
+    """Spectrum of a table: linear between the rows of the table, zero outside.
 
     omega : (n,) rad/s, rising; density : (n,) m² s/rad, at least 0
     """
@@ -163,7 +164,7 @@ def _by_height(name, height, energy, periods, printed, significant, gamma=1.0):
 
 
 def warn_if_steep(spectrum):
-    """Warn of waves too steep to be"""
+    """Warn of waves that are steeper than possible"""
     steepness = 2 * np.pi * spectrum.significant_height / (GRAVITY * spectrum.T02**2)
     if steepness > STEEPEST:
         warnings.warn(

@@ -1,9 +1,9 @@
-"""Common functions of all wave spectra, and their two shapes: peaked with a tail ω⁻⁵, and a table.
+"""Functions common to all wave spectra, and two kinds of spectrum: peaked with a tail ω⁻⁵, and tabulated.
 
     S(ω) = A ω⁻⁵ exp{−5/4 (ω/ω_p)⁻⁴} γ^r,    r = exp{−(ω/ω_p − 1)²/2σ²},    σ = 0.07 for ω ≤ ω_p, 0.09 above
 
-With x = ω/ω_p and u = 5/4 x⁻⁴ the part of γ = 1 has m_n = A ω_pⁿ⁻⁴ (4/5)^(1−n/4) Γ(1 − n/4, u) / 4 (n = 4: E₁(u)/4);
-the part added by γ is confined to 0.3 < x < 2 and is integrated by Gauss's rule.
+With x = ω/ω_p and u = 5/4 x⁻⁴ the spectrum for γ = 1 has m_n = A ω_pⁿ⁻⁴ (4/5)^(1−n/4) Γ(1 − n/4, u) / 4 (n = 4:
+E₁(u)/4). The part added by γ > 1 is confined to 0.3 < x < 2 and is integrated by Gauss's rule.
 """
 
 from dataclasses import dataclass
@@ -33,8 +33,8 @@ class Spectrum:
     def moment(self, order, low=0.0, high=np.inf):
         """m_n = ∫ ωⁿ S dω between `low` and `high`, m² (rad/s)ⁿ.
 
-        order : −1, 0, … 4; low, high : rad/s, numbers or arrays.  Relative error below 1e-8.
-        Raises ValueError for another order, for limits that do not rise, and where the integral diverges.
+        order : −1, 0, … 4; low, high : rad/s, numbers or arrays. The relative error is below 1e-8. Raises ValueError
+        for any other order, for low ≥ high, and where the integral diverges.
         """
         if order not in ORDERS:
             raise ValueError(f"order of the moment is {order}; allowed: {', '.join(map(str, ORDERS))}")
@@ -47,7 +47,9 @@ class Spectrum:
         return value if value.ndim else float(value)
 
     def quantile(self, share):
-        """ω (rad/s) below which a share of the energy lies, to 1e-5 of the energy; share (...,) 0 to 1 → (...,)"""
+        """Frequency ω (rad/s) below which a share of the energy lies, accurate to 1e-5 of the energy; share (...,) 0
+        to 1 → (...,)
+        """
         omega = self._grid()
         energy = self.moment(0, 0.0, omega)
         return np.interp(np.asarray(share) * self.moment(0), energy, omega)
@@ -83,7 +85,7 @@ class Spectrum:
 
 @dataclass(frozen=True, repr=False)
 class Peaked(Spectrum):
-    """The peaked shape; created by functions of `spectra`.
+    """A peaked spectrum; created by functions of `spectra`.
 
     level : A, m² (rad/s)⁴; peak_omega : rad/s; gamma : 1 or more
     significant_per_peak : T1/3 / Tp of the family, or None
@@ -142,7 +144,7 @@ class Peaked(Spectrum):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Tabulated(Spectrum):
-    """Linear between its rows, zero outside; created by `spectra.tabulated`.
+    """A tabulated spectrum: linear between its rows, zero outside; created by `spectra.tabulated`.
 
     omega : (n,) rad/s, rising; values : (n,) m² s/rad
     """

@@ -20,8 +20,9 @@ WINDOWS = ("hann", "none")
 
 
 class Estimate(NamedTuple):
-    """omega (n,) rad/s, without 0 and the highest frequency, at which estimates have half the degrees of freedom;
-    density (n,) m² s/rad."""
+    """omega (n,) rad/s; density (n,) m² s/rad. 0 and the highest frequency are left out: estimates there have half
+    the degrees of freedom.
+    """
 
     omega: np.ndarray
     density: np.ndarray
@@ -43,11 +44,12 @@ class Estimate(NamedTuple):
 def estimate(record, step, segment=None, window="hann", overlap=0.5):
     """Estimate of the spectrum of a record.
 
-    record : (n,) m, its mean is subtracted; step : s
-    segment : s, by default an eighth of the record, at most 1024 values; the spacing in frequency is 2π over it
-    window : "hann", or "none", which with a segment as long as the record is its periodogram
-    overlap : share of a segment that overlaps with the next one, 0 to below 1
-    Raises ValueError for a record or segment too short, and for a record without waves.
+    record : (n,) m, from which the mean is subtracted; step : s
+    segment : length of a segment, s, by default an eighth of the record, at most 1024 values; the frequency step is
+        2π over this length
+    window : "hann" or "none"; "none" with a segment as long as the record gives the periodogram
+    overlap : fraction of a segment that overlaps with the next segment, 0 to below 1.
+    Raises ValueError for a record or segment that is too short, and for a record without waves.
     """
     record, step = row_of_numbers("record", record, FEWEST), positive("step", step, "s")
     if window not in WINDOWS:

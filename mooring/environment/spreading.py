@@ -6,7 +6,7 @@
                         (Mitsuyasu et al. 1975, Goda & Suzuki 1975; s_max 10 wind waves, 25 and 75 swell)
     wrapped normal      D = Σ exp{−(θ + 2πk)²/2σ²} / √(2π)σ
 
-The circle is divided into 3600 cells; every sum over directions is a sum over these cells, scaled so that the total is
+The circle is divided into 3600 cells. Every integral over directions is a sum over these cells, scaled to a total of
 1.
 """
 
@@ -37,8 +37,8 @@ class Spreading:
     def shares(self, omega=None):
         """Share of the energy in each cell of the circle, shape (3600,) or (n, 3600); each row sums to 1.
 
-        omega : (n,) rad/s, if the spreading depends on it
-        Raises ValueError if the function is too narrow for the cells.
+        omega : (n,) rad/s, needed if the spreading depends on frequency.
+        Raises ValueError if the spreading is too narrow for the cells.
         """
         row = None if omega is None else np.atleast_1d(omega)[:, None]
         share = self.density(ANGLES, row) * (2 * np.pi / CELLS)
@@ -52,7 +52,9 @@ class Spreading:
         return share / total
 
     def quantile(self, share, omega=None):
-        """Angles below which the shares (n,) of the energy lie, rad; shape (n,); omega : (n,) rad/s if needed"""
+        """Angles, rad, below which the shares (n,) of the energy lie; shape (n,); omega : (n,) rad/s, if the
+        spreading depends on it
+        """
         share = np.asarray(share, float)
         if not self.depends_on_frequency:
             return np.interp(share, np.concatenate([[0.0], np.cumsum(self.shares())]), EDGES)
@@ -69,7 +71,7 @@ class Spreading:
 
 @dataclass(frozen=True)
 class CosinePower(Spreading):
-    """a cosⁿθ between `low` and `high` (rad, within ±π/2), 0 outside; exponent n ≥ 0."""
+    """Spreading a cosⁿθ between `low` and `high` (rad, within ±π/2), 0 outside; exponent n ≥ 0."""
 
     exponent: float
     low: float = -0.5 * np.pi
@@ -104,7 +106,7 @@ class CosinePower(Spreading):
 
 @dataclass(frozen=True)
 class HalfCosinePower(Spreading):
-    """a cos²ˢ(θ/2); s ≥ 0."""
+    """Spreading a cos²ˢ(θ/2); s ≥ 0."""
 
     s: float
 
@@ -120,7 +122,7 @@ class HalfCosinePower(Spreading):
 
 @dataclass(frozen=True)
 class Mitsuyasu(Spreading):
-    """a cos²ˢ(θ/2) with s largest, `s_max`, at the peak frequency (rad/s) of the spectrum."""
+    """Spreading a cos²ˢ(θ/2), where s has its largest value `s_max` at the peak frequency (rad/s) of the spectrum."""
 
     s_max: float
     peak_omega: float
@@ -139,7 +141,7 @@ class Mitsuyasu(Spreading):
         return _half_cosine(angle, self.exponent(omega))
 
     def exponent(self, omega):
-        """s at omega (…,) rad/s"""
+        """Exponent s at omega (…,) rad/s"""
         x = np.asarray(omega, float) / self.peak_omega
         with np.errstate(divide="ignore"):
             return self.s_max * np.where(x <= 1, x**5.0, x**-2.5)

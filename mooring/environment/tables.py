@@ -1,4 +1,4 @@
-"""Columns of a table of numbers (`logger_files` reads it): their units, and times at equal steps."""
+"""Columns of a table of numbers (read by `logger_files`): units of columns, and times at equal steps."""
 
 import re
 
@@ -32,7 +32,7 @@ def unit_of(path, name, kind):
 
 
 def column_of(path, names, wanted):
-    """Place of a named column.  Raises TableError."""
+    """Index of a named column. Raises TableError."""
     if names is None:
         raise TableError(f"column is {wanted!r}, but {path} has no column names; leave column out")
     if wanted not in names:
@@ -41,10 +41,10 @@ def column_of(path, names, wanted):
 
 
 def without_rounding(time):
-    """Evenly spaced times (n,) s, if the given times differ from them only by rounding in the file; otherwise the given
-    times
+    """Evenly spaced times (n,) s if the given times differ from them only by rounding; otherwise the given times
 
-    0, 0.8, 1.6, 2.4, 3.3, … are steps of 0.814 s.  The last digit is at most a quarter of a step: no row is lost.
+    For example, 0, 0.8, 1.6, 2.4, 3.3, … are steps of 0.814 s. One unit of the last digit must be at most a quarter
+    of a step, so that no lost row is taken for rounding.
     """
     n = np.arange(len(time))
     if len(time) < 3 or not np.all(np.isfinite(time)) or np.ptp(np.diff(time)) <= 1e-9 * np.abs(time).max():
@@ -57,8 +57,10 @@ def without_rounding(time):
 
 
 def check_even(path, time, off, lines):
-    """Raises TableError if a step of the times (n,) of a table differs from the median step by more than `off` of it;
-    lines : (n,) of the file"""
+    """Raises TableError if a step of the times (n,) of a table differs from the median step by more than the
+    fraction `off`;
+    lines : (n,) line numbers in the file
+    """
     steps = np.diff(time)
     if len(steps) and not np.all(np.abs(steps - np.median(steps)) <= off * np.median(steps)):
         raise fault_of_steps(path, time, off, lines)

@@ -2,8 +2,8 @@
 
     η(t) = Re Σ aᵢ exp{i(kᵢ (x cos βᵢ + y sin βᵢ) + εᵢ − ωᵢ t)},    ω² = g k tanh kh
 
-On equal steps exp(−iω(t₀ + pΔ + qδ)) is a product of a coarse and a fine phase. A record of n values then takes 2√n
-exponentials for each component and one product of matrices, exact to rounding.
+At equal steps exp(−iω(t₀ + pΔ + qδ)) is the product of a coarse and a fine phase. A record of n values then needs
+2√n exponentials for each component and one matrix product; it is exact to rounding.
 """
 
 from typing import NamedTuple
@@ -77,7 +77,7 @@ def _turns(omega, step, count):
 
 
 def write_record(path, record, comment=""):
-    """Write time_s,elevation_m as CSV; `comment` precedes the rows in # lines."""
+    """Write columns time_s and elevation_m as CSV; `comment` precedes the rows in # lines."""
     rows = [f"# {line}" for line in comment.splitlines()] + ["time_s,elevation_m"]
     rows += [f"{t:.6f},{value:.6g}" for t, value in zip(record.time, record.elevation, strict=True)]
     write_sealed(path, "\n".join(rows) + "\n")
@@ -87,9 +87,10 @@ def read_record(path, step=None, column=None):
     """Record of a text file (`logger_files`): times and elevations in columns, or elevations alone.
 
     Units in column names, such as "eta (mm)" and "Time (ms)", are applied.
-    step : s, if the file has no column of times, which otherwise is its first
-    column : name of the column of elevations, by default the second (the only one)
-    Raises TableError for a file that is no table, for times with uneven steps, for a step given twice or not at all.
+    step : s, needed if the file has no column of times; otherwise its first column contains the times
+    column : name of the column of elevations, by default the second or only column.
+    Raises TableError for a file that is not a table, for uneven time steps, and if the step is given twice or not at
+    all.
     """
     names, values, lines = read_columns(path)
     if len(values) < 2:
@@ -114,10 +115,10 @@ def read_record(path, step=None, column=None):
 
 
 def components_of(record, direction, shortest=0.0):
-    """`sea.Components` whose sum is the record at its place, without its mean, by a Fourier series over its length.
+    """`sea.Components` whose sum is the record without its mean, by a Fourier series over the length of the record.
 
-    direction : rad, travelled to, of all; shortest : s, period below which waves are omitted.  Time is counted from
-    the first value; after the last the record begins again.
+    direction : direction of travel of all waves, rad; shortest : period below which waves are omitted, s. Time is
+        counted from the first value; after the last value the record repeats.
     """
     from .sea import Components
 

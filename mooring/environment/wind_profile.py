@@ -4,10 +4,10 @@
     U(z) = U₀ [1 + C ln(z/10)] [1 − 0.41 I(z) ln(T/T₀)]      NORSOK N-003 and API RP 2A-WSD (Frøya measurements)
     C = 0.0573 √(1 + 0.15 U₀),   I = 0.06 (1 + 0.043 U₀) (z/10)^−0.22,   T₀ = 1 h
 
-U₁₀ is a 10-minute and U₀ a one-hour mean, both 10 m above the sea.  C_H multiplies the speed, not the pressure. It is
-the square root of the height coefficient of classification rules.  C_H is a step table; each band includes its lower
-and excludes its upper bound. In the middle of the bands α varies from 1/17 at 23 m to 1/11 above 130 m (the report says
-about 1/12 to 1/14).
+U₁₀ is a 10-minute and U₀ a one-hour mean, both 10 m above the sea.  C_H multiplies the speed, not the pressure. C_H
+is the square root of the height coefficient of classification rules. C_H is a table of steps: each band includes its
+lower bound and excludes its upper bound. In the middle of the bands α varies from 1/17 at 23 m to 1/11 above 130 m
+(the report says about 1/12 to 1/14).
 """
 
 import numpy as np
@@ -76,8 +76,8 @@ def speed_at(height, speed_10, exponent=None):
 
 
 def froya_speed_at(height, hourly_speed, averaging=HOUR):
-    """Largest mean over `averaging` seconds in the hour at heights (…), m, from the one-hour mean at 10 m, m/s; shape
-    (…).
+    """Largest mean speed over `averaging` seconds in an hour, m/s, at heights (…) m, from the one-hour mean at 10 m;
+    shape (…).
 
     raises : ValueError for heights not above 0, speeds below 0, averaging times outside 1 s to one hour
     """
@@ -93,8 +93,8 @@ def froya_speed_at(height, hourly_speed, averaging=HOUR):
 def mean_over(speed, given, wanted, height=10.0):
     """Mean wind over `wanted` s from the mean wind over `given` s, both in m/s at `height` m, by the Frøya formula.
 
-    raises : ValueError for averaging times outside 1 s to one hour, speeds outside 0 to 200 m/s, and speeds beyond the
-    range of the formula at the height: near the sea its mean decreases in very strong wind
+    raises : ValueError for averaging times outside 1 s to one hour, speeds outside 0 to 200 m/s, and speeds beyond
+        the range of the formula at this height (near the sea the formula's mean decreases in very strong wind)
     """
     from scipy.optimize import brentq
 
@@ -115,7 +115,7 @@ def mean_over(speed, given, wanted, height=10.0):
 
 
 def froya_intensity(height, hourly_speed):
-    """Standard deviation of the wind within the hour over its mean, at heights (…) m; shape (…)"""
+    """Standard deviation of the wind within an hour over the hourly mean, at heights (…) m; shape (…)"""
     positive("one-hour wind speed at 10 m", hourly_speed, "m/s")
     return 0.06 * (1 + 0.043 * hourly_speed) * (_heights(height) / 10.0) ** -0.22
 
@@ -129,5 +129,5 @@ def _heights(height):
 
 
 def speed_10(speed, averaging, height, exponent=None):
-    """Ten-minute mean at 10 m, m/s, from a mean over `averaging` s at a height, m; exponent : as in `speed_at`"""
+    """Ten-minute mean at 10 m, m/s, from a mean over `averaging` s at `height` m; exponent : as in `speed_at`"""
     return mean_over(speed, averaging, TEN_MINUTES, height) / float(speed_at(height, 1.0, exponent))

@@ -1,4 +1,4 @@
-"""Fenders: their reaction, and the energy they absorb and return, alone and in series with a dolphin.
+"""Fenders: their reaction, and the energy that they absorb and return, alone or in series with a dolphin.
 
 curves       a reaction over a deflection as piecewise cubics
 fender       a fender as a value: reaction, energy, unloading, marks, size and grade

@@ -2,9 +2,10 @@
 
     R(δ) = c₀ + c₁ t + c₂ t² + c₃ t³,    t = δ − knot,    E(δ) = ∫₀^δ R dδ
 
-R is 0 below the first knot, which is 0; beyond the last it continues along the straight line through its end.  `smooth`
-uses the monotone cubics of Fritsch and Carlson (1980), which neither overshoot nor ripple: a peak of the table is a
-peak of the curve.  `straight` uses straight lines; an integration in time has to step onto their corners.
+R is 0 below the first knot, which is at 0; beyond the last knot R continues along the straight line through its end.
+ `smooth` uses the monotone cubics of Fritsch and Carlson (1980), which neither overshoot nor ripple: a peak of the
+ table is a
+peak of the curve.  `straight` uses straight lines; an integration in time has to step onto the corners between them.
 """
 
 from dataclasses import dataclass
@@ -14,7 +15,7 @@ import numpy as np
 
 @dataclass(frozen=True, eq=False)
 class Curve:
-    """knots (n + 1,) rising from 0; coefficients (n, 4) of the module, lowest order first"""
+    """knots (n + 1,), ascending from 0; coefficients (n, 4) c₀ … c₃ of the module's equation, lowest order first"""
 
     knots: np.ndarray
     coefficients: np.ndarray

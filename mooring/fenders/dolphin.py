@@ -2,10 +2,9 @@
 
     R_dolphin(y₁) = R_fender(y₂),    y(y₂) = y₂ + y₁(R_fender(y₂))
 
-The pair is again a fender, in y.  If the fender buckles faster than the dolphin is stiff, dy/dy₂ ≤ 0, the pair snaps
-through and no static characteristic exists. Such a pair is refused, and the message names the required stiffness.
-The pair keeps the fender's
-unloading: at equal force the dolphin returns all of its energy.
+The pair is again a fender, in y.  If the fender's reaction falls faster than the dolphin is stiff (dy/dy₂ ≤ 0), the
+pair snaps through and has no static characteristic. Such a pair is refused, and the message names the required
+stiffness. The pair keeps the fender's unloading, because the dolphin returns all of its energy.
 """
 
 from dataclasses import dataclass, fields
@@ -18,22 +17,22 @@ from .fender import Fender, FenderError
 
 @dataclass(frozen=True, eq=False, repr=False)
 class OnDolphin(Fender):
-    """A fender and its dolphin as one fender. Deflections are those of both together, and strains are these deflections
+    """A fender and its dolphin as one fender. Deflections are deflections of the pair; strains are these deflections
     over the height of the fender.
 
-    strains : (2, n), of both together and of the fender, on loading; own_allowable : strain, of the fender itself
+    strains : (2, n), strains of the pair and of the fender alone, on loading; own_allowable : allowable strain of
+        the fender alone
     """
 
     strains: np.ndarray | None = None
     own_allowable: float = 0.0
 
     def own(self, deflection):
-        """m, the fender's part of a deflection of fender and dolphin together, m, piecewise linear, extended beyond the
-        last point"""
+        """Fender's part, m, of a deflection of the pair, m; piecewise linear, extended beyond the last point"""
         return self.height * led_on(deflection / self.height, *self.strains)
 
     def whole(self, own):
-        """m, deflection of fender and dolphin together for a fender deflection of `own` m"""
+        """Deflection of the pair, m, for a deflection of the fender of `own` m"""
         return self.height * led_on(own / self.height, *self.strains[::-1])
 
 
@@ -46,7 +45,7 @@ def led_on(x, knots, values):
 def bilinear(stiffness, yield_force=np.inf, stiffness_beyond=None):
     """Deflection y₁(R), m, of a dolphin (or soft ground) as a function.
 
-    stiffness : N/m; beyond yield_force, N, stiffness_beyond, N/m.  Raises FenderError.
+    stiffness : N/m, up to yield_force, N; stiffness_beyond : N/m, beyond yield_force.  Raises FenderError.
     """
     beyond = stiffness if stiffness_beyond is None else stiffness_beyond
     for key, value in (("stiffness", stiffness), ("stiffness beyond", beyond), ("yield force", yield_force)):
@@ -61,8 +60,11 @@ def bilinear(stiffness, yield_force=np.inf, stiffness_beyond=None):
 
 
 def in_series(fender, deflection_of, points=400):
-    """`OnDolphin` of a fender and a dolphin whose deflection at a force is `deflection_of` (`bilinear`), in straight
-    lines between `points` and the points of the fender.  Raises FenderError if the pair snaps through."""
+    """`OnDolphin` of a fender and a dolphin; deflection_of : deflection of the dolphin at a force (`bilinear`).
+
+    The characteristic is linear between `points` and the points of the fender. Raises FenderError if the pair snaps
+    through.
+    """
     y2 = _grid(fender, points)
     up, down = fender.loading(y2), fender.unloading(y2)
     y, back = (y2 + deflection_of(force) for force in (up, down))

@@ -1,8 +1,8 @@
-"""Fenders by family, generic, and by tables of makers.
+"""Generic fenders by family, and fenders by tables of makers.
 
-A family is a shape, reaction over rated reaction by strain, scaled by size and grade. The shapes are in
-`tables/shapes.csv`, the marks in `tables/families.csv`, with sources in both.
-A maker's table is a CSV with the columns
+A family is a shape (reaction over rated reaction, by strain) scaled by size and grade. The shapes are in
+`tables/shapes.csv` and the rated values in `tables/families.csv`; each file names its sources. A maker's table is a
+CSV with the columns
 
     strain (of the height) or deflection_m,  reaction_kN,  and, if measured, unloading_kN.
 """
@@ -48,8 +48,8 @@ def _with_reaction():
 def fender_of_family(family, height, *, length=None, rated_reaction=None, pressure=None, overload=None):
     """A generic `fender.Fender`.
 
-    height : m, the diameter of a pneumatic one; length : m, of v, h and pneumatic fenders
-    rated_reaction : N, instead of that of the ordinary grade; pressure : Pa, gauge pressure of a pneumatic one
+    height : m, for a pneumatic fender its diameter; length : m, for v, h and pneumatic fenders
+    rated_reaction : N, by default that of the ordinary grade; pressure : gauge pressure of a pneumatic fender, Pa
     raises : FenderError
     """
     if family not in names():

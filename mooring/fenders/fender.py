@@ -2,7 +2,7 @@
 
     E(δ) = ∫₀^δ L dδ,    R ∝ H² and E ∝ H³ at equal strain δ/H (geometrically similar fenders of one grade)
 
-SR179 report (1982), chapter 3.3; a catalogue curve f is used as R = (1 − γ) f(ξ), eq. 3.7.1.11 there.
+SR179 report (1982), chapter 3.3; a catalogue curve f is used as R = (1 − γ) f(ξ), eq. 3.7.1.11 of this report.
 """
 
 from dataclasses import dataclass, replace
@@ -20,10 +20,11 @@ class FenderError(ValueError):
 
 @dataclass(frozen=True, eq=False)
 class Fender:
-    """loading, unloading : `curves.Curve` on the same knots, N over m; height : m, that strains refer to
+    """loading, unloading : `curves.Curve` with common knots, N over m; height : reference length of strains, m
 
-    return_length : m, over which unloading passes from the loading to the unloading curve, see `hysteresis`
-    rated, allowable : strains; limit : m, end of the table; overload : N/m beyond it, None: refused
+    return_length : deflection over which unloading passes from the loading to the unloading curve, m; see `hysteresis`
+    rated, allowable : strains; limit : end of the table, m; overload : stiffness beyond it, N/m, None to refuse
+        larger deflections
     """
 
     name: str
@@ -44,7 +45,7 @@ class Fender:
 
     @property
     def rated_reaction(self):
-        """N, largest up to the rated deflection"""
+        """Largest reaction up to the rated deflection, N"""
         return float(self.loading(self._grid(self.rated * self.height)).max())
 
     @property
@@ -53,17 +54,19 @@ class Fender:
         return float(self.loading.integral(self.rated * self.height))
 
     def reaction(self, deflection):
-        """N on loading at deflections, m, of any shape.  Raises FenderError beyond the table without overload law."""
+        """Reaction on loading, N, at deflections, m, of any shape. Raises FenderError beyond a table without
+        overload.
+        """
         self._check(deflection)
         return self.loading(deflection)
 
     def energy(self, deflection):
-        """J absorbed on loading.  Raises as `reaction`."""
+        """Energy absorbed on loading, J. Raises FenderError as `reaction` does."""
         self._check(deflection)
         return self.loading.integral(deflection)
 
     def returned(self, deflection):
-        """J returned from a deflection to zero"""
+        """Energy returned from a deflection to zero, J"""
         self._check(deflection)
         peak = float(deflection)
         below = max(peak - self.return_length, 0.0)
@@ -77,7 +80,9 @@ class Fender:
         return float(np.sum(half * w * force) + self.unloading.integral(below))
 
     def deflection_at_energy(self, energy):
-        """m, deflection that absorbs an energy, J.  Raises FenderError if the table ends before this deflection."""
+        """Deflection, m, at which an energy, J, is absorbed.  Raises FenderError if the table ends before this
+        deflection.
+        """
         last = np.inf if self.overload else self.limit
         most = self.loading.integral(self.limit)
         if energy > most and np.isfinite(last):
@@ -96,16 +101,16 @@ class Fender:
         return 0.5 * (low + high)
 
     def largest_reaction(self, deflection):
-        """N, largest on the way to a deflection, m: a buckling fender passes its peak"""
+        """Largest reaction, N, on the way to a deflection, m; a buckling fender passes a peak before"""
         self._check(deflection)
         return float(self.loading(self._grid(deflection)).max())
 
     def own(self, deflection):
-        """m, the part of a deflection, m, that the fender itself takes: all of the deflection with a rigid support"""
+        """Fender's part, m, of a deflection, m: with a rigid support the whole deflection"""
         return float(deflection)
 
     def whole(self, own):
-        """m, total deflection for a fender deflection of `own` m"""
+        """Total deflection, m, for a deflection of the fender of `own` m"""
         return float(own)
 
     @property
@@ -114,7 +119,7 @@ class Fender:
         return self.allowable
 
     def times(self, factor, name=None):
-        """The fender with all reactions times `factor`: grade, number side by side, 1 − γ"""
+        """The fender with all reactions times `factor`: a grade, a number of fenders side by side, or 1 − γ"""
         if not 0 < factor < np.inf:
             raise FenderError(f"{self.name}: the factor on its reaction is {factor:g}; allowed: above 0, finite")
         return replace(
@@ -144,9 +149,9 @@ class Fender:
 def fender_of_points(name, height, deflection, loading, unloading=None, **marks):
     """`Fender` of a table.
 
-    height : m; deflection : (n,) m, rising from 0; loading, unloading : (n,) N, 0 at 0; without unloading there is no
-    hysteresis
-    marks : rated, allowable (strains, by default the end of the table and the rated one), overload (N/m),
+    height : m; deflection : (n,) m, ascending from 0; loading, unloading : (n,) N, 0 at 0; unloading is None without
+        hysteresis
+    marks : rated, allowable (strains; by default the end of the table, and the rated strain), overload (N/m),
     return_length (m, by default RETURN of the height), corners (True: straight lines between points)
     raises : FenderError
     """

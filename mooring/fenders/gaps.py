@@ -11,9 +11,9 @@ ROUNDING = 1e-9  # m, and share of a hull
 
 class Side(NamedTuple):
     """name : name of a body; half : (2,) m, half of its length and beam
-    own : (2,) m, origin of the axes of the body in coordinates of its hull
-
-    moves : its number among moving bodies, below 0 for fixed ones; place : (3,) m, m, rad of its axes at rest
+    own : origin of the body's axes in coordinates of its hull, (2,) m
+    moves : number of the body among moving bodies, below 0 for a fixed body; place : (3,), x, y, m, and heading,
+        rad, of its axes at rest
     """
 
     name: str
@@ -24,8 +24,11 @@ class Side(NamedTuple):
 
 
 def pairs_of(sides):
-    """Pairs (Side, Side) of hulls between which a gap is reported. At least one of them moves, their boxes do not
-    overlap at rest (as a float and its spar do), and no third hull lies between them (as in a row of three)"""
+    """Pairs (Side, Side) of hulls between which a gap is reported.
+
+    At least one hull of a pair moves, and no third hull lies between them (as in a row of three).
+    Their boxes do not overlap at rest (as those of a float and its spar do).
+    """
     rest = np.zeros((1, 1 + max((one.moves for one in sides), default=0), 6))
     for one in sides:
         if one.moves >= 0:
@@ -36,8 +39,10 @@ def pairs_of(sides):
 
 
 def gaps(sides, poses):
-    """Gaps of `pairs_of`, m, with the bodies at poses (n, N, 6) in space from their places at rest; shape (n, pairs);
-    negative for the depth of an overlap"""
+    """Gaps of `pairs_of`, m, with the bodies displaced by poses (n, N, 6) in space from rest; shape (n, pairs).
+
+    A negative gap is the depth of an overlap.
+    """
     found = [_gap(*pair, poses) for pair in pairs_of(sides)]
     return np.stack(found, axis=-1) if found else np.zeros((len(poses), 0))
 

@@ -2,18 +2,18 @@
 
     R = U(δ) + s w(δ),    w = L − U ≥ 0,    ds = dδ/ℓ, limited to 0 … 1;    s = 1 without contact
 
-s is a stop operator with the length ℓ. From first contact the reaction follows L; a return leads to U within ℓ, and a
+s is a stop operator with the length ℓ. From first contact the reaction follows L. A return leads to U within ℓ; a
 reloading leads back to L within ℓ.  With δ = p + ℓ s and Φ = ℓ ∫₀^s σ w(p + ℓσ) dσ
 
     s w dδ = dΦ + (∫₀^s w(p + ℓσ) dσ) dp,
 
-where p rises only at s = 1 and falls only at s = 0: the last term is never negative, and neither is the work of any
-closed path, however many loops it has.  Φ is 0 without contact, so that a fender after a separation has no stored
-energy.  The state after a straight step is exact, whatever the step.
+where p rises only at s = 1 and falls only at s = 0. The last term is therefore never negative, nor is the work of
+any closed path, however many loops it has.  Φ is 0 without contact, so that a fender after a separation has no
+stored energy.  The state after a straight step is exact, whatever the step.
 
 A simulation uses `ContactTable`: `advanced_one` and `reaction_of` work on numbers alone.  A step of an integration
-keeps s from its start, evaluates stages with advanced_one(s, δ of the start, δ of the stage, ℓ), and stores the s of
-its end.
+keeps s from its start, evaluates stages with advanced_one(s, δ of the start, δ of the stage, ℓ), and stores s at its
+end.
 """
 
 from typing import NamedTuple
@@ -25,12 +25,12 @@ from hakobune.bem.kernels.in_memory import in_memory
 
 @in_memory
 class ContactTable(NamedTuple):
-    """Curves of m fenders in few arrays, all contiguous: every array argument of a kernel costs time
+    """Curves of m fenders in few contiguous arrays, because every array argument of a kernel costs time
 
-    first : (m + 1,) number of the first piece of each
-    pieces : (…, 9) knot; loading and its width above unloading as cubics, lowest order first; the last piece of each is
-    straight and goes on
-    marks : (m, 3) return length m; limit m, beyond which a simulation reports; 1 where it refuses instead, or 0
+    first : (m + 1,), number of the first piece of each fender
+    pieces : (…, 9), knot; loading, and loading less unloading, as cubics, lowest order first; the last piece of each
+        fender is straight and unlimited
+    marks : (m, 3), return length, m; limit, m, beyond which a simulation reports; 1 if it stops instead, else 0
     """
 
     first: np.ndarray
@@ -57,7 +57,7 @@ def _with_tail(fender):
 
 
 def advanced(state, before, after, length):
-    """State s after a straight step between deflections, m (numbers or arrays); 1 without contact"""
+    """State s after a monotone step between two deflections, m (numbers or arrays); 1 without contact"""
     turned = (np.maximum(after, 0.0) - np.maximum(before, 0.0)) / length
     return np.where(np.asarray(after) <= 0, 1.0, np.clip(state + turned, 0.0, 1.0))
 

@@ -3,11 +3,10 @@
     R_α(δ) = (1/w) ∫₀^w R(δ − s tan α) ds = [E(δ) − E(δ − a)]/a,    a = w tan α,    E(x) = ∫₀^x R,  0 for x < 0
 
 δ is the deflection of the most compressed edge, and the fender's rated strain refers to that edge.  The unloading curve
-is also the mean over strips. The strips turn together, so all that are in contact have one state of `hysteresis`.
-This is exact for many fenders of equal height behind one stiff panel, and for a profile without stiffness along its
-length. For a single cell or cone it is an estimate.
-SR179 report (1982), chapter 3.4, requires the maker's curve of inclined compression where a side
-force exceeds a tenth of the axial one, and prints none.
+is also the mean over strips. The strips turn together, so all strips in contact have one state of `hysteresis`. The
+formula is exact for many fenders of equal height behind one stiff panel, and for a profile without stiffness along
+its length. For a single cell or cone the formula is an estimate. SR179 report (1982), chapter 3.4, requires the
+maker's curve of inclined compression where a side force exceeds a tenth of the axial force, but prints no such curve.
 """
 
 import math
@@ -47,7 +46,8 @@ def inclined(fender, width, angle):
 
 
 def mean_of_strips(curve, deflection, depth):
-    """Force of a `curves.Curve` R, N, as a mean over strips whose deflection falls evenly by up to `depth`, m;
-    deflections of any shape"""
+    """Mean force, N, of a `curves.Curve` R over strips whose deflection falls evenly by up to `depth`, m;
+    deflections of any shape
+    """
     x = np.asarray(deflection, float)
     return (curve.integral(x) - curve.integral(np.maximum(x - depth, 0.0))) / depth

@@ -1,12 +1,13 @@
 """Reaction of a pneumatic fender by the gas law.
 
 An inextensible skin, compressed between two plates to h = D − δ, has the section of a stadium: its perimeter πD = πh +
-2b leaves flats of b = πδ/2.  With x = δ/D the section is (1 − x²) of the round one, and so is the volume
+2b leaves flats of b = πδ/2.  With x = δ/D the section is (1 − x²) times the round section, and the volume changes by
+the same factor:
 
     p + p_air = (p₀ + p_air) (1 − x²)^−γ,    R = p b [L − D + (π/2) a],    a = ½ √(D² − h²)
 
-where the ends are hemispheres, flattened over half an ellipse each of the half axes a and b/2.  γ = 1.4 for a
-compression of seconds (adiabatic), 1 for one of minutes.
+where the ends are hemispheres; each is flattened over half an ellipse with the half axes a and b/2.  γ = 1.4 for a
+compression in seconds (adiabatic), 1 for a compression in minutes.
 """
 
 import numpy as np
@@ -20,7 +21,8 @@ RATED, LIMIT = 0.55, 0.65  # SR179 report (1982), chapter 3.3.2: allowable about
 
 
 def pneumatic(name, diameter, length, pressure, overload=None, exponent=SECONDS, points=53):
-    """`fender.Fender` without hysteresis; diameter, length : m, over all; pressure : Pa above the air at rest.
+    """`fender.Fender` without hysteresis; diameter, length : overall dimensions, m; pressure : gauge pressure at
+    rest, Pa.
 
     raises : FenderError
     """
@@ -39,7 +41,7 @@ def pneumatic(name, diameter, length, pressure, overload=None, exponent=SECONDS,
 
 
 def gas_reaction(strain, diameter, length, pressure, exponent=SECONDS):
-    """N at strains δ/D of any shape, by the module's equations"""
+    """Reaction, N, at strains δ/D of any shape, by the module's equations"""
     x = np.asarray(strain, float)
     over = (pressure + AIR) * (1 - x**2) ** -exponent - AIR
     half = 0.5 * diameter * np.sqrt(x * (2 - x))

@@ -1,7 +1,7 @@
 """A linear system that compresses fenders, in time: ż = A z + B R(δ), δ = P z − gap(t), R with its hysteresis.
 
 By Gauss's method with two stages: fourth order, stable for any decay in A, quadratic energies conserved to rounding.
-Its stages z_i = F z + G R, with the reactions of both, are found by iteration.
+Both stages z_i = F z + G R, with the reactions R at both, are found by iteration.
 """
 
 import numpy as np
@@ -15,7 +15,7 @@ ITERATIONS = 60
 
 
 class Pressed:
-    """A (m, m), B (m, k), place (k, m) of the module; fenders : k of `fender.Fender`; h : s, of all steps"""
+    """A (m, m), B (m, k), place P (k, m) of the module; fenders : k of `fender.Fender`; h : length of all steps, s"""
 
     def __init__(self, A, B, place, fenders, h):
         self.A, self.B, self.place, self.h = A, B, place, h
@@ -27,11 +27,13 @@ class Pressed:
         self.answer = self.both @ self.from_force
 
     def rows(self, z, gap, gaps):
-        """For each step from z (m,): z, deflection (k,) m, below 0 without contact, state (k,) of `hysteresis`, and the
-        next stages (2, m); the fenders are initially free.
+        """For each step from z (m,): z, deflection (k,) m (below 0 without contact), state (k,) of `hysteresis`,
+            next stages (2, m).
 
-        gap : (k,) m at the beginning; gaps : (3, k) m, at both `NODES` and the end of every step
-        raises : FenderError where the steps are too long
+        The fenders are initially free.
+
+            gap : initial gaps, (k,) m; gaps : (3, k) m, at both `NODES` and at the end of every step
+            raises : FenderError where the steps are too long
         """
         state, start = [1.0] * self.k, self.place @ z - gap
         for near, far, end in gaps:

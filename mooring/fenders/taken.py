@@ -1,4 +1,4 @@
-"""Effect of an energy on fenders: the deflection of each fender, and the largest reaction up to this deflection."""
+"""Effect of an energy on fenders: deflection of each fender, and its largest reaction up to this deflection."""
 
 import numpy as np
 
@@ -6,8 +6,9 @@ from .fender import FenderError
 
 
 def deflection_of(fender, energy):
-    """m, deflection at which a fender has absorbed an energy, J; nan if the table of the fender ends at a smaller
-    energy"""
+    """Deflection, m, at which a fender has absorbed an energy, J; nan if the fender's table ends at a smaller
+    energy
+    """
     try:
         return fender.deflection_at_energy(energy)
     except FenderError:

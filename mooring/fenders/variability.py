@@ -1,4 +1,4 @@
-"""Deviation of a fender from its catalogue: bands of factors on its reaction, and their combination.
+"""Deviation of a fender from its catalogue: bands of factors on its reaction, and the combination of bands.
 
     R = f(δ) Π factors;    softest Π smallest,  stiffest Π largest
 
@@ -23,8 +23,9 @@ def bands():
 
 
 def chosen(causes=None, **own):
-    """Bands of the named causes, of all causes if None; a band in `own` replaces the band of the table.  Raises
-    FenderError."""
+    """Bands of the named causes, or of all causes if None; a band in `own` replaces the band in the table.  Raises
+    FenderError.
+    """
     table = bands() | own
     unknown = [cause for cause in causes or () if cause not in table]
     if unknown:

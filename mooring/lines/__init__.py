@@ -1,1 +1,1 @@
-"""Mooring lines in detail: static lines of many parts, the dynamics of lines, and the loads on lines."""
+"""Mooring lines in detail: statics of lines with many parts, and the dynamics of lines."""

@@ -10,11 +10,11 @@ Chain, d in mm, loads in kN:  break = c_b d² (44 − 0.08 d),  proof = c_p d² 
                        R5 (6.00 − 0.0033 d)e10, DNV-OS-E301 (2013) ch. 2 sec. 2; R3S has that of R3, R4S that of R4
 
 Wire:  break = K d² R / 1000 kN, mass = W d² / 100 kg/m, EN 12385-4 (2002), 6x24 with its seven fibre cores ISO 2408
-(2004) as makers quote it; R that of the wires, class societies take 1370 to 1960 N/mm², JIS G 3525 E 1320, G 1470, A
-1620, B 1770 N/mm² (its own 6x24 A break with 0.304 d² R, a twelfth more, by a maker's table); modulus over the nominal
-circle 7.0e10 N/m² six strands, 1.13e11 spiral strand, DNV-OS-E301. Fibre rope and the loads of spiral strand:
-coefficients fitted to makers' catalogues as published with NREL's mooring property library (MoorPy, 2021 to 2024).
-Stiffness is quasi-static, a multiple of the breaking load.
+(2004) as makers quote it; R is the strength of the wires, 1370 to 1960 N/mm² by class societies, JIS G 3525 E 1320,
+G 1470, A 1620, B 1770 N/mm² (its own 6x24 A break with 0.304 d² R, a twelfth more, by a maker's table); modulus over
+the nominal circle 7.0e10 N/m² six strands, 1.13e11 spiral strand, DNV-OS-E301. Fibre rope and the loads of spiral
+strand: coefficients fitted to makers' catalogues as published with NREL's mooring property library (MoorPy, 2021 to
+2024). Stiffness is quasi-static, a multiple of the breaking load.
 The submerged weight is the weight of the material less its own
 buoyancy; water fills the gaps.
 
@@ -37,7 +37,9 @@ ROPE_SIZES = (1.0, 500.0)  # mm: no rope is made outside this range
 
 
 class ChainGrade(NamedTuple):
-    """kN over d² (44 − 0.08 d), d in mm; proof loads of studlink and of studless chain, None where not made"""
+    """Loads, kN, over d² (44 − 0.08 d) with d in mm; proof loads of studlink and of studless chain, None where not
+    made
+    """
 
     breaking: float
     proof_studlink: float
@@ -73,7 +75,7 @@ JIS = {"e": 1320, "g": 1470, "a": 1620, "b": 1770}  # N/mm², of JIS G 3525
 
 
 class Fibre(NamedTuple):
-    """mass kg/m over d², breaking load N over d² and d³ (d in m), EA over breaking load, density kg/m³"""
+    """Mass, kg/m, over d²; breaking load, N, over d² and d³ (d in m); EA over the breaking load; density, kg/m³"""
 
     mass: float
     breaking_2: float
@@ -122,7 +124,7 @@ def unread(name):
 def line_type(name, density=1025.0, gravity=9.80665) -> LineType:
     """The LineType of a name such as "R4 studlink 84 mm" or "wire 6x36 IWRC 1960 52 mm".
 
-    density : kg/m³ of the water, for the submerged weight
+    density : density of the water for the submerged weight, kg/m³
     raises : LineSystemError with the known names
     """
     found = re.fullmatch(r"(.+?)\s+([0-9.]+)\s*mm", name.strip().lower())

@@ -1,8 +1,7 @@
 """One uniform line between an anchor and a fairlead: its forces, its shape, and its pull from slack to taut.
 
 The line lies on a bed, which is level or a plane. A line lighter than water floats in the sea surface instead.
-Its kernels run
-as Python, which takes less time for one line than numba's import.
+The kernels run as plain Python, which takes less time for one line than importing numba.
 """
 
 from dataclasses import dataclass
@@ -18,10 +17,9 @@ NEAR_SHORE = 1e-3  # how near curves go to where the bed is as high as the fairl
 
 @dataclass(frozen=True)
 class OneLine:
-    """A line and the place where the line hangs, SI; type : LineType; height, depth : m, fairlead and sea surface above
-    anchor
-
-    slope : rad, of the bed
+    """A line and its place, SI; type : LineType; height, depth : heights of fairlead and sea surface above the
+    anchor, m
+    slope : slope of the bed, rad
     """
 
     type: object
@@ -51,7 +49,7 @@ class OneLine:
 
     @as_python()
     def span_at(self, H):
-        """m, where the line carries a horizontal tension, N"""
+        """Span, m, at which the line has a given horizontal tension, N"""
         from .catenary.solve import span_at_tension
         from .multi_segment.span import span_of
 
@@ -68,14 +66,15 @@ class OneLine:
         return (buoyant_profile if self.floats else profile)(span, self.height, *self.properties, points=points)
 
     def state(self, found):
-        """What the line does, in words"""
+        """State of the line, in words"""
         return (FLOATING_STATES if self.floats else STATES)[int(found.status)]
 
 
 def tension_curve(one, points=120, span=0.0):
-    """Spans from slack to the breaking load (or a taut line), or to `span`, m, and the forces: (m,) m, LineSolution
+    """Spans (m,), m, from slack to the breaking load, to a taut line, or to `span`, m; and the LineSolution at these
+    spans
 
-    No span lies behind the anchor, or at a place where the bed would be above the fairlead.
+    No span is negative or leads to a place where the bed would be above the fairlead.
     """
     weight = abs(one.type.weight)
     top = 0.8 * one.type.breaking_load if np.isfinite(one.type.breaking_load) else 20 * weight * one.length

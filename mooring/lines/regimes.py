@@ -1,4 +1,4 @@
-"""When a moored line's inertia and drag matter, and the simplified dynamic tension of a line without buoys.
+"""Regimes in which a line's inertia and drag matter, and the simplified dynamic tension of a line without buoys.
 
 SR179 report (1982), section 3.2.1 (equation numbers 3.2.1 to 3.2.11).  The suspended part of the line, of length S₀,
 is one mass M + ΔM that moves with its centroid by Z_m cos ωt; α = ω² Z_m / g sorts the motion:
@@ -12,7 +12,7 @@ is one mass M + ΔM that moves with its centroid by Z_m cos ωt; α = ω² Z_m /
     T_v = T_v0 + (C_xz X + C_zz Z − F_v1) cos ωt − F_v2 sin ωt,   T_H = T_v T_H0/T_v0                 (3.2.3 to 3.2.8)
 
 The print has 3λ for 3π in (3.2.1); (3.2.10) confirms π.  By text and formula of (3.2.9), dynamic effects begin where
-the inertia is twice the static restoring force; one would expect a fifth. `onset` is this factor.
+the inertia is twice the static restoring force; a fifth would be expected. `onset` is this factor.
 """
 
 from enum import IntEnum
@@ -36,7 +36,7 @@ class Regime(IntEnum):
 
 
 class CatenaryStiffness(NamedTuple):
-    """N/m: ∂(H, V)/∂(x, z) of an inextensible line partly on a flat bed."""
+    """Stiffness ∂(H, V)/∂(x, z), N/m, of an inextensible line partly on a flat bed."""
 
     xx: np.ndarray
     xz: np.ndarray
@@ -44,9 +44,9 @@ class CatenaryStiffness(NamedTuple):
 
 
 class HarmonicTension(NamedTuple):
-    """Pull at the fairlead mean + cosine cos ωt − sine sin ωt, (2,) N each, horizontal and down; outermost at t = 0.
+    """Pull at the fairlead: mean + cosine cos ωt − sine sin ωt, each (2,) N, horizontal and down; outermost at t = 0.
 
-    largest : N; acceleration : α; harmonic, slack, fall : its boundaries α_H, α_S, α_F
+    largest : N; acceleration : α; harmonic, slack, fall : boundaries α_H, α_S, α_F of the regimes
     """
 
     mean: np.ndarray
@@ -60,7 +60,7 @@ class HarmonicTension(NamedTuple):
 
     @property
     def regime(self):
-        """Regime of a line; beyond HARMONIC the tensions of this HarmonicTension do not apply to the line"""
+        """Regime of the line; the tensions of a HarmonicTension do not apply beyond HARMONIC"""
         return Regime(
             1 + sum(self.acceleration >= a for a in (self.harmonic, max(self.harmonic, self.slack), self.fall))
         )
@@ -69,7 +69,7 @@ class HarmonicTension(NamedTuple):
 def catenary_stiffness(horizontal_tension, span, weight):
     """(3.2.5), with η = w span / 2H:  C_xx = w / 2(η − tanh η),  C_xz = C_xx tanh η, and C_zz.
 
-    horizontal_tension : N; span : m, horizontal length of the suspended part; weight : submerged, N/m
+    horizontal_tension : N; span : m, horizontal length of the suspended part; weight : submerged weight, N/m
     """
     eta = 0.5 * np.asarray(weight * span / horizontal_tension, float)
     t = np.tanh(eta)
@@ -107,9 +107,11 @@ def harmonic_tension(
 ):
     """Dynamic tension by the simplified method and its regime, for one uniform line on a flat bed.
 
-    x, z : m, mean fairlead from the anchor; length : m; weight : submerged, N/m; mass : in air, kg/m; diameter : m
-    amplitude : (2,) m, outward and upward, in phase; period : s
-    raises : ValueError if no part of the line lies on the bed, at rest or at the outermost position
+    x, z : mean position of the fairlead from the anchor, m; length : m; weight : submerged weight, N/m; mass : in
+        air, kg/m
+    diameter : m
+    amplitude : amplitudes outward and upward, in phase, (2,) m; period : s
+    raises : ValueError if no part of the line lies on the bed at rest or at the outermost position
     """
     out, up = (float(value) for value in amplitude)
     for name, value, good in (

@@ -1,9 +1,10 @@
 """Ropes above the water, without weight: main rope and tail in series, T(e) up to the breaking load.
 
-    T/B = h (ε/ε_B)ⁿ of each part,    e(T) = L ε(T) + L_t ε_t(T)
+    T/B = h (ε/ε_B)ⁿ in each part, e(T) = L ε(T) + L_t ε_t(T)
 
-B breaking load, ε_B strain at which a new rope breaks, n exponent (1 straight, nylon stiffens), h hardening by use: the
-same load at a smaller strain, (T/hB).  The pull over elongation is a `mooring.fenders.fender.Fender` without return.
+B is the breaking load, ε_B the strain at which a new rope breaks, and n the exponent (1: linear; larger for nylon,
+which stiffens). h is the hardening by use: a used rope carries the load at a smaller strain, (T/hB).  The pull over
+elongation is a `mooring.fenders.fender.Fender` without return.
 """
 
 from dataclasses import dataclass
@@ -25,15 +26,16 @@ class RopePart(NamedTuple):
     exponent: float = 1.0
 
     def strain_at(self, tension, hardening=1.0):
-        """ε at tensions, N, of any shape"""
+        """Strain ε at tensions, N, of any shape"""
         return self.strain * (np.asarray(tension, float) / (hardening * self.breaking_load)) ** (1 / self.exponent)
 
 
 @dataclass(frozen=True, eq=False)
 class Rope:
-    """pull : N over elongation, m; length : m, unstretched, with the tail; breaking_load : N of the weakest part
+    """pull : tension, N, over elongation, m; length : unstretched length with the tail, m
+    breaking_load : breaking load of the weakest part, N
 
-    bollard, fairlead : (3,) m in space, with the body at rest
+    bollard, fairlead : positions in space with the body at rest, (3,) m
     """
 
     name: str

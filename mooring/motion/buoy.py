@@ -1,18 +1,18 @@
-"""A buoy with mass between its lines and the hawsers of a body, in the equation of motion of the body, compiled.
+"""A buoy with mass between its lines and the hawsers of a body, as part of the body's equation of motion, compiled.
 
     (m + C_a ρ∇) ẇ = (1 + C_a) ρ∇ a + ½ρC_dA |q − w|(q − w) + buoyancy − weight + lines − Σ hawsers
     hawser  T = B (e/(L ε_B))ⁿ + c min(1, e/e_c) ė where it is longer than L, never below 0; 0 where it is shorter
     tilt    ΣT h cos θ = c_θ sin θ,   c_θ = mg (z_B + I/∇ − z_G),   hawsers yield by h sin θ
 
-w is the velocity of the buoy; q and a are the velocity and acceleration of the water (incident waves and current) at
-the middle of its draft; B, ε_B and n are those of a rope (`mooring.lines.ropes`).  The vertical equation has the added
-mass, without the ρ∇ a of the buoyancy.  The damping of a hawser grows with its elongation up to e_c, the elongation at
-a tenth of B. The force is then continuous where the hawser becomes taut.  A buoy with hawsers at a height h above its
-lines tilts under their pull without delay. Its centre of gravity is at half its height.  The tilt of a small buoy
-exceeds the elongation of its hawsers, and reduces their snap loads.  Apart from the tilt, hawsers run from the deck of
-the body to the axis of the buoy.  Lines have their static form.  Waves scattered by the body are not included.  The
-motion of the water is tabulated for each window, as wave forces are (`wave_loads`), at the position of the buoy at the
-start of the previous window.
+w is the velocity of the buoy. q and a are the velocity and acceleration of the water (incident waves and current) at
+the middle of the buoy's draft. B, ε_B and n are defined in `mooring.lines.ropes`. The vertical equation contains the
+added mass, but not the ρ∇ a that belongs to buoyancy.  The damping of a hawser grows with its elongation up to e_c,
+the elongation at a tenth of B. The force is then continuous where the hawser becomes taut.  A buoy with hawsers at a
+height h above its lines tilts under their pull without delay. Its centre of gravity is at half its height.  For a
+small buoy, the movement by tilt exceeds the elongation of the hawsers and reduces their snap loads. Apart from the
+tilt, hawsers run from the deck of the body to the axis of the buoy. Lines have their static shape. Waves scattered
+by the body are not included. Like wave forces (`wave_loads`), the motion of the water is tabulated for each window,
+at the buoy's position at the start of the previous window.
 """
 
 from dataclasses import dataclass
@@ -38,9 +38,10 @@ BALANCED = 60  # largest number of steps for the pull under which buoy and hawse
 
 @dataclass(frozen=True)
 class BuoyBody:
-    """mass : kg; diameter, height : m, of an upright cylinder; added : C_a sideways, and up and down of the same volume
-
-    drag : C_d, of the side and the bottom; lever : m, of its hawsers over its lines, 0 for a buoy that does not tilt
+    """mass : kg; diameter, height : dimensions of an upright cylinder, m; added : C_a sideways and vertically, of
+    the displaced volume
+    drag : C_d of the side and of the bottom; lever : height of its hawsers over its lines, m, 0 for a buoy that does
+        not tilt
     """
 
     mass: float
@@ -55,7 +56,7 @@ class BuoyBody:
         return self.mass / (density * 0.25 * np.pi * self.diameter**2)
 
     def yields(self, pull, system):
-        """Length by which hawsers yield to the tilt, m, under the sum of their pulls, N, in the water of a System"""
+        """Length, m, by which tilt slackens the hawsers at the sum of their pulls, N, in the water of a System"""
         return yielding(self.lever, self.upright(system), pull)[0] if self.lever > 0 else 0.0
 
     def upright(self, system):
@@ -72,10 +73,12 @@ class BuoyBody:
 class BuoyOnLines:
     """A buoy, and its connection to a body.
 
-    system : System whose only body is the buoy, at its floating position without lines; its lines go from anchors to it
-    rope, lengths : RopePart of the hawsers, and (k,) m; ends : (k, 3) m on the body in its axes, from their origin
-    origin : (3,) m in space, of the axes of the body at rest
-    start : (3,) m, displacement of the buoy from its place in the system; level : m, of the hawsers over the lines' end
+    system : System whose only body is the buoy, at its floating position without lines; its lines run from anchors
+        to the buoy
+    rope, lengths : RopePart and lengths (k,) m of the hawsers; ends : ends on the body, in its axes, (k, 3) m
+    origin : origin of the body's axes at rest, in space, (3,) m
+    start : displacement of the buoy from its place in the system, (3,) m; level : height of the hawsers over the
+        lines' end, m
     current : (2,) m/s
     """
 
@@ -91,7 +94,7 @@ class BuoyOnLines:
 
     @cached_property
     def lines(self):
-        """`Lines` of the buoy"""
+        """`Lines` that hold the buoy"""
         return body_lines(self.system, (), tables_of(self.system, np.array([*self.start, 0.0, 0.0, 0.0])))
 
     @property
@@ -102,17 +105,20 @@ class BuoyOnLines:
 
     @property
     def damping(self):
-        """Damping of each hawser, N s/m; shape (k,): the share DAMPING of the critical damping of the buoy alone on
-        that hawser"""
+        """Damping of each hawser, N s/m, shape (k,): the fraction DAMPING of the critical damping of the buoy on
+        this hawser alone
+        """
         return 2 * DAMPING * np.sqrt(self.stiffness * self.body.mass)
 
 
 @in_memory
 class Buoy(NamedTuple):
-    """inverse : (3,) 1/kg, of mass and added mass; moved : (3,) kg, of the water; drag : (3,) ½ρC_dA, kg/m
+    """inverse : inverse of mass plus added mass, (3,) 1/kg; moved : mass in the force of accelerated water, (3,) kg;
+    drag : ½ρC_dA, (3,) kg/m
 
-    lever : m; upright : c_θ over the lever, N, twice the pull of hawsers that tilts it by 27°
-    weight : N; stiffness : ρgA, N/m; draft, height, depth : m, floating free of lines, of the cylinder, of the water
+    lever : m; upright : c_θ over the lever, N; a hawser pull of half this force tilts the buoy by 27°
+    weight : N; stiffness : ρgA, N/m; draft, height, depth : draft without lines, height of the cylinder, depth of
+        the water, m
     ropes : (k, 6) L, B, ε_B, n, c, N s/m, and e_c; the rest as in `BuoyOnLines`
     """
 
@@ -136,13 +142,14 @@ class Buoy(NamedTuple):
 
 @in_memory
 class BuoyWork(NamedTuple):
-    """Room for work, the window of water in use, and the largest pulls since the last sample.
+    """Work arrays, the window of water in use, and the largest pulls since the last sample.
 
     window : (WATER, m); factor : (c, 2, k) `harmonics`
-    rows : (c, 2, WATER), sums : (2, WATER, 2, k) of `sum_waves` at its begin and its end
-    place : (2,) m, predicted for its end
-    reach : (k, 5) unit vector, m, m/s: of each hawser, its elongation and its rate
-    rope : (k,) N now; pull : (k + lines,) N now, most : the largest since the last sample, kept : (samples, …) of those
+    rows : (c, 2, WATER); sums : (2, WATER, 2, k), from `sum_waves` at the start and at the end of the window
+    place : position predicted for the end of the window, (2,) m
+    reach : (k, 5), unit vector, elongation, m, and rate of elongation, m/s, of each hawser
+    rope : present pull of the hawsers, (k,) N; pull : present pulls of hawsers and lines, (k + lines,) N
+    most : largest pulls since the last sample; kept : largest pulls of each sample, (samples, …)
     """
 
     lines: LineWork
@@ -194,7 +201,9 @@ def buoy_arrays(buoy):
 
 
 def buoy_of(hung, table, samples):
-    """Return (Buoy, BuoyWork) of a BuoyOnLines in the waves of a `WaveTable`, with room for so many samples"""
+    """(Buoy, BuoyWork) of a BuoyOnLines in the waves of a `WaveTable`; samples : number of samples that BuoyWork can
+    hold
+    """
     buoy = buoy_arrays(hung)
     factor = harmonics(table.omega, table.step, table.steps - EDGE)
     c, _, steps = factor.shape
@@ -209,7 +218,7 @@ def buoy_of(hung, table, samples):
 
 @kernel()
 def pull_of_rope(rope, stretch, rate):
-    """N, of (L, B, ε_B, n, c, e_c) at an elongation, m, and its rate, m/s"""
+    """Pull, N, of a rope (L, B, ε_B, n, c, e_c) at an elongation, m, and its rate, m/s"""
     if stretch <= 0.0:
         return 0.0
     return max(rope[1] * (stretch / (rope[0] * rope[2])) ** rope[3] + rope[4] * min(stretch / rope[5], 1.0) * rate, 0.0)
@@ -217,8 +226,9 @@ def pull_of_rope(rope, stretch, rate):
 
 @kernel()
 def yielding(lever, upright, pull):
-    """Effect of the buoy's tilt on its hawsers, m, under the sum of their pulls, N; and the slope of this effect,
-    m/N"""
+    """Length, m, by which the buoy's tilt slackens the hawsers at the sum of their pulls, N; and its derivative,
+    m/N
+    """
     steep = pull / upright  # tan θ
     away = 1.0 + steep * steep
     return lever * steep / np.sqrt(away), lever / (upright * away * np.sqrt(away))
@@ -226,13 +236,13 @@ def yielding(lever, upright, pull):
 
 @kernel()
 def slope_of_rope(rope, stretch):
-    """N/m of (L, B, ε_B, n, c, e_c) at an elongation, m"""
+    """Stiffness, N/m, of a rope (L, B, ε_B, n, c, e_c) at an elongation, m"""
     return 0.0 if stretch <= 0.0 else rope[3] * rope[1] * (stretch / (rope[0] * rope[2])) ** rope[3] / stretch
 
 
 @kernel()
 def yielded(buoy, work):
-    """m, effect of the buoy's tilt on its hawsers, of the reach in `work.reach`: S = Σ T(e − x(S)), and dx/dS Σ T′
+    """Length x, m, by which tilt slackens the hawsers of `work.reach`, from S = Σ T(e − x(S)); and dx/dS Σ T′
 
     The balance has one solution S: the left side rises with S, the right side falls.  Newton's method, with bisection
     outside the bracket.
@@ -262,9 +272,11 @@ def yielded(buoy, work):
 
 @kernel()
 def hawsers(buoy, work, y, place, R):
-    """Pull of the hawsers: work.part (6,) generalized on the body, subtracted from work.force (3,) on the buoy
+    """Pull of the hawsers: generalized force on the body in work.part (6,); subtracted from work.force (3,) on the
+    buoy
 
-    y : state of the body, (12 or more,); place : (6,) m, m/s, displacement and velocity of the buoy; R : of the body
+    y : state of the body, (12 or more,); place : displacement and velocity of the buoy, (6,) m and m/s; R : attitude
+        of the body
     """
     cos, sin = np.cos(y[5]), np.sin(y[5])
     across, down = np.cos(y[4]), np.sin(y[4])
@@ -303,7 +315,7 @@ def hawsers(buoy, work, y, place, R):
 
 @kernel()
 def turned(R, p):
-    """A point of the body, converted from its axes to space, m; shape (3,)"""
+    """A point, m, converted from the body's axes to space; shape (3,)"""
     return (
         R[0, 0] * p[0] + R[0, 1] * p[1] + R[0, 2] * p[2],
         R[1, 0] * p[0] + R[1, 1] * p[1] + R[1, 2] * p[2],
@@ -313,8 +325,9 @@ def turned(R, p):
 
 @kernel()
 def floats(buoy, work, place, share, waves):
-    """Add buoyancy, weight, drag and inertia of water to work.force; waves, share : ramp of the waves, and of all
-    loads"""
+    """Add buoyancy, weight, drag and inertia of water to work.force; waves, share : ramps of the waves and of all
+    loads
+    """
     w = work.water
     for j in range(3):
         stream = share * buoy.current[j] if j < 2 else 0.0
@@ -326,9 +339,11 @@ def floats(buoy, work, place, share, waves):
 
 @kernel()
 def buoy_rates(buoy, work, y, place, R, at, share, waves, rate):
-    """rate (6,) of displacement and velocity of the buoy, (6,) `place`, and work.part on the body of a state y.
+    """Fill rate (6,), the rates of the buoy's displacement and velocity `place` (6,), and work.part, its force on a
+    body of state y.
 
-    R (3, 3) : attitude of the body; at : place in the window, in steps of it; returns whether all lines have a force
+    R (3, 3) : attitude of the body; at : place in the window, counted in its steps; returns whether all lines have a
+    force
     """
     if work.window.shape[1] > 1:
         between_samples(work.window, at, work.weights, work.water)
@@ -345,9 +360,9 @@ def buoy_rates(buoy, work, y, place, R, at, share, waves, rate):
 
 @kernel()
 def water_rows(table: WaveTable, buoy, place, start, rows):
-    """rows (c, 2, WATER): coefficients of `factor` for the water at the middle of the draft of a buoy at (2,) m
+    """Fill rows (c, 2, WATER), coefficients of `factor` for the water at the middle of the draft of a buoy at (2,) m
 
-    start : s of the window
+    start : start of the window, s
     """
     c, h, z = table.omega.size, buoy.depth, -0.5 * buoy.draft
     for i in range(c):
@@ -368,7 +383,9 @@ def water_rows(table: WaveTable, buoy, place, start, rows):
 
 @kernel()
 def open_water(table, buoy, work, place, number, start):
-    """Water at the buoy in window `number`, from `start` s on, and rows of its end; place : (2,) m of the buoy now"""
+    """Fill the water at the buoy in window `number`, from `start` s on, and the rows at its end; place : present
+    position, (2,) m
+    """
     if work.window.shape[1] <= 1:
         return
     for j in range(2):  # in the axes of the waves, in which the body at rest lies at the centre of their table
@@ -388,8 +405,9 @@ def open_water(table, buoy, work, place, number, start):
 
 @kernel()
 def keep_pulls(work, first, last):
-    """Store the pulls of an accepted step, which contains samples `first` to `last` − 1; the maximum of the pulls
-    starts again"""
+    """Store the largest pulls after an accepted step with samples `first` to `last` − 1, and restart the search for
+    the largest
+    """
     k = work.rope.size
     for i in range(k):
         work.most[i] = max(work.most[i], work.rope[i])

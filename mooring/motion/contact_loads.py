@@ -1,19 +1,20 @@
 """Fenders compressed by a body, and ropes from the body to a fixed point or to another body, compiled.
 
-The face of a fender is at a in space.  A flat side of the body touches it, with outward normal m (unit, axes of the
-body) at the distance s from their origin x₀ + η; q = Rᵀ(a − x₀ − η) is the face in those axes:
+The face of a fender is at a in space. A flat side of the body touches the face. In the body's axes, this side has
+the outward unit normal m and lies at the distance s from the origin x₀ + η; q = Rᵀ(a − x₀ − η) is the position of
+the face:
 
     δ = s − c − m·q,    force on the body −N(δ) R m − T at a,    T = k_t u,  |T| ≤ μ N
 
-u is the displacement of the body's point at the fender along its face, limited where it slips (return mapping). −N R m
-at a is the derivative of ∫N dδ, so an elastic fender conserves energy.  A rope runs from a to the point p
-of the body:
+u is the displacement, along the face, of the body's point at the fender; it is limited where the body slips (return
+mapping). −N R m at a is the derivative of ∫N dδ, so an elastic fender conserves energy.  A rope runs from a to the
+point p of the body:
 
     e = |x₀ + η + R p − a| − L₀,    pull T(e) towards a.
 
-On another body, a moves with that body, which receives the opposite force there. u then turns with the touched body.
-Quantities with a history (`mooring.fenders.hysteresis`, u) keep their value from the start of a step. `settle` stores
-the value at the end of the step.
+If a is on another body, a moves with that body, which receives the opposite force at a; u turns with the touched body.
+Quantities with a history (u, and the state of `mooring.fenders.hysteresis`) keep the value from the start of a step;
+`settle` stores their value at its end.
 """
 
 from typing import NamedTuple
@@ -36,13 +37,14 @@ DEPTH, STATE, SLIP, AT, FORCE = 0, 1, 2, 5, 8  # places in a row of `ContactWork
 
 @in_memory
 class Contacts(NamedTuple):
-    """m fenders and ropes in the form that the kernels read.
+    """Data of m fenders and ropes in the form that the kernels read.
 
-    table : their curves; numbers : (m, 10) a − x₀ m, or a in the axes of the `other` body; m of a fender's side, or
-    p, m; offset s − c, or L₀, m; μ; k_t N/m; 1 for a rope, or 0
-    body, other : (m,) number of the body that leans or is held, and of the one that a is on, below 0 for none
-    place : (N, 3) m, origins of the axes of the bodies at rest
-    bent : (2, m, f, 3) u m per unit of f shapes where each is on the other body, and on its body, in axes of these
+    table : curves; numbers : (m, 10): a − x₀, m, or a in axes of the `other` body; normal m of the side, or p, m;
+        s − c or L₀, m; μ; k_t, N/m; 1 for a rope, else 0
+    body, other : (m,), number of the body that touches or is held, and of the body on which a lies, below 0 for none
+    place : origins of the bodies' axes at rest, (N, 3) m
+    bent : (2, m, f, 3), displacement, m, per unit of f shapes, of the contact's points on the other body and on its
+        body, in their axes
     """
 
     table: ContactTable
@@ -55,12 +57,14 @@ class Contacts(NamedTuple):
 
 @in_memory
 class ContactWork(NamedTuple):
-    """start, now : (m, 9) at the start of a step and now: δ or e, state of `hysteresis`, u (3) in space, q (3), force N
+    """start, now : (m, 9), values at the start of a step and now: δ or e, state of `hysteresis`, u (3) in space, q
+    (3), force, N
 
-    parts : (2, N, 6) of fenders and of ropes; arm : (3,) m, of a on the other body
-    beyond : (1,) number of one that is beyond its table and refused, or −1
-    bent : (f,) amplitudes of shapes, set by the caller; push : (2, f) generalized forces on them of fenders and ropes
-    shift : (3,) m that a contact's point of its body is moved by shapes, in axes of that
+    parts : forces of fenders and of ropes, (2, N, 6); arm : arm of a on the other body, (3,) m
+    beyond : (1,), number of a contact that is beyond its table and refused, or −1
+    bent : amplitudes of shapes, (f,), set by the caller; push : generalized forces of fenders and of ropes on
+        shapes, (2, f)
+    shift : displacement by shapes of the contact's point on its body, in that body's axes, (3,) m
     """
 
     start: np.ndarray
@@ -85,7 +89,7 @@ def contact_work(contacts):
 
 @kernel(inline=True, counted=False)
 def pressed(contacts, work, i, depth):
-    """Force N of a deflection or elongation, m; stores the deflection or elongation and its state"""
+    """Force, N, at a deflection or elongation, m; stores this value and its state"""
     state = advanced(work.start[i, STATE], work.start[i, DEPTH], depth, contacts.table.marks[i, 0])
     force = reaction(contacts.table, i, depth, state)
     work.now[i, DEPTH], work.now[i, STATE], work.now[i, FORCE] = depth, state, force
@@ -94,8 +98,9 @@ def pressed(contacts, work, i, depth):
 
 @kernel(counted=False)
 def from_the_body(contacts, work, i, positions, R, v):
-    """v (3,) m, from the origin of the body's axes to end a of contact i; work.arm is the arm from the origin of the
-    other body"""
+    """Fill v (3,) m, the arm from the origin of the body's axes to end a of contact i, and work.arm, the arm on the
+    other body
+    """
     b, other = contacts.body[i], contacts.other[i]
     c, bent = contacts.numbers, contacts.bent
     for j in range(3):
@@ -116,7 +121,9 @@ def from_the_body(contacts, work, i, positions, R, v):
 
 @kernel(counted=False)
 def fender_force(contacts, work, i, R, v, f):
-    """f (3,) N in space of fender i on its body, at the arm v (3,) m from the origin of the body's axes"""
+    """Fill f (3,), N in space, the force of fender i on its body at the arm v (3,) m from the origin of the body's
+    axes
+    """
     c, start, now, w = contacts.numbers, work.start, work.now, work.shift
     s = along = size = 0.0
     for j in range(3):
@@ -152,8 +159,9 @@ def fender_force(contacts, work, i, R, v, f):
 
 @kernel(counted=False)
 def rope_force(contacts, work, i, R, v, f):
-    """f (3,) N in space of rope i on its body, at the arm v (3,) m; before the call v is the arm to the other end of
-    the rope"""
+    """Fill f (3,), N in space, the force of rope i on its body at the arm v (3,) m; before the call v leads to the
+    other end
+    """
     c, span, w = contacts.numbers, 0.0, work.shift
     for j in range(3):
         arm = R[j, 0] * (c[i, ARM] + w[0]) + R[j, 1] * (c[i, ARM + 1] + w[1]) + R[j, 2] * (c[i, ARM + 2] + w[2])
@@ -168,27 +176,27 @@ def rope_force(contacts, work, i, R, v, f):
 
 @kernel(inline=True, counted=False)
 def fender_on(contacts, work, i, b, R, v, f):
-    """`fender_force` on body b, with R (N, 3, 3) of all"""
+    """`fender_force` on body b; R : rotations of all bodies, (N, 3, 3)"""
     fender_force(contacts, work, i, R[b], v, f)
 
 
 @kernel(inline=True, counted=False)
 def rope_on(contacts, work, i, b, R, v, f):
-    """`rope_force` on body b, with the rotations R (N, 3, 3) of all bodies"""
+    """`rope_force` on body b; R : rotations of all bodies, (N, 3, 3)"""
     rope_force(contacts, work, i, R[b], v, f)
 
 
 @kernel(inline=True, counted=False)
 def add_to(work, kind, b, positions, v, f):
-    """Add a force at an arm to the part of a kind of contact on body b."""
+    """Add a force at an arm to the forces of fenders or of ropes on body b."""
     give_generalized(positions[b], v, f, work.parts[kind, b])
 
 
 @kernel(counted=False)
 def contact_loads(contacts, work, positions, R, v, f):
-    """Generalized forces (2, N, 6) of fenders and of ropes, in heading axes, into work.parts; v, f : room (3,)
+    """Fill work.parts (2, N, 6), generalized forces of fenders and of ropes in heading axes; v, f : work arrays (3,)
 
-    positions : (N, 6) of the bodies; R : (N, 3, 3), filled
+    positions : positions of the bodies, (N, 6); R : rotations, (N, 3, 3), filled
     """
     for b in range(len(positions)):
         rotation_of(positions[b, 3:6], R[b])
@@ -224,9 +232,9 @@ def settle(work):
 
 @kernel(counted=False)
 def contacts_along(contacts, work, positions, R, v, f, depth, force, bent=None):
-    """depth, force (n, m) m, N with the bodies at positions (n, N, 6), one after the other
+    """Depths and forces (n, m), m and N, with the bodies at positions (n, N, 6), one after the other
 
-    bent : (n, f) amplitudes of shapes, None for none
+    bent : amplitudes of shapes, (n, f), None without shapes
     """
     for t in range(len(positions)):
         if bent is not None:

@@ -1,5 +1,6 @@
-"""Fenders and ropes of bodies at a berth or side by side, as values. The module also finds the places of rest of bodies
-between fenders and ropes, or with hinges."""
+"""Fenders and ropes of bodies at a berth or side by side, as values. The module also finds the positions at rest of
+bodies between fenders and ropes, or with hinges.
+"""
 
 from dataclasses import dataclass, replace
 
@@ -22,10 +23,12 @@ TOGETHER = 1e-12  # m, rad: apart by less is rounding
 
 @dataclass(frozen=True, eq=False)
 class QuayFender:
-    """fender : with its dolphin; face : (3,) m in space; normal : (3,) outward of the body's flat side that meets the
-    fender, at `side` m from the origin of the hull's coordinates; friction : μ; shear : N/m along the face
+    """fender : fender with its dolphin; face : (3,) m in space; normal : outward normal of the flat side that meets
+    the fender, (3,)
+    side : distance of this side from the origin of the hull's coordinates, m; friction : μ; shear : stiffness along
+        the face, N/m
 
-    face : with the bodies at rest; normal : in the body's axes
+    The face is given with the bodies at rest, the normal in the body's axes
     """
 
     name: str
@@ -48,7 +51,7 @@ class QuayFender:
 class Berth:
     """fenders : tuple of QuayFender; ropes : tuple of `mooring.lines.ropes.Rope`; arrays : Contacts, fenders first
 
-    heading : (N,) rad of the bodies' axes at rest
+    heading : headings of the bodies' axes at rest, (N,) rad
     """
 
     fenders: tuple
@@ -66,7 +69,7 @@ def berth_of(fenders, ropes, center, hulls=None, ends=None):
     """`Berth` of a body with its axes at `center` (3,) m.  Raises FenderError for names that are not unique.
 
     hulls : sequence of `studies.conditions.Afloat` of several moving bodies, in place of the center
-    ends : (body, other) of each fender and rope, numbers among these; other below 0 for a fixed point
+    ends : (body, other) of each fender and rope, numbers of the hulls; other is below 0 for a fixed point
     """
     fenders, ropes = tuple(fenders), tuple(ropes)
     at_rest = np.array([[*np.asarray(center, float), 0, 0, 0]] if hulls is None else [one.position for one in hulls])
@@ -101,9 +104,9 @@ def berth_of(fenders, ropes, center, hulls=None, ends=None):
 
 
 def with_shapes(berth, reader):
-    """`Berth` whose fenders and ropes meet and hold bodies that bend, with the shapes of a Reader
+    """`Berth` for flexible bodies, with the bending shapes of a Reader.
 
-    A fender meets the place of the flat side that is before it at rest.
+    A fender always meets the point of the flat side that faces it at rest.
     """
     arrays = berth.arrays
     at_rest = np.hstack([arrays.place, np.zeros((len(arrays.place), 2)), berth.heading[:, None]])
@@ -129,7 +132,8 @@ def no_berth():
 def berth_force(berth, position):
     """Generalized forces, in heading axes, of fenders at first compression and of ropes; shape (n,)
 
-    position : (n,) displacements of the bodies in space, six for each, and amplitudes of the shapes of those that bend
+    position : (n,), displacements of the bodies in space, six for each, and amplitudes of the shapes of flexible
+        bodies
     """
     work, rigid = contact_work(berth.arrays), 6 * len(berth.heading)
     poses = np.array(position[:rigid], float).reshape(-1, 6)
@@ -151,9 +155,9 @@ def berth_stiffness(berth, position):
 
 
 def at_rest(berth, others, start, unit):
-    """Place at which fenders, ropes and `others` (function of the place, (n,), N) balance; shape (n,); unit : (n,), m,
-    rad
+    """Position at which fenders, ropes and other forces balance; shape (n,)
 
+    others : function of the position: other forces, (n,) N; unit : (n,), m and rad
     raises : ValueError without a balance
     """
     size = max(np.abs(contact_forces(berth, start)).max(), 1.0)
@@ -171,10 +175,10 @@ def at_rest(berth, others, start, unit):
 
 
 def balanced(residual, start):
-    """Place at which a residual is least, as by `scipy.optimize.least_squares`, with the same digits in every run
+    """Position of the smallest residual, as by `scipy.optimize.least_squares`, with equal digits in every run
 
-    Not by method="lm": for a body with a motion that hardly changes the residual, the next place in scipy 1.17 depends
-    on uninitialised memory.
+    method="lm" is not used: where a motion hardly changes the residual, the next position in scipy 1.17 depends on
+    uninitialised memory.
     """
     from scipy.optimize import least_squares
 
@@ -182,11 +186,10 @@ def balanced(residual, start):
 
 
 def rest_together(links, forces, start, unit, headings):
-    """Positions at which forces, a function of the position (n,) in space, and links balance, shape (n,), and forces of
-    the links, shape (r,)
+    """Position at which forces and links balance, shape (n,), and forces of the links, shape (r,).
 
-    Springs of links are not among the forces.
-    forces : (n,) N, N m along the axes of the bodies; unit : (n,) m, rad; headings : (N,) rad at rest
+    forces : function of the position (n,) in space: forces without springs of links, along body axes, (n,) N and N m
+    unit : (n,), m and rad; headings : at rest, (N,) rad
     raises : ValueError where there is no balance
     """
     given = forces(np.asarray(start)), springs_at(links, *bent_poses_at(start, headings))
@@ -216,8 +219,7 @@ def rest_together(links, forces, start, unit, headings):
 
 
 def stiffness_together(links, forces, place, mu, headings):
-    """Stiffness along the axes of the bodies, of forces (`rest_together`), springs and link forces μ (r,); shape (n,
-    n)"""
+    """Stiffness along body axes of the forces (as in `rest_together`), springs and link forces μ (r,); shape (n, n)"""
     out, along, rigid = np.empty((len(place), len(place))), np.eye(len(place)), 6 * len(headings)
     along[:rigid, :rigid] = places_along(headings)
 
@@ -231,8 +233,10 @@ def stiffness_together(links, forces, place, mu, headings):
 
 
 def units_of(reader):
-    """Amplitudes that are comparable for the motions of a Reader, m or rad; shape (n,): 1 m, or 1 m over the radius of
-    gyration; shapes that rotate have the value of roll"""
+    """Comparable amplitudes of the motions of a Reader, m or rad; shape (n,): 1 m, or 1 m over the radius of gyration.
+
+    Shapes that rotate have the value of roll
+    """
     inertia = np.diag(reader.inertia)[: reader.rigid].reshape(-1, 6)
     radius = np.sqrt(inertia[:, 3:] / inertia[:, :1])
     unit = np.concatenate([np.ones_like(radius), 1 / radius], axis=1).ravel()
@@ -240,11 +244,12 @@ def units_of(reader):
 
 
 def rest_bent(body, berth, others, start, unit, free):
-    """Places in space and amplitudes of shapes at rest, shape (n,), and stiffness there along the axes of the bodies,
-    shape (n, n)
+    """Positions in space and amplitudes of shapes at rest, shape (n,), and stiffness there along body axes, shape
+    (n, n)
 
-    berth : `contacts.Berth`; others : function of the place, (n,) N of lines, water and springs; unit : (n,) m, rad
-    free : numbers of the motions that are not held; bodies come to rest in all of theirs
+    berth : `contacts.Berth`; others : function of the position: forces of lines, water and springs, (n,) N; unit :
+        (n,), m and rad
+    free : numbers of the free motions
     raises : ValueError where there is no balance
     """
     moves = np.array([*range(body.rigid), *(i for i in free if i >= body.rigid)])
@@ -274,10 +279,10 @@ def rest_bent(body, berth, others, start, unit, free):
 
 
 def rest_between(system, berth, links, water, load):
-    """Positions in space (n,) at which lines of a `System`, fenders, ropes, links, water and a load are in equilibrium,
-    and the forces μ (r,) of the links
+    """Position in space (n,) at which all forces are in equilibrium, and the forces μ (r,) of the links.
 
-    links : `links.Links`, or None; water : (n, n) stiffness along the axes of the bodies; load : (n,) in space
+    The forces are those of the lines of a `System`, fenders, ropes, links, water and a load.
+    links : `links.Links`, or None; water : stiffness along body axes, (n, n); load : in space, (n,)
     raises : ValueError without a balance
     """
     given = np.array([one.position for one in system.bodies], float)
@@ -303,15 +308,16 @@ def rest_between(system, berth, links, water, load):
 
 
 def poses_at(place, headings):
-    """Poses of displacements in space (n,); shape (N, 6)"""
+    """Poses of bodies from displacements in space (n,); shape (N, 6)"""
     poses = np.array(place, float).reshape(-1, 6)
     poses[:, 5] += headings
     return poses
 
 
 def bent_poses_at(place, headings):
-    """Poses of displacements in space (6N + f,), of which the last (f,) are amplitudes of shapes, for bodies that bend;
-    shape (N, 6)"""
+    """Poses of flexible bodies from displacements in space (6N + f,), of which the last f are amplitudes of shapes;
+    shape (N, 6)
+    """
     rigid = 6 * len(headings)
     return (poses_at(place[:rigid], headings), *([place[rigid:]] if len(place) > rigid else []))
 
@@ -327,7 +333,7 @@ def contact_forces(berth, position):
 def courses(berth, positions, bent=None):
     """Deflection or elongation (n, m) m and force (n, m) N along positions (n, N, 6) or (n, 6 N) of the bodies
 
-    bent : (n, f) amplitudes of the shapes of those that bend, None for none
+    bent : amplitudes of the bending shapes, (n, f), None for rigid bodies
     """
     positions = np.ascontiguousarray(np.reshape(positions, (len(positions), -1, 6)))
     depth, force = (np.zeros((len(positions), len(berth.names))) for _ in range(2))

@@ -3,27 +3,27 @@
     (M + A∞) ν̇ + C(νₛ) ν + ∫₀ᵗ K(t−τ) ν(τ) dτ + B′ν + N₂ν|ν| + C η
         = F₁ + F₂ + F_wind + F_current + F_lines + F_fenders + F_ropes + F_given
 
-η = (x, y, z, φ, θ, ψ) is the displacement of the rotation centre from rest, in space, roll and pitch, and the heading,
-which is unlimited.  ν = (u, v, w, φ̇, θ̇, ψ̇), forces and memory are in axes that turn with the heading.  νₛ is the
-slow
-velocity (after a filter, below): the centripetal forces of wave-frequency motion are part of the drift.  C(νₛ) is skew,
-so it does no work. With a current its moment on the added mass (Munk's) is part of the current coefficients and is not
-included here.  Hinges between bodies (`links`) add their constraint forces.
-The memory is a linear system with the input ν (`bem.time_domain.memory`).  A buoy with mass between hawsers and lines
-of its own (`buoy`) and a hull that slews in a current (`tables.hull_water`) are terms of the same equation.
-Filter of the slow pose:  s̈ = ωc² (p − s) − 2 ωc ṡ  for x, y and ψ.
+η = (x, y, z, φ, θ, ψ): displacement of the rotation centre from rest, in space; roll and pitch; and the heading,
+which is unlimited. The velocities ν = (u, v, w, φ̇, θ̇, ψ̇), forces and memory are in axes that turn with the
+heading. νₛ is the slow velocity after the filter below; the centripetal forces of wave-frequency motion are part of
+the drift. C(νₛ) is skew, so it does no work. In a current, Munk's moment on the added mass is part of the current
+coefficients and is not included in C.  Hinges between bodies (`links`) add their constraint forces. The memory is a
+linear system with the input ν (`bem.time_domain.memory`).  A buoy with mass between hawsers and lines of its own
+(`buoy`) and a hull that slews in a current (`tables.hull_water`) are terms of the same equation. Filter of the slow
+pose:  s̈ = ωc² (p − s) − 2 ωc ṡ  for x, y and ψ.
 
-State of a body: η (6), ν (6), slow pose (3) and its rate (3), work done on the body by each of WORKS, J.  The state
-contains that of every body, one after another, then displacement (3) and velocity (3) of a buoy in space, then the
-memory of all bodies.
-N bodies have one equation. M + A∞ and B′ are (6N, 6N), the memory is that of the whole system, and lines, fenders
-and ropes between two bodies act on both with opposite sign. ψ is the heading of each body, not 0 at rest for all.
+State of a body: η (6), ν (6), slow pose (3) and its rate (3), and the work done on the body by each of WORKS, J. The
+full state contains the states of all bodies, one after another, then displacement (3) and velocity (3) of a buoy in
+space, then the memory of all bodies. N bodies have one equation: M + A∞ and B′ are (6N, 6N), and the memory couples
+all bodies. Lines, fenders and ropes between two bodies act on both with opposite signs. ψ is the heading of each
+body; it need not be 0 at rest.
 
-Shapes of bodies that bend have amplitudes ξ beside these motions, and the same equation without the terms of slow
-motion: mass, memory, damping and restoring forces of all motions together, first-order waves at the slow pose of the
-body, and Q_k = f · R u_k(p) of the force f of a line, fender or rope at a point p, which is moved by Σ ξ_k R u_k(p).
-Shapes are in G groups of six; each group belongs to one body and is filled up with empty motions. For each group the
-state contains ξ (6) and ξ̇ (6) before the memory, and vectors of forces have six numbers after those of all bodies.
+Flexible bodies also have shapes with amplitudes ξ. Shapes obey this equation without its terms of slow motion: mass,
+memory, damping and restoring forces couple all motions, and first-order waves act at the slow pose of the body. The
+force f of a line, fender or rope at a point p acts on a shape by Q_k = f · R u_k(p); shapes move the point by Σ ξ_k
+R u_k(p). Shapes are in G groups of six; each group belongs to one body and is filled up with empty motions. For each
+group the state contains ξ (6) and ξ̇ (6), which stand before the memory. Force vectors contain six numbers for each
+group, which stand after those of all bodies.
 """
 
 from __future__ import annotations
@@ -56,10 +56,10 @@ OF_SHAPES = 12  # numbers of the state of a group of shapes
 
 
 class Shapes(NamedTuple):
-    """f shapes of bodies that bend, in G groups of six.
+    """The f shapes of flexible bodies, in G groups of six.
 
     owner : (G,) number of the body of each group; place : (f,) number of each shape among the 6G
-    stiffness : (6N + 6G, 6N + 6G) restoring forces on shapes, and of them on bodies; 0 between bodies
+    stiffness : (6N + 6G, 6N + 6G), restoring forces on shapes, and of shapes on bodies; 0 between bodies
     """
 
     owner: np.ndarray
@@ -71,15 +71,17 @@ class Shapes(NamedTuple):
 class Body(NamedTuple):
     """Constants of the equation of N bodies, with n = 6N + 6G motions, G groups of shapes.
 
-    mass_inverse : (n, n) of M + A∞; rigid, slow : (N, 6, 6) M, and the added mass of slow motion, of each
-    stiffness : (N, 6, 6) hydrostatic, on η in heading axes; spring : (N, 6, 6) on η in space axes
+    mass_inverse : inverse of M + A∞, (n, n); rigid, slow : M of each body, and its added mass in slow motion, (N, 6,
+        6)
+    stiffness : hydrostatic stiffness for η in heading axes, (N, 6, 6); spring : stiffness for η in space axes, (N,
+        6, 6)
     damping : (n, n) B′; quadratic : (n,) N₂; heading : (N,) rad, ψ at rest
-    filter_rate : ωc, rad/s; ramp : s; munk : 1, or 0 where its moment is in the current
-    wave_ramp : (2,) s, begin of the waves and how long they grow
+    filter_rate : ωc, rad/s; ramp : s; munk : 1, or 0 where Munk's moment is part of the current coefficients
+    wave_ramp : start of the waves and duration of their growth, (2,) s
     memory : `bem.time_domain.memory_kernels.MemoryArrays`
     drift_damping : (N, HEADINGS + 3, 6) B over headings ψ, rows of `interpolation.ring_table`; N s/m by (surge, sway)
-    given : (6N, m) N and N m, a table in time in heading axes, from 0 s in steps of given_step s; one column for none
-    bent : `shapes`, None for bodies without shapes, for which nothing of shapes is compiled
+    given : (6N, m) N and N m in heading axes, forces over time, from 0 s in steps of given_step s; one column for none
+    bent : `Shapes`, or None for rigid bodies, for which no code of shapes is compiled
     """
 
     mass_inverse: np.ndarray
@@ -104,10 +106,10 @@ class Body(NamedTuple):
 
 @in_memory
 class Work(NamedTuple):
-    """Room for work of one evaluation, and the window of wave forces in use.
+    """Work arrays of one evaluation, and the window of wave forces in use.
 
-    window : (N + G, ROWS, m); span : start s, step s; force : (6N + 6G,); part : (6,); R : (N, 3, 3)
-    place, pull : (N, 6) displacements, forces of lines
+    window : (N + G, ROWS, m); span : start and step of the window, s; force : (6N + 6G,); part : (6,); R : (N, 3, 3)
+    place, pull : displacements, and forces of lines, (N, 6)
     """
 
     window: np.ndarray
@@ -143,7 +145,7 @@ class Scene(NamedTuple):
 
 
 def room(columns, bodies=1, groups=0):
-    """`Work` for windows of so many columns"""
+    """`Work` for windows with a given number of columns"""
     both = bodies + groups
     return Work(
         np.zeros((both, ROWS, columns)), np.zeros(2), np.zeros(6 * both), np.zeros(6), np.zeros(3), np.zeros(ROWS),
@@ -153,17 +155,17 @@ def room(columns, bodies=1, groups=0):
 
 
 def buoy_at(bodies):
-    """Place in the state where a buoy begins"""
+    """Index in the state at which the buoy begins"""
     return BLOCK * bodies
 
 
 def shapes_at(bodies):
-    """Place in the state where groups of shapes begin"""
+    """Index in the state at which the groups of shapes begin"""
     return BLOCK * bodies + 6
 
 
 def memory_at(bodies, groups=0):
-    """Place in the state where the memory begins"""
+    """Index in the state at which the memory begins"""
     return BLOCK * bodies + 6 + OF_SHAPES * groups
 
 
@@ -174,7 +176,7 @@ def blocks(state, bodies):
 
 @kernel(inline=True, counted=False)
 def ramp(t, length):
-    """Share of the loads at t s of a ramp: from 0 to 1, with a continuous slope and curvature"""
+    """Factor on the loads at time t, s, in a ramp: from 0 to 1, with continuous slope and curvature"""
     if length <= 0.0 or t >= length:
         return 1.0
     s = max(t / length, 0.0)
@@ -202,10 +204,10 @@ def add_horizontal(force, y, rate, x, y_force, moment, number):
 
 @kernel(counted=False)
 def restore(body, b, y, rate, force, work):
-    """Hydrostatic and spring forces on body b, and the forces of the turning axes; the work of the latter counts as
-    work of the current, if there is one
+    """Hydrostatic and spring forces on body b, and the forces due to its turning axes.
 
-    y, rate : (BLOCK,), force : (6,) of it
+    In a current, the work of the forces due to turning axes counts as work of the current.
+    y, rate : (BLOCK,), and force : (6,), of body b
     """
     cos, sin = np.cos(y[5]), np.sin(y[5])
     for i in range(6):
@@ -263,7 +265,7 @@ def dissipate(body, b, whole, changed, y, rate, force, work):
 def load(scene, hull, b, t, y, rate, force, work):
     """Waves, drift, given forces, wind and current on body b of a `Scene`, each multiplied by the ramp
 
-    hull : HullWater, or None; y, rate : (BLOCK,), force : (6,) of it
+    hull : HullWater, or None; y, rate : (BLOCK,), and force : (6,), of body b
     """
     body = scene.body
     if work.window.shape[2] > 1:
@@ -303,9 +305,10 @@ def load(scene, hull, b, t, y, rate, force, work):
 
 @kernel(counted=False)
 def of_one(scene, b, t, y, rate):
-    """All loads on body b of a `Scene` except its moorings; y, rate : (n,) of all
+    """All loads on body b of a `Scene` except its moorings; y, rate : (n,), of all bodies
 
-    Slices are made here and below, not in a loop over bodies: there the compiler would count their references.
+    Slices are made in this function and in those it calls, because in a loop over bodies the compiler would count
+    references.
     """
     work, first = scene.work, BLOCK * b
     own, changed, force = y[first : first + BLOCK], rate[first : first + BLOCK], work.force[6 * b : 6 * b + 6]
@@ -316,14 +319,16 @@ def of_one(scene, b, t, y, rate):
 
 @kernel(inline=True, counted=False)
 def give_to(work, b, y, rate, parts, number):
-    """`give` body b its row of the parts (N, 6); number : kind of the load; y, rate : (n,) of all"""
+    """`give` body b its row of the parts (N, 6); number : kind of the load; y, rate : (n,), of all bodies"""
     first = BLOCK * b
     give(work.force[6 * b : 6 * b + 6], y[first : first + BLOCK], rate[first : first + BLOCK], parts[b], 6, number)
 
 
 @kernel(counted=False)
 def move(body, b, y, rate, force):
-    """Rates of the motions of body b and of its slow pose, from the forces (6N,) on all; y, rate : (n,) of all"""
+    """Rates of the motions and of the slow pose of body b, from the forces (6N,) on all bodies; y, rate : (n,), of
+    all bodies
+    """
     first, c = BLOCK * b, body.filter_rate
     own, changed = y[first : first + BLOCK], rate[first : first + BLOCK]
     cos, sin = np.cos(own[5]), np.sin(own[5])
@@ -360,9 +365,9 @@ def of_shapes_on_body(body, b, y, rate, force, work):
 
 @kernel(counted=False)
 def of_group(scene, g, t, y, rate):
-    """All loads on group g of the shapes of a `Scene` except its moorings; y, rate : (n,) of all
+    """All loads on group g of the shapes of a `Scene` except moorings; y, rate : (n,), of all bodies
 
-    The work of each load on the shapes is added to the work of this load on the body.
+    The work of a load on shapes is added to the work of this load on their body.
     """
     work, body = scene.work, scene.body
     count, K, B = body.heading.size, body.shapes.stiffness, body.damping
@@ -403,8 +408,9 @@ def of_group(scene, g, t, y, rate):
 
 @kernel(counted=False)
 def of_shapes(shapes, scene, t, y, rate):
-    """All loads on the shapes of a `Scene`, or None, except moorings, and the forces of shapes on bodies; y, rate :
-    (n,) of all"""
+    """All loads on the shapes of a `Scene` except moorings, and the forces of shapes on bodies; y, rate : (n,), of
+    all bodies
+    """
     if shapes is not None:
         body, force = scene.body, scene.work.force
         for b in range(body.heading.size):
@@ -415,8 +421,9 @@ def of_shapes(shapes, scene, t, y, rate):
 
 @kernel(counted=False)
 def of_moorings_on_shapes(shapes, scene, y, rate, met):
-    """Add the forces of lines on shapes, or None, and of fenders and ropes if `met`, to the forces and to the rates of
-    work"""
+    """Add the forces of lines on shapes, and if `met` those of fenders and ropes, to the forces and the rates of
+    work
+    """
     if shapes is None:
         return
     count = scene.body.heading.size
@@ -435,7 +442,7 @@ def of_moorings_on_shapes(shapes, scene, y, rate, met):
 
 @kernel(counted=False)
 def move_shapes(shapes, body, y, rate, force):
-    """Rates of all shapes, or None, from the forces (n,) on all motions; y, rate : (n,) of all"""
+    """Rates of all shapes from the forces (n,) on all motions; y, rate : (n,), of all bodies"""
     if shapes is None:
         return
     count = body.heading.size
@@ -451,7 +458,7 @@ def move_shapes(shapes, body, y, rate, force):
 
 @kernel(counted=False)
 def of_moorings(scene, y, rate):
-    """Lines, fenders and ropes of a `Scene` on its bodies, into the forces and the rates of their work (n,) of all
+    """Add the forces of lines, fenders and ropes of a `Scene` on its bodies, and the rates of their work (n,)
 
     returns : whether every line has a force
     """
@@ -479,7 +486,7 @@ def of_moorings(scene, y, rate):
 
 @kernel(counted=False)
 def of_links_on_shapes(body, held, kept, y):
-    """Amplitudes and rates of the shapes in the state y (n,) into the `LinkWork` of Links"""
+    """Copy amplitudes and rates of the shapes from the state y (n,) into the `LinkWork` of Links"""
     count = body.heading.size
     for s in range(held.shapes.size):
         n = held.shapes[s] - 6 * count
@@ -489,8 +496,9 @@ def of_links_on_shapes(body, held, kept, y):
 
 @kernel(counted=False)
 def of_links(scene, links, y, rate):
-    """Forces of hinges between the bodies of a `Scene` in the state y (n,), added to the forces. The work of dampers
-    and springs, in the rates (n,), counts as damping
+    """Add the forces of hinges between the bodies of a `Scene` in the state y (n,).
+
+    The work of their dampers and springs, in the rates (n,), counts as work of the damping
     """
     held, kept = links
     for b in range(scene.body.heading.size):
@@ -513,10 +521,10 @@ def of_links(scene, links, y, rate):
 
 @kernel(counted=False)
 def rates(scene, buoy, links, t, y, rate):
-    """rate (n,) of the state y (n,) of a `Scene` at t s; returns whether every line has a force.
+    """Fill rate (n,) of the state y (n,) of a `Scene` at t s; returns whether every line has a force.
 
-    buoy : (Buoy, BuoyWork) of one connected to the first body; links : (`links.Links`, LinkWork); None without one, and
-        then not compiled
+    buoy : (Buoy, BuoyWork) of a buoy connected to the first body; links : (`links.Links`, LinkWork).
+    Either is None where there is none, and its code is then not compiled
     """
     work, body = scene.work, scene.body
     count = body.heading.size

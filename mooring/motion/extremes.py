@@ -3,12 +3,12 @@
 For n independent runs let x₁ ≤ … ≤ xₙ be their largest values, and m the median of the largest value of a run: half of
 all runs exceed m.
 
-    P(x_d ≤ m ≤ x_{n+1−d}) = 1 − 2 P(B < d),   B binomial (n, ½)                                   (1)
-    at most a share 1 − (1−c)^(1/n) of such runs exceeds the largest of n, with confidence c       (2)
+    P(x_d ≤ m ≤ x_{n+1−d}) = 1 − 2 P(B < d),   B binomial (n, ½)                                   (1) at most a
+    share 1 − (1−c)^(1/n) of such runs exceeds the largest of n, with confidence c (2)
 
-The interval of CONFIDENCE lies between those of two neighbouring d and is interpolated between them (Hettmansperger and
-Sheather 1986, Statistics & Probability Letters 4, 75-79).  No distribution is fitted, since the largest values of lines
-that snap in few runs come from two populations, and slow motion has peaks in clusters.
+The interval with probability CONFIDENCE is interpolated between the intervals of two neighbouring d (Hettmansperger
+and Sheather 1986, Statistics & Probability Letters 4, 75-79).  No distribution is fitted, for two reasons: the
+largest values of lines that snap in few runs come from two populations, and peaks of slow motion come in clusters.
 `tests/bench/extremes_coverage.py` shows the effect on fitted distributions.
 """
 
@@ -22,9 +22,10 @@ RARE = 2.0  # factor on the median of the largest values of runs; a larger one c
 
 
 class Extreme(NamedTuple):
-    """Median of the largest (or smallest) value of a run, its interval of CONFIDENCE, and the number of runs
+    """Median of the largest (or smallest) value of a run, its confidence interval (CONFIDENCE), and the number of
+    runs.
 
-    nan with fewer than FEWEST runs, which have no such interval
+    nan with fewer than FEWEST runs, for which no such interval exists
     """
 
     median: float
@@ -36,7 +37,7 @@ class Extreme(NamedTuple):
 def median_extreme(largest):
     """`Extreme` of the largest values (n,) of independent runs.
 
-    For the smallest values reverse the sign of the values, and the sign of the result.
+    For smallest values, change the sign of the values and of the result.
     """
     x = np.sort(np.asarray(largest, float))
     n = len(x)
@@ -61,15 +62,15 @@ def _order(n):
 
 
 def share_beyond(runs):
-    """Largest share of runs beyond the largest of `runs` runs, with CONFIDENCE: eq. (2)"""
+    """Upper bound, with confidence CONFIDENCE, of the share of runs that exceed the largest of `runs` runs: eq. (2)"""
     return -np.expm1(np.log1p(-CONFIDENCE) / runs)
 
 
 def rare(largest):
     """Number of runs whose largest value is beyond RARE times their median; shape (q,); largest : (runs, q), above 0
 
-    0 with fewer than FEWEST runs.  If a line snaps, or a fender is touched, in few runs only, one more run may have
-    values far beyond all of them.
+    0 with fewer than FEWEST runs. If a line snaps or a fender is touched in only a few runs, a further run may have
+    a value far beyond all others.
     """
     largest = np.asarray(largest, float)
     if len(largest) < FEWEST:
@@ -78,5 +79,5 @@ def rare(largest):
 
 
 def beyond(used, limit):
-    """Number of runs in which a utilisation (runs, q) is above the limit; shape (q,); nan does not count"""
+    """Number of runs in which a utilisation (runs, q) exceeds its limit; shape (q,); nan does not count"""
     return np.sum(np.asarray(used, float) > limit, axis=0)

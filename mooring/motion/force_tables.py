@@ -1,16 +1,16 @@
-"""Forces of a line of segments, sinkers and buoys over the range of its fairlead, as a table for kernels.
+"""Forces of a line with segments, sinkers and buoys over the range of its fairlead's positions, as a table for
+kernels.
 
-Forces H, V and their exact derivatives come from the line's own solver at the corners of cells of the chord c = √(x² +
-z²) and the height z: a line becomes taut at one chord, independent of its height.  In a cell they are Adini's
-polynomials, complete to third degree, of the values and derivatives at its four corners,
+Forces H, V and their exact derivatives come from the line's solver. They are computed at the corners of cells in the
+chord c = √(x² + z²) and the height z, because a line becomes taut at one chord, whatever its height. In a cell the
+forces are Adini's polynomials, complete to third degree, from values and derivatives at the four corners,
 
     ∂f/∂c at z = (c/x) ∂f/∂x,    ∂f/∂z at c = ∂f/∂z − (z/x) ∂f/∂x.
 
-A cell is halved, along the axis with the larger error, until the polynomial is accurate in its middle and in the
-middles of its edges. The tolerance is relative to the tension there or at rest, whichever is larger.
-The cells become small along the
-curves on which a sinker lifts, a buoy dives or the part above a sinker is taut, wherever these run.  Beyond the
-greatest chord, at which the line is taut, its pull increases with its stiffness there.
+A cell is halved, along the axis with the larger error, until the polynomial is accurate in the middle of the cell
+and of its edges. The tolerance is relative to the local tension or to the tension at rest, whichever is larger.
+Cells become small along the curves where a sinker lifts, a buoy dives, or the part above a sinker becomes taut. At
+the greatest chord the line is taut; beyond it the pull increases with the stiffness at this chord.
 """
 
 import heapq
@@ -35,13 +35,15 @@ OVERLOAD, STRAIN = 2.0, 0.02  # ends of the table: tension over the breaking loa
 class ForceTable(NamedTuple):
     """A tree of cells.
 
-    ends : (2, 2) m, of chord and height; first : number of initial cells along each of them
-    halved : (n,) m, at which a cell is divided, at a chord where along (n,) is 0, at a height where it is 1
-    below : (n,) number of the lower half, the upper is the next; for an undivided cell −1 − its row in the next two
-    cells : (m, 4) m, lowest chord and height, sizes; values : (m, 2, 4, 4) of H and V at the corners (low, low),
-        (high, low), (low, high), (high, high): f, f_c, f_z, f_cz
-    error : the largest found in any cell, also at places that did not determine it, over the tension
-    coarse : share of the region in cells that are further off than TOLERANCE
+    ends : limits of chord and height, (2, 2) m; first : number of initial cells along each of the two
+    halved : (n,) m, chord (where along (n,) is 0) or height (where it is 1) at which a cell is divided
+    below : (n,), number of a cell's lower half (the upper half is the next number); for an undivided cell −1 less
+        its row in cells and values
+    cells : (m, 4) m, lowest chord and height, and sizes
+    values : (m, 2, 4, 4), f, f_c, f_z, f_cz of H and V at the corners (low, low), (high, low), (low, high), (high,
+        high)
+    error : largest error found at any checked point of any cell, over the tension
+    coarse : share of the region in cells whose error exceeds TOLERANCE
     """
 
     ends: np.ndarray
@@ -58,7 +60,7 @@ class ForceTable(NamedTuple):
 def tabulate(composite, breaking_load, span, height, reach):
     """`ForceTable` of a `mooring.lines.system.composite.Composite` about a span and height at rest, m.
 
-    reach : (2,) m, largest decrease of the span and change of the height either way
+    reach : largest decrease of the span, and largest change of the height up or down, (2,) m
     raises : ValueError for a line without a solution at rest
     """
     chord = float(np.hypot(span, height))
@@ -109,7 +111,9 @@ class _Tree:
             heapq.heappush(self.whole, (-self.errors[-1], number, axis if may[axis] else 1 - axis))
 
     def grow(self):
-        """Halve the worst cell until all are accurate, or as small as allowed, or there are enough."""
+        """Halve the worst cell until all cells are accurate or as small as allowed, or their number reaches its
+        limit.
+        """
         while self.whole and len(self.boxes) < 2 * MOST_CELLS:
             _, number, axis = heapq.heappop(self.whole)
             low, high = list(self.boxes[number]), list(self.boxes[number])
@@ -201,8 +205,9 @@ def _tautest(composite, breaking_load, chord, height):
 
 @in_memory
 class Packed(NamedTuple):
-    """Tables in arrays, as in `ForceTable`; ends (k, 2, 2), first (k, 2) and root (k,), the first cell, of each
-    table."""
+    """Several tables in joint arrays, as in `ForceTable`; ends (k, 2, 2), first (k, 2) and root (k,), first cell, of
+    each table.
+    """
 
     ends: np.ndarray
     first: np.ndarray
@@ -240,7 +245,7 @@ def packed(tables):
 
 @kernel(inline=True, counted=False)
 def cell_pull(values, dc, dz, s, t):
-    """Forces (H, V), N, from the values (2, 4, 4) of a cell at s, t of its sizes, 0 to 1"""
+    """Forces (H, V), N, from the values (2, 4, 4) of a cell at its local coordinates s, t, 0 to 1"""
     a, b = (1 + 2 * s) * (1 - s) ** 2, s * s * (3 - 2 * s)
     c, d = dc * s * (1 - s) ** 2, -dc * s * s * (1 - s)
     e, f = (1 + 2 * t) * (1 - t) ** 2, t * t * (3 - 2 * t)
@@ -262,8 +267,8 @@ def packed_pull(tables, number, x, z):
     """Forces (H, V), N, from a table of a `Packed` at a span x and height z; nan above and below the heights of the
     table.
 
-    Below the least chord the value at the least chord holds; beyond the greatest chord the value is extrapolated along
-    the chord.
+    Below the smallest chord, the value at the smallest chord holds; beyond the greatest chord it is extrapolated
+    along the chord.
     """
     ends, first = tables.ends[number], tables.first[number]
     c = max(np.sqrt(x * x + z * z), ends[0, 0])

@@ -1,8 +1,8 @@
 """Forces given as tables in time, in the axes that turn with the body.
 
 Between the rows they follow monotone cubics (Fritsch and Carlson 1980; `scipy.interpolate.PchipInterpolator`), which do
-not overshoot, or cubic splines where they are smooth.  Before the first row the forces of the first row act, after the
-last row those of the last: a table of a passage begins and ends with zeros.  The ramp applies to them as to every load.
+not overshoot, or cubic splines where they are smooth.  The first row also acts before its time, and the last row
+after its time, so a table of a passage begins and ends with zeros. The ramp applies to given forces as to every load.
 
 Drift by half waves (`mooring.response.slow_drift.half_wave_drift`; SR179 report (1982), eq. 3.7.1.5) is such a force.
 """
@@ -11,6 +11,8 @@ from dataclasses import dataclass, replace
 from warnings import warn
 
 import numpy as np
+
+from hakobune.bem.algebra.cubic_spline import cubic_spline
 
 from ..environment.logger_files import read_table
 from ..environment.tables import TableError, fault_of_steps
@@ -30,10 +32,10 @@ SURFACE_STEP, PASSING = 0.1, 0.2  # s, of the surface; duration of the transitio
 
 @dataclass(frozen=True, eq=False)
 class GivenForce:
-    """times : (n,) s from the end of the ramp, rising; force : (n, 6) N, N m about the rotation centre
+    """times : (n,) s from the end of the ramp, ascending; force : (n, 6), N and N m about the rotation centre
 
-    body : number of the loaded body, among the moving ones; smooth : whether rows follow each other so closely that
-        cubic splines between them do not overshoot
+    body : number of the loaded body among the moving bodies
+    smooth : whether rows are so close that cubic splines between them do not overshoot
     """
 
     times: np.ndarray
@@ -54,7 +56,8 @@ class GivenForce:
 def read_force(path):
     """`GivenForce` of a CSV file with a row of names and the columns t (s), Fx, Fy, Fz (N), Mx, My, Mz (N m).
 
-    Steps may be of any length; one of GAP usual ones causes a warning.  raises : TableError with the file and the line
+    Steps may have any length; a step of GAP usual steps causes a warning.  raises : TableError with the file and the
+    line
     """
     names, values, lines = read_table(path)
     if names is None or sorted(names) != sorted(COLUMNS):
@@ -79,8 +82,8 @@ def read_force(path):
 def drift_of_half_waves(reader, components, heading, ramp, duration):
     """`GivenForce` of the drift by half waves on a body with a fixed heading, rad.  Raises ValueError without waves.
 
-    reader : `bem.database.reader.Reader` with drift, on a current in its axes if there is one
-    components : wave components, which travel in their mean direction, at intrinsic frequencies; ramp, duration : s
+    reader : `bem.database.reader.Reader` with drift; a current, if any, is in its axes
+    components : wave components at intrinsic frequencies, taken to travel in their mean direction; ramp, duration : s
     """
     t = SURFACE_STEP * np.arange(int(np.ceil((ramp + duration) / SURFACE_STEP)) + 2)
     energy, carrier = components.amplitude**2, carrier_of_body(reader)
@@ -106,7 +109,9 @@ def drift_of_half_waves(reader, components, heading, ramp, duration):
 
 
 def faded(force, time):
-    """The GivenForce from 0 s on, with half a cosine of `time` s from zero before it, and one to zero after it"""
+    """The GivenForce from 0 s on, with half a cosine of `time` s from zero before it and half a cosine to zero after
+    it
+    """
     t, own = force.times - force.times[0], force.force
     count = 2 + int(np.ceil(time / np.diff(t).max()))
     share = np.linspace(0.0, 1.0, count)[:-1, None]
@@ -116,7 +121,9 @@ def faded(force, time):
 
 
 def check_lasts(force, duration):
-    """Raises ValueError for a GivenForce that is not zero where it begins after 0 s or ends before the duration, s"""
+    """Raises ValueError for a GivenForce that begins after 0 s, or ends before the duration, s, with a force that is
+    not zero
+    """
     start, end = force.times[[0, -1]]
     if (start > 0 and force.force[0].any()) or (end < duration and force.force[-1].any()):
         raise ValueError(
@@ -133,8 +140,6 @@ def sampled(forces, ramp, duration, bodies=1):
     """
     if not forces:
         return np.zeros((6 * bodies, 1)), 1.0
-    from scipy.interpolate import CubicSpline, PchipInterpolator
-
     for one in forces:
         check_lasts(one, duration)
     step = min(float(np.diff(one.times).min()) for one in forces) / FINE
@@ -142,6 +147,15 @@ def sampled(forces, ramp, duration, bodies=1):
     t = step * np.arange(int(np.ceil((ramp + duration) / step)) + 4) - ramp
     total = np.zeros((6 * bodies, len(t)))
     for one in forces:
-        between = (CubicSpline if one.smooth else PchipInterpolator)(one.times, one.force)
+        between = _between(one.times, one.force, one.smooth)
         total[6 * one.body : 6 * one.body + 6] += between(np.clip(t, one.times[0], one.times[-1])).T
     return total, step
+
+
+def _between(times, force, smooth):
+    """Callable between the times of a force: a cubic spline, or, unless smooth, a curve that does not overshoot"""
+    if smooth:
+        return cubic_spline(times, force)
+    from scipy.interpolate import PchipInterpolator
+
+    return PchipInterpolator(times, force)

@@ -1,19 +1,19 @@
-"""Integration in time: Runge and Kutta's method of Dormand and Prince (1980), orders 5 and 4, with the step chosen by
-the error of the step.
+"""Integration in time: the Runge–Kutta method of Dormand and Prince (1980), orders 5 and 4, with the step chosen by
+its error.
 
-The error of a step is the difference of the two orders.  The limit of this error is a share of the tolerance, relative
-to the scale of each motion, times the step over the time in which an error decays. Positions and velocities count.
-Where a
-line becomes taut or a fender is touched, the force has a corner, and the error of a step over it falls only like h².
-Such a step may have the error of a share of the usual step, which is the mean of steps over time.  Where no force has a
-corner (lines in their static shape, and neither fenders, ropes, hawsers nor hinges) the error E of the fourth order is
-far above that of the fifth, which is kept: it counts as E min(1, SMOOTH E/D) with D of the third divided difference of
-the rates, which falls by one order less than E.  Steps end where a
-window of wave forces ends and where a line breaks, so that no step contains a jump.  Samples between steps are Hermite
-polynomials, of fifth degree for quantities with known velocity and acceleration.
+The error of a step is the difference of the two orders.  The limit of this error is a fraction of the tolerance,
+relative to the scale of each motion, times the step over the time in which an error decays. The errors of positions
+and velocities count. Where a line becomes taut or a fender is touched, the force has a corner, and the error of a
+step over the corner falls only like h². Such a step may have the error allowed to a fraction of the usual step, the
+mean of steps over time.  Where no force has a corner (lines in their static shape, and neither fenders, ropes,
+hawsers nor hinges) the error E of the fourth order is far above the error of the fifth order, whose result is kept.
+The counted error is therefore E min(1, SMOOTH E/D), with D from the third divided difference of the rates; D falls
+by one order less than E.  Steps end where a window of wave forces ends and where a line breaks, so that no step
+contains a jump. Samples between steps are Hermite polynomials, of fifth degree for quantities with known velocity
+and acceleration.
 
-Lines with a motion of their own (`moving_lines`) follow a step that is computed with their predicted pull. The step is
-then repeated with their computed pull.
+Dynamic lines (`moving_lines`) follow a step that is computed with their predicted pull. The step is then repeated
+with their computed pull.
 """
 
 from __future__ import annotations
@@ -71,13 +71,13 @@ THIRD = np.array([-25 / 6, 0.0, 200 / 21, -25 / 2, 0.0, 0.0, 50 / 7]) / 24  # of
 class Clock(NamedTuple):
     """State of a run between calls; its arrays are changed in place.
 
-    now : TIME, STEP, WINDOW (its begin), USUAL step, all s
-    counts : STEPS, REFUSED, SAMPLES, WINDOWS, SHORT steps in a row
+    now : TIME, STEP, WINDOW (start of the window), USUAL step, all in s
+    counts : number of STEPS, REFUSED steps, SAMPLES, WINDOWS, and SHORT steps in a row
     end, sample_step : s; fixed_step : s, 0 where the error chooses the step
-    scale : (N, 12) allowed error a second of each position and velocity, float_scale : (6,) of those of a buoy
-    bent_scale : (G, 12) of those of groups of shapes
-    y, stages : state (n,), its rates (7, n); pose : (3,) slow pose of a body foreseen for the end of the window
-    smooth : SMOOTH of forces without corners, inf of others
+    scale : allowed error per second of each position and velocity, (N, 12); float_scale : the same for a buoy, (6,)
+    bent_scale : allowed error per second of groups of shapes, (G, 12)
+    y, stages : state (n,), and its rates (7, n); pose : slow pose of a body predicted for the end of the window, (3,)
+    smooth : SMOOTH for forces without corners, inf for all others
     """
 
     now: np.ndarray
@@ -96,7 +96,7 @@ class Clock(NamedTuple):
 
 
 def clock_at_rest(y, end, sample_step, fixed_step, scale, groups=0, smooth=False):
-    """Clock of a run from a state y (n,) at 0 s; scale : (N + groups, 12), of groups of shapes after bodies
+    """Clock of a run from a state y (n,) at 0 s; scale : (N + groups, 12), first of bodies, then of groups of shapes
 
     smooth : whether no force has a corner
     """
@@ -137,7 +137,9 @@ def stage(trial, y, k, h, s):
 
 @kernel(counted=False)
 def take_step(scene, buoy, links, clock, t, h):
-    """Stages and the trial state after a step; returns its error over the limit, and whether all lines have a force."""
+    """Compute the stages and the trial state after a step; returns its error over the limit, and whether all lines
+    have a force.
+    """
     k, trial, good = clock.stages, clock.trial, True
     for s in range(1, 7):
         stage(trial, clock.y, k, h, s)
@@ -156,8 +158,10 @@ def take_step(scene, buoy, links, clock, t, h):
 
 @kernel(counted=False)
 def worse(k, first, scale, worst, rough):
-    """Larger ones of the errors of order 4 and the third differences so far, and those of the states from `first` on,
-    over the limit; inf and 0 for what is not a number
+    """Maxima of the errors of order 4 and of the third differences, so far and of the states from `first` on, over
+    the limit.
+
+    inf and 0 replace values that are not numbers
     """
     for i in range(scale.size):
         total = third = 0.0
@@ -172,10 +176,10 @@ def worse(k, first, scale, worst, rough):
 
 @kernel(counted=False)
 def take_step_with_lines(scene, buoy, links, clock, moving, t, h):
-    """`take_step` with moving lines: first with the predicted pull, then the lines along the course so found, then
-    again with the pull of the lines.
+    """`take_step` with moving lines: with the predicted pull, then the lines along the resulting course, then with
+    their pull.
 
-    The error includes the deviation of the body from its predicted course, which the lines followed.
+    The error includes the deviation of the body from the predicted course that the lines followed.
     """
     lines, kept = moving
     work, trial = scene.line_work, clock.trial
@@ -209,10 +213,11 @@ def take_step_with_lines(scene, buoy, links, clock, moving, t, h):
 def missed_course(scene, clock, moving, h):
     """Error of a step of h s, over the limit, because lines followed the predicted course of the body.
 
-    A wrong pull gives errors x = at²/2 and v = at at the end of the step.  Lines that only stretch have a pull that is
-    wrong by their part of Kx, each up to its tolerance; together they change the velocity of the body by M⁻¹Kv h²/6 and
-    its position by M⁻¹Kx h²/12.
-    scene : `equation.Scene`; clock : `Clock`, its trial state that of the end; moving : (MovingLines, MovingWork)
+    A wrong pull gives errors x = at²/2 and v = at at the end of the step. The pull of lines that only stretch is
+    wrong by their part of Kx, each up to its tolerance. Together these lines change the velocity of the body by
+    M⁻¹Kv h²/6 and its position by M⁻¹Kx h²/12.
+    scene : `equation.Scene`; clock : `Clock` with the trial state at the end of the step; moving : (MovingLines,
+        MovingWork)
     """
     lines, kept = moving
     worst, push, inverse, count = 0.0, kept.push, scene.body.mass_inverse, clock.scale.shape[0]
@@ -255,9 +260,9 @@ def missed_course(scene, clock, moving, h):
 
 @kernel(counted=False)
 def put_sample(clock, b, t, h, at, out):
-    """out (SAMPLED,): position, velocity, slow pose and its rate of body b at a time within the step
+    """Fill out (SAMPLED,): position, velocity, slow pose and its rate of body b at a time within the step.
 
-    by Hermite polynomials; at : s
+    Values are from Hermite polynomials; at : s
     """
     s, n = (at - t) / h, BLOCK * b
     y, z, k = clock.y[n : n + BLOCK], clock.trial[n : n + BLOCK], clock.stages[:, n : n + BLOCK]
@@ -278,7 +283,7 @@ def put_sample(clock, b, t, h, at, out):
 
 @kernel(counted=False)
 def put_shapes(clock, t, h, at, out):
-    """out (12 G,): amplitudes and their rates of groups of shapes at a time within the step, s"""
+    """Fill out (12 G,): amplitudes of groups of shapes, and their rates, at a time within the step, s"""
     s, first = (at - t) / h, BLOCK * clock.scale.shape[0] + 6
     for i in range(out.size):
         n = first + i
@@ -287,13 +292,13 @@ def put_shapes(clock, t, h, at, out):
 
 @kernel(inline=True, counted=False)
 def shape_at(bodies, place):
-    """Place in the state of the amplitude of a shape, number `place` among the 6G; six later its rate"""
+    """Index in the state of the amplitude of shape number `place` among the 6G; its rate stands six places later"""
     return BLOCK * bodies + 6 + OF_SHAPES * (place // 6) + place % 6
 
 
 @kernel(counted=False)
 def put_bent(clock, shapes, t, h, at, out):
-    """out (2, f): amplitudes of `equation.Shapes`, or None, and their rates at a time within the step, s"""
+    """Fill out (2, f): amplitudes of `equation.Shapes`, or None, and their rates, at a time within the step, s"""
     if shapes is None:
         return
     s = (at - t) / h
@@ -305,7 +310,7 @@ def put_bent(clock, shapes, t, h, at, out):
 
 @kernel(counted=False)
 def put_buoy(clock, t, h, at, out):
-    """out (6,): place and velocity of a buoy at a time within the step, s"""
+    """Fill out (6,): position and velocity of a buoy at a time within the step, s"""
     s, first = (at - t) / h, BLOCK * clock.scale.shape[0]
     for i in range(out.size):
         n = first + i
@@ -320,7 +325,7 @@ def hermite(s, y, z, dy, dz):
 
 @kernel(counted=False)
 def next_break(lines, t):
-    """s, time of the next line break after t, inf for none"""
+    """Time of the next line break after t, s; inf for none"""
     first = np.inf
     for i in range(lines.lost.size):
         if t < lines.lost[i] < first:
@@ -330,10 +335,10 @@ def next_break(lines, t):
 
 @kernel(counted=False)
 def open_window(waves, clock, work, owner):
-    """Forces of the next window, whose slow pose passes from the pose foreseen for its start to the pose foreseen for
-    its end.
+    """Fill the wave forces of the next window, in which the slow pose passes from that predicted for its start to
+    that for its end.
 
-    owner : (G,) bodies of groups of shapes, which meet the waves at the poses of these
+    owner : (G,), body of each group of shapes; a group meets the waves at the pose of its body
     """
     now, counts, length = clock.now, clock.counts, waves.table.window
     for b in range(clock.scale.shape[0] + owner.size):
@@ -351,11 +356,11 @@ def open_window(waves, clock, work, owner):
 
 @kernel(counted=False)
 def advance(scene, waves, clock, samples, most, buoy, links, moving):
-    """Integrate until the end, or for `most` steps; samples (n, SAMPLED N + 12 G, or 6 more), filled.  Returns why it
-    stopped.
+    """Integrate until the end, or for `most` steps; fills samples (n, SAMPLED N + 12 G, or 6 more). Returns the
+    cause of its stop.
 
     scene : `equation.Scene`; waves : `wave_loads.Waves`; buoy, links : as in `rates`; moving : (MovingLines,
-        MovingWork), None without moving lines, and then not compiled
+        MovingWork), or None without moving lines, whose code is then not compiled
     """
     now, counts, k, fixed = clock.now, clock.counts, clock.stages, clock.fixed_step
     lines, length = scene.lines, waves.table.window
@@ -442,7 +447,9 @@ def advance(scene, waves, clock, samples, most, buoy, links, moving):
 
 @kernel(counted=False)
 def put_samples(clock, t, h, later, samples):
-    """Samples of the step from t to `later`, s, into their rows; the last sample may lie beyond `later` by rounding."""
+    """Write the samples of the step from t to `later`, s, into their rows; the last may lie beyond `later` by
+    rounding.
+    """
     counts = clock.counts
     while counts[SAMPLES] < samples.shape[0]:
         at = counts[SAMPLES] * clock.sample_step
@@ -459,9 +466,9 @@ def put_samples(clock, t, h, later, samples):
 
 @kernel(counted=False)
 def keep_links(scene, buoy, links, clock, t, h, later):
-    """Forces of links at the samples of the step from t to `later`, s, from the state there; the last as `put_samples`
+    """Store the forces of links at the samples of the step from t to `later`, s, which are those of `put_samples`.
 
-    The history of fenders is then the history at the end of the step, as before.
+    The history of fenders is restored to the end of the step.
     """
     held, kept = links
     row, k, n = clock.counts[SAMPLES], clock.stages, 0

@@ -1,10 +1,9 @@
-"""Pull of the lines of a system on bodies in time, each in its exact static shape for the positions of its ends.
+"""Pull of the lines of a system on bodies in time; each line has the exact static shape for the positions of its ends.
 
 A uniform line follows the closed forms, started from its last solution (`mooring.lines.catenary.moving_end`), eight
-lines on the bed at once.  A line
-of segments, with sinkers and buoys or its own bed, is read from a table of its own solver over the span and height of
-its fairlead (`force_tables`).  A hawser pulls straight, with T(e) of its elongation, and may run from one body to
-another, which receives the opposite force.
+lines on the bed at once.  The pull of a multi-segment line, with sinkers, buoys or its own bed, is read from a table
+that its solver fills over the span and height of the fairlead (`force_tables`). A hawser pulls along a straight line
+with T(e) of its elongation. A hawser may run from one body to another body, which receives the opposite force.
 
 With R = Rz(ψ) Ry(θ) Rx(φ) the forces on the rates of x, y, z, φ, θ, ψ are those of virtual work,
 
@@ -41,12 +40,15 @@ REACH = (1.5, 0.6)  # depths by which a span may decrease and a fairlead rise or
 class Lines(NamedTuple):
     """Lines in the form that the kernels read.
 
-    anchor : (n, 3) m in space, or in the axes of the `other` body; fairlead : (n, 3) m in the axes of its `body`
-    body, other : (n,) numbers of bodies, `other` below 0 for an anchor; lines : (n, 4) length, weight, 1/EA, friction
-    lost : (n,) s; bed : m, its height; table : (n,) number of its table, below 0 for a closed form
-    tables : `Packed`; hawser : (n,) number of its curve in `curves`, below 0 for other lines
-    place : (N, 3) m, origins of the axes of the bodies at rest; moves : (n,) whether a line has a motion of its own
-    bent : (2, n, f, 3) u m per unit of f shapes at the `anchor` and the fairlead, in axes of their bodies
+    anchor : (n, 3) m in space, or in axes of the `other` body; fairlead : (n, 3) m in axes of its `body`
+    body, other : (n,), numbers of bodies; `other` is below 0 for an anchor; lines : (n, 4), length, weight, 1/EA,
+        friction
+    lost : times of breaks, (n,) s; bed : height of the bed, m; table : (n,), number of the line's table, below 0 for
+        a closed form
+    tables : `Packed`; hawser : (n,), number of the hawser's curve in `curves`, below 0 for all other lines
+    place : origins of the bodies' axes at rest, (N, 3) m; moves : (n,), whether a line is dynamic
+    bent : (2, n, f, 3), displacement u, m, per unit of f shapes at the `anchor` and the fairlead, in axes of their
+        bodies
     """
 
     anchor: np.ndarray
@@ -69,17 +71,19 @@ class Lines(NamedTuple):
 class LineWork(NamedTuple):
     """Values of the lines that are kept between evaluations.
 
-    kept and rows of `moving_end`; tension : (n, 2) horizontal and vertical pull at the fairlead, N
-    uniform : (4, m) lines, on_bed : (m,) whether a line is followed on the bed with others, ends : (5, m) of those and
-    their spans, points : (6, m) their fairleads and anchors
-    together : (m/8,) body of eight lines that are all followed on the bed from a body without shapes, -1 for others
-    arm : (n, 2, 3) m in space, of the fairlead and the other end about their bodies, or the anchor; away : (n, 4) m,
-    x and y from the other end, and heights of both
-    whole : (n,) whether a line is still unbroken
-    given : (n, TERMS, 3) N in space, of lines that move, coefficients of Legendre's polynomials over a step of the body
-    span : (3,) s, now, begin and length of that; terms : (TERMS,) room for work
-    sums : (N, 6) N, N m in space, on each body about the origin of its axes
-    bent : (f,) amplitudes of shapes, set by the caller; push : (f,) generalized forces on them
+    kept, rows : of `moving_end`; tension : (n, 2), horizontal and vertical pull at the fairlead, N
+    uniform : (4, m), lines; on_bed : (m,), whether a line on the bed is solved together with others
+    ends : (5, m), ends and spans of these lines; points : (6, m), their fairleads and anchors
+    together : (m/8,), body of eight lines on the bed that are solved together from a rigid body, -1 for other groups
+        of eight
+    arm : (n, 2, 3) m in space, arms of the fairlead and of the other end on their bodies, or the anchor
+    away : (n, 4) m, x and y from the other end, and the heights of both ends
+    whole : (n,), whether a line is still unbroken
+    given : (n, TERMS, 3) N in space, pull of dynamic lines as coefficients of Legendre's polynomials over a step of
+        the body
+    span : (3,) s, present time, and start and length of this step; terms : (TERMS,), work array
+    sums : (N, 6), forces and moments in space on each body about the origin of its axes, N and N m
+    bent : amplitudes of shapes, (f,), set by the caller; push : generalized forces on shapes, (f,)
     """
 
     kept: np.ndarray
@@ -133,9 +137,9 @@ def hold(lines, work, t):
 def body_lines(system, lost=(), tables=((), ()), moving=(), bodies=1):
     """`Lines` of a System, from anchors to fairleads, or between bodies; for None, no lines on `bodies` bodies.
 
-    tables : ForceTables, and for every line the number of its own, below 0 for a uniform line (`tables_of`)
-    lost : (name, s) of lines that break; moving : numbers of lines with a motion of their own
-    raises : ValueError for other systems, and names that are unknown
+    tables : ForceTables, and for every line the number of its table, below 0 for a uniform line (`tables_of`)
+    lost : (name, time in s) of lines that break; moving : numbers of dynamic lines
+    raises : ValueError for systems of any other kind, and for unknown names
     """
     if system is None:
         return _arrays([], [], [], [], [], [], -1.0, np.zeros((bodies, 3)), tables, [], [], [])
@@ -177,7 +181,7 @@ def with_shapes(lines, reader):
 
 
 def ends_at_rest(lines, at_rest):
-    """Both ends of `Lines` in space, m, with the bodies' axes at (N, 6), m, rad; shapes (n, 3) and (n, 3)"""
+    """Both ends of `Lines` in space, m, with the bodies' axes at (N, 6), m and rad; two arrays (n, 3)"""
     turns = [rotation(0.0, 0.0, heading) for heading in at_rest[:, 5]]
 
     def placed(body, point):
@@ -194,7 +198,7 @@ def ends_at_rest(lines, at_rest):
 def ends_in_time(line, points):
     """The two ends of a line of a System: an anchor and a fairlead, or fairleads of two bodies joined by a hawser
 
-    points : {name: point}.  Raises ValueError for other lines.
+    points : {name: point}. Raises ValueError for any other line.
     """
     a, b = points[line.a], points[line.b]
     if isinstance(b, Anchor):
@@ -213,9 +217,9 @@ def ends_in_time(line, points):
 
 
 def tables_of(system, start):
-    """ForceTables of lines with segments about the bodies' places at rest, and (n,) the index of each line's table.
+    """ForceTables of multi-segment lines about the bodies' positions at rest, and the index (n,) of each line's table.
 
-    start : (6N,) of the bodies at rest, from the given places.  Equal lines share a table.
+    start : displacements of the bodies at rest from the given positions, (6N,). Equal lines share a table.
     raises : ValueError naming a line without equilibrium
     """
     points, R = {point.name: point for point in system.points}, np.zeros((3, 3))
@@ -295,10 +299,10 @@ def give_generalized(position, v, f, out):
 
 @kernel(counted=False)
 def fairlead_of(lines, i, state, bent, room, place, velocity):
-    """Place (3,) m and velocity (3,) m/s in space of the fairlead of line i on its body, of a state (12 or more,)
+    """Position (3,) m and velocity (3,) m/s in space of the fairlead of line i, from its body's state (12 or more,)
 
-    bent : (2, f) amplitudes of shapes and their rates; room : `moving_lines.packed.Room`.  The velocity along a
-    direction is the power of a unit force there.
+    bent : amplitudes of shapes and their rates, (2, f); room : `moving_lines.packed.Room`. The velocity along a
+        direction is computed as the power of a unit force at the fairlead.
     """
     px, py, pz = lines.fairlead[i, 0], lines.fairlead[i, 1], lines.fairlead[i, 2]
     for k in range(bent.shape[1]):
@@ -322,9 +326,9 @@ def fairlead_of(lines, i, state, bent, room, place, velocity):
 
 
 def fairlead_course(lines, i, states, bent=None):
-    """Places and velocities (2, n, 3) m, m/s of the fairlead of line i on a body in states (n, 12 or more)
+    """Positions and velocities (2, n, 3), m and m/s, of the fairlead of line i, from its body's states (n, 12 or more)
 
-    bent : (n, 2, f) amplitudes of shapes and their rates, None for none
+    bent : amplitudes of shapes and their rates, (n, 2, f), None without shapes
     """
     bent = np.zeros((len(states), 2, 0)) if bent is None else bent
     room, course = Room(np.zeros((3, 3)), np.zeros(3), np.zeros(3), np.zeros(6)), np.zeros((2, len(states), 3))
@@ -335,7 +339,9 @@ def fairlead_course(lines, i, states, bent=None):
 
 @kernel(inline=True, counted=False)
 def straight_pull(curves, number, length, span, rise):
-    """Forces (H, V), N, of a hawser with the curve `number`, `length` m unstretched; zero if shorter"""
+    """Forces (H, V), N, of a hawser with the curve `number` and the unstretched length `length`, m; zero for a slack
+    hawser
+    """
     away = np.sqrt(span * span + rise * rise)
     T = reaction(curves, number, away - length, 1.0)
     return T * span / max(away, length), T * rise / max(away, length)
@@ -354,7 +360,9 @@ def add_moment(sums, b, ax, ay, az, x, y, z):
 
 @kernel(inline=True, counted=False)
 def push_shapes(shapes, R, x, y, z, push):
-    """Add f · R u of a force (x, y, z) N in space at a point that moves by u (f, 3) per unit of shapes, to push (f,)"""
+    """Add to push (f,) the products f · R u; f : force (x, y, z) in space, N; u : motion of its point per unit of
+    shapes, (f, 3)
+    """
     for k in range(push.size):
         ux, uy, uz = shapes[k, 0], shapes[k, 1], shapes[k, 2]
         along = x * (R[0, 0] * ux + R[0, 1] * uy + R[0, 2] * uz)
@@ -364,7 +372,7 @@ def push_shapes(shapes, R, x, y, z, push):
 
 @kernel(inline=True, counted=False)
 def place_end(lines, work, i, positions, R):
-    """Arms of both ends of line i, and how far they are apart, into work.arm and work.away"""
+    """Write the arms of both ends of line i into work.arm, and their distances into work.away"""
     b, other = lines.body[i], lines.other[i]
     px, py, pz = lines.fairlead[i, 0], lines.fairlead[i, 1], lines.fairlead[i, 2]
     for k in range(work.bent.size):
@@ -396,7 +404,7 @@ def place_end(lines, work, i, positions, R):
 
 @kernel(inline=True, counted=False)
 def follow_on_bed(lines, work):
-    """H and V into work.ends of the lines that lay on the bed a moment before; nan for all other lines"""
+    """Write H and V of the lines that lay on the bed a moment earlier into work.ends; nan for all other lines"""
     for n in range(0, work.on_bed.size, WIDTH):
         if work.together[n // WIDTH] >= 0:
             continue
@@ -423,7 +431,7 @@ def total(a):
 
 @kernel(counted=False)
 def loads_of_eight(lines, work, positions, R, n):
-    """`line_loads` of lines n … n + 7 of `LineWork.together`, in vectors; returns whether each has a force"""
+    """`line_loads` of lines n … n + 7 of `LineWork.together`, in vectors; returns whether all of them have a force"""
     b = work.together[n // WIDTH]
     points, ends, m, at = address(work.points), address(work.ends), work.points.shape[1], lines.place[b]
     px, py, pz = load_vector(points, n), load_vector(points, m + n), load_vector(points, 2 * m + n)
@@ -467,7 +475,7 @@ def loads_of_eight(lines, work, positions, R, n):
 
 @kernel(counted=False)
 def line_loads(lines, work, positions, R, out):
-    """out (N, 6) generalized forces, in heading axes, of the lines on bodies at `positions` (N, 6)
+    """Fill out (N, 6), generalized forces, in heading axes, of the lines on bodies at `positions` (N, 6)
 
     work.tension and R (N, 3, 3) are filled.  returns : whether every line has a force
     """
@@ -528,14 +536,14 @@ def line_loads(lines, work, positions, R, out):
 
 @kernel(counted=False)
 def loads_at(lines, work, positions, R, out):
-    """`line_loads` for calls from Python, without which `line_loads` would be compiled a second time"""
+    """`line_loads` for calls from Python; a direct call would compile `line_loads` a second time"""
     return line_loads(lines, work, positions, R, out)
 
 
 def but_berth(system, tables, body, spring):
-    """Function of places (n,) in space: forces (n,), along the axes of the bodies there, of lines, water and springs
+    """Function of positions (n,) in space that gives the forces (n,) of lines, water and springs along body axes.
 
-    Amplitudes of shapes, and forces on them, come after those of all bodies.
+    Amplitudes of shapes, and forces on shapes, stand after those of all bodies.
     """
     headings, rigid = body.axes_at_rest[:, 5], body.rigid
     turn = places_along(headings)
@@ -557,9 +565,9 @@ def but_berth(system, tables, body, spring):
 
 @kernel()
 def tensions_along(lines, work, times, positions, out, bent=None):
-    """out (n, lines) N at the fairleads, at times (n,) s with the bodies at positions (n, N, 6)
+    """Fill out (n, lines), tensions at the fairleads, N, at times (n,) s with the bodies at positions (n, N, 6)
 
-    bent : (n, f) amplitudes of shapes, None for none
+    bent : amplitudes of shapes, (n, f), None without shapes
     """
     count = lines.place.shape[0]
     R, force = np.zeros((count, 3, 3)), np.zeros((count, 6))

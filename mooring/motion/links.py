@@ -2,16 +2,15 @@
 
     W⁻¹ ν̇ = F + Gᵀμ,    G ν̇ = −Ġν − 2α Gν − α² g,    (G W Gᵀ) μ = −Ġν − 2α Gν − α² g − G W F
 
-g (r,) are the quantities that a link keeps at zero: d, the distance of its point on the second body from that on the
-first, in space, or for a slider h · R₁ᵀd along two axes h of the first; and for Q = R₁ᵀR₂R₀ᵀ, the rotation of the
-second from its position at rest in axes of the first, the parts h · ½(Q₃₂ − Q₂₃, …) about the constrained axes h.  G is
-the derivative of g by the motions, along the axes of the forces, at the present angles. μ, the force and moment on the
-second body, therefore does no work while the constraint is satisfied.
-A spring and a damper of a slider or a hinge give −k (s −
-rest) − c ṡ along or about its axis R₁h, with the travel s = R₁h · d or the angle of Q about h.  Ġν is a difference
-quotient along the course.  Remainders of g from errors of steps decay at the rate α (Baumgarte 1972).  On a body that
-bends, the point of a link moves by R Σ ξ u and its axes turn by exp(Σ ξ w), for shapes with amplitudes ξ. The
-amplitudes are then among the motions ν.
+g (r,) contains the quantities that links keep at zero. The first kind is d, the distance in space from a link's
+point on the first body to its point on the second; for a slider it is h · R₁ᵀd along two axes h of the first body.
+The second kind is a rotation: Q = R₁ᵀR₂R₀ᵀ is the rotation of the second body from rest in axes of the first, and
+its parts h · ½(Q₃₂ − Q₂₃, …) about the constrained axes h are zero. G is the derivative of g by the motions at the
+present angles, along the axes of the forces. μ, the force and moment on the second body, therefore does no work
+while the constraint is satisfied. A spring and a damper of a slider or a hinge give −k (s − rest) − c ṡ along or
+about its axis R₁h, with the travel s = R₁h · d or the angle of Q about h.  Ġν is a difference quotient along the
+course.  Errors that steps leave in g decay at the rate α (Baumgarte 1972). On a flexible body, the point of a link
+moves by R Σ ξ u and its axes turn by exp(Σ ξ w), for shapes with amplitudes ξ; the rates of ξ are then among ν.
 """
 
 from typing import NamedTuple
@@ -32,19 +31,21 @@ AHEAD = 1e-3  # s, of the difference quotient: its error is a millionth of a sec
 
 @in_memory
 class Links(NamedTuple):
-    """k links of r constraints in the form that the kernels read.
+    """Data of k links with r constraints in the form that the kernels read.
 
-    ends : (k, 2) numbers of the first and the second body, below 0 for a fixed point
-    points : (k, 2, 3) m from the origins of the axes of these, along them; in space for a fixed point
-    back : (k, 3, 3) R₀ᵀ; along, held : (k, 3, 3) rows h, of positions (three in space) and of rotations, in axes of the
-        first
-    first : (k + 1,) number of the first constraint of each; turns : (k,) that of its first on a rotation
+    ends : (k, 2), numbers of the first and the second body, below 0 for a fixed point
+    points : (k, 2, 3) m in the axes of these bodies; in space for a fixed point
+    back : R₀ᵀ, (k, 3, 3); along, held : (k, 3, 3), rows h of positions (three in space) and of rotations, in axes of
+        the first body
+    first : (k + 1,), number of each link's first constraint; turns : (k,), number of its first constraint on a
+        rotation
     place : (N, 3) m, origins of the axes of the bodies at rest
-    shown : (k, 3, 3) rows, axes of the reported forces, in axes of the first
-    way : (k, 3) of the axis of a slider or a hinge, in axes of the first; drive : (k, 3) k, c and rest
-    travels : (k,) ALONG an axis, ABOUT one, or none, 0
-    shapes : (f,) number of each shape of bodies that bend among the motions, which are 6N and groups of six
-    bent, turned : (k, 2, f, 3) m and rad at the points per unit of each shape, along the axes of the bodies
+    shown : (k, 3, 3), rows are the axes of reported forces, in axes of the first body
+    way : axis of a slider or a hinge, in axes of the first body, (k, 3); drive : k, c and rest, (k, 3)
+    travels : (k,), ALONG an axis, ABOUT an axis, or 0 for no travel
+    shapes : (f,), number of each bending shape among the motions, which are 6N and groups of six
+    bent, turned : (k, 2, f, 3), displacements, m, and rotations, rad, at the points per unit of each shape, along
+        body axes
     """
 
     ends: np.ndarray
@@ -66,15 +67,20 @@ class Links(NamedTuple):
 
 @in_memory
 class LinkWork(NamedTuple):
-    """Room for work of one evaluation.
+    """Work arrays of one evaluation.
 
-    rows : (r, 12) of G, of the first and the second body; gap : (r,) g; axis : (r, 3) of forces and moments, in space
-    left, mu : (r,); matrix, shares : (r, r), (n, r) of n motions; speed : (n,) ν; ahead : (N, 6) poses
-    turn : (2, 3, 3); arms : (2, 3) m to the point of the second; arm, push : (3,); Q : (3, 3); free : (n,)
-    state, rate : (n,) of a sample; kept : (samples, SHOWN k) N, N m, on the second body along `Links.shown`, travels
-    pull, travel : (k,) of springs and dampers, N or N m, m or rad; pulled : (k, 12), toward : (k, 3) their rows, axes
-    amplitude : (f,) of shapes, set by the caller; by_shapes, pulled_by : (r, f), (k, f) of rows and `pulled`
-    moved, spun : (2, f, 3) m and rad in space of both ends of a link, per unit of each shape
+    rows : rows of G for the first and the second body, (r, 12); gap : g, (r,); axis : axes of forces and moments in
+        space, (r, 3)
+    left, mu : (r,); matrix : (r, r); shares : (n, r) for n motions; speed : ν, (n,); ahead : poses, (N, 6)
+    turn : (2, 3, 3); arms : arms of both bodies to the second body's point, (2, 3) m; arm, push : (3,); Q : (3, 3);
+        free : (n,)
+    state, rate : (n,), of a sample; kept : (samples, SHOWN k), forces on the second body along `Links.shown`, N and
+        N m, and travels
+    pull, travel : of springs and dampers, (k,), N or N m, and m or rad; pulled : their rows, (k, 12); toward : their
+        axes, (k, 3)
+    amplitude : amplitudes of shapes, (f,), set by the caller; by_shapes, pulled_by : parts of rows (r, f) and of
+        `pulled` (k, f) by shapes
+    moved, spun : displacement, m, and rotation, rad, in space of both ends of a link per unit of each shape, (2, f, 3)
     """
 
     rows: np.ndarray
@@ -140,8 +146,9 @@ def links_of(reader):
 
 
 def link_work(links, states=0, samples=0, groups=0):
-    """`LinkWork` of Links; states, samples, groups : how many numbers of a state, samples and groups of shapes of
-    bodies that bend"""
+    """`LinkWork` of Links; states, samples, groups : number of values in a state, of samples, and of groups of
+    bending shapes
+    """
     r, n, k = int(links.first[-1]), len(links.place), len(links.ends)
     motions, f = max(6 * (n + groups), 1 + int(links.shapes.max(initial=-1))), len(links.shapes)
     return LinkWork(
@@ -170,8 +177,9 @@ def rows_at(links, poses, bent=0.0):
 
 
 def held_by(links, poses, mu):
-    """Forces and moments, N, N m, that the first body of each link exerts on the second, along the axes of the first,
-    from μ (r,); shape (k, 6)"""
+    """Forces, N, and moments, N m, of the first body of each link on the second, in axes of the first, from μ (r,);
+    shape (k, 6)
+    """
     work, poses, out = link_work(links), np.ascontiguousarray(poses, float), np.zeros(SHOWN * len(links.ends))
     fill_rows(links, work, poses, True)
     drive(links, work, np.zeros(len(work.free)))
@@ -181,8 +189,9 @@ def held_by(links, poses, mu):
 
 
 def springs_at(links, poses, bent=0.0):
-    """Forces of the springs of links at rest along the axes of the bodies, and on shapes, as `rows_at`, N, N m; shape
-    (6N + f,)"""
+    """Forces of the springs of links at rest, along body axes, then on shapes, N and N m; shape (6N + f,); arguments
+    as in `rows_at`
+    """
     work, poses = link_work(links), np.ascontiguousarray(poses, float)
     force = np.zeros(len(work.free))
     work.amplitude[:] = bent
@@ -193,8 +202,9 @@ def springs_at(links, poses, bent=0.0):
 
 @kernel(counted=False)
 def give_row(links, work, poses, k, m, turns, row):
-    """row (12,) of a unit force or moment along m (3,) in space on the second body of link k, and its opposite on the
-    first body"""
+    """Fill row (12,) for a unit force or moment along m (3,) in space on link k's second body, and its opposite on
+    the first
+    """
     f = work.push
     for e in range(2):
         b, sign = links.ends[k, e], 2.0 * e - 1.0
@@ -208,10 +218,10 @@ def give_row(links, work, poses, k, m, turns, row):
 
 @kernel(counted=False)
 def bend_ends(links, work, k):
-    """Move both ends of link k by shapes, and rotate the axes of the link: work.arms, arm and turn, with work.moved and
-    spun
+    """Move both ends of link k by shapes and rotate its axes: changes work.arms, arm and turn, and fills work.moved
+    and spun
 
-    The rotation exp(θ) of θ = Σ ξ w is that of Rodrigues; it turns by w + (1 − cos θ)/θ² θ × w + … for a change of ξ.
+    The rotation exp(θ), θ = Σ ξ w, follows Rodrigues' formula; a change of ξ turns it by w + (1 − cos θ)/θ² θ × w + ….
     """
     R, E, u = work.turn, work.Q, work.push
     for e in range(2):
@@ -252,7 +262,8 @@ def bend_ends(links, work, k):
 
 @kernel(counted=False)
 def shape_row(links, work, m, turns, row, i):
-    """Row i of (…, f) by shapes of a unit force or moment along m (3,) in space, as `give_row`, after `bend_ends`
+    """Fill row i of an array (…, f), the part by shapes of a unit force or moment as in `give_row`; needs
+    `bend_ends` before
 
     turns : 0 for a force along an axis of space, ALONG one of the first body, ABOUT for a moment
     """
@@ -273,7 +284,7 @@ def shape_row(links, work, m, turns, row, i):
 
 @kernel(counted=False)
 def fill_rows(links, work, poses, driven):
-    """Write rows, gap and axis into work for the bodies at poses (N, 6); if `driven` also travel, pulled and toward"""
+    """Write rows, gap and axis into work for bodies at poses (N, 6); if `driven`, also travel, pulled and toward"""
     R, arms, Q, d, p = work.turn, work.arms, work.Q, work.arm, links.points
     work.rows[:] = 0.0
     for k in range(links.ends.shape[0]):
@@ -335,7 +346,9 @@ def fill_rows(links, work, poses, driven):
 
 @kernel(counted=False)
 def drive(links, work, force):
-    """work.pull of springs and dampers at the travels and rows filled in, with work.speed, and into the forces (6N,)"""
+    """Fill work.pull, forces of springs and dampers at the filled travels and work.speed, and add them to the forces
+    (6N,)
+    """
     for k in range(links.ends.shape[0]):
         if links.travels[k] > 0:
             speed, row = 0.0, work.pulled[k]
@@ -359,7 +372,7 @@ def drive(links, work, force):
 
 @kernel(inline=True, counted=False)
 def along_rows(links, work, k, i, values):
-    """Row i, of link k, times values (n,) of all motions"""
+    """Product of row i, which belongs to link k, and the values (n,) of all motions"""
     total = 0.0
     for e in range(2):
         b = links.ends[k, e]
@@ -394,7 +407,7 @@ def solve_positive(A, x):
 
 @kernel(counted=False)
 def fill_shares(links, work, inverse):
-    """work.shares W Gᵀ and work.matrix G W Gᵀ of the rows, with W (6N, 6N)"""
+    """Fill work.shares = W Gᵀ and work.matrix = G W Gᵀ from the rows of G and from W (6N, 6N)"""
     for k in range(links.ends.shape[0]):
         for i in range(links.first[k], links.first[k + 1]):
             for j in range(inverse.shape[0]):
@@ -416,7 +429,7 @@ def fill_shares(links, work, inverse):
 
 @kernel(counted=False)
 def hold_together(links, work, poses, inverse, force):
-    """Add the link forces to the forces (6N,) on bodies at poses (N, 6) with work.speed; W (6N, 6N) of `inverse`."""
+    """Add the link forces to the forces (6N,) on bodies at poses (N, 6) with work.speed; inverse : W (6N, 6N)."""
     count, speed, mu = poses.shape[0], work.speed, work.mu
     for side in (1.0, -1.0):
         for b in range(count):
@@ -469,7 +482,9 @@ def give_rows(links, work, mu, force):
 
 @kernel(counted=False)
 def put_forces(links, work, poses, out):
-    """out (SHOWN k,) of bodies at poses (N, 6): N, N m of work.mu and pull on the second along `Links.shown`; travel"""
+    """Fill out (SHOWN k,) for bodies at poses (N, 6): forces on the second body along `Links.shown`, N and N m, and
+    travels
+    """
     for k in range(links.ends.shape[0]):
         R = work.turn[0]
         for i in range(3):

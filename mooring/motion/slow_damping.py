@@ -1,9 +1,9 @@
-"""Damping of slow surge, sway and yaw of a body in time: wave drift, radiated waves, and damping given in a study.
+"""Damping of slow surge, sway and yaw of a body in time: by wave drift, by radiated waves, and as given in a study.
 
-Each is a share ζ = B/2√(CM) of critical damping at the natural period.  Radiated waves damp slow motion very little (B
-→ 0 with ω). σ of slow motion, which goes like 1/√ζ, therefore depends on the other parts.  With coefficients of one
-wave frequency, as in the SR179 report (1982), the damping at that wave frequency replaces the damping at low frequency.
-A box of 100 m in 20 m of water has 5e6 N s/m at 0.6 rad/s and 2e4 N s/m at 0.05 rad/s.
+Each part is a fraction ζ = B/2√(CM) of critical damping at the natural period. Radiated waves damp slow motion very
+little (B → 0 with ω). The σ of slow motion, proportional to 1/√ζ, therefore depends on the other two parts. With
+coefficients at one wave frequency, as in the SR179 report (1982), the damping at this frequency replaces the damping
+at low frequency. A box of 100 m in 20 m of water has 5e6 N s/m at 0.6 rad/s and 2e4 N s/m at 0.05 rad/s.
 """
 
 import numpy as np
@@ -18,10 +18,10 @@ LIGHT = 0.02  # damping ratio below which slow motion counts as lightly damped
 
 
 def drift_damping_ring(omega, slopes, weather):
-    """Damping B, N s/m …, over headings of the body, rows (surge, sway, yaw) by (surge, sway), in its axes; shape
+    """Damping B, N s/m …, over headings of the body: (surge, sway, yaw) by (surge, sway), in its axes; shape
     (HEADINGS + 3, 6)
 
-    omega : (q,) rad/s; slopes : (q, HEADINGS, 3, 2) B of unit waves there (`wave_loads.drift_damping`)
+    omega : (q,) rad/s; slopes : B in unit waves at omega, (q, HEADINGS, 3, 2) (`wave_loads.drift_damping`).
     Wave drift damping (`mooring.response.wave_drift_damping`) of all seas together, from the drift of `WaveForces`.
     The damping acts on the slow velocity over ground. The drift B V that a current adds at rest is part of the drift of
     `wave_loads.wave_table`.
@@ -43,7 +43,9 @@ def drift_damping_ring(omega, slopes, weather):
 
 
 def shares(moored, damping, drift_damping):
-    """{motion: (natural frequency rad/s, share by `damping` (n, n), the memory, wave drift (N, 3, 2))}, uncoupled"""
+    """{motion: (natural frequency, rad/s, fraction by `damping` (n, n), by memory, by wave drift (N, 3, 2))},
+    uncoupled
+    """
     out = {}
     mass = moored.reader.inertia + moored.slow_added_mass
     for i, name in enumerate(moored.reader.words):
@@ -67,10 +69,11 @@ def _radiated(moored, omega):
 
 
 def findings(moored, body, mean, constant, dragged):
-    """Lines on slow motion that is overdamped by constant coefficients, or lightly damped.
+    """Findings on slow motion that is overdamped by constant coefficients, or lightly damped.
 
-    body : `equation.Body`; mean : rad/s, of the waves; constant : whether coefficients are those of `mean`
-    dragged : whether the hull has drag in the water, a further damping
+    body : `equation.Body`; mean : mean frequency of the waves, rad/s; constant : whether coefficients are those at
+        `mean`
+    dragged : whether the hull has drag in the water, which is a further damping
     """
     drift = body.drift_damping[:, 1].reshape(-1, 3, 2)
     own = {name: v for name, v in shares(moored, moored.damping, drift).items() if v[0] < SLOW * mean}
@@ -82,11 +85,13 @@ def findings(moored, body, mean, constant, dragged):
             if found[name] > TOO_MUCH * sum(parts)
         ]
         if much:
+            longest = max(2 * np.pi / own[name][0] for name in own if found[name] > TOO_MUCH * sum(own[name][1:]))
             beside = ", in addition to the drag of the water" if dragged else ""
             yield (
                 'left out: the memory of the water; memory = "constant" gives slow motion the damping at '
                 f"{mean:.3g} rad/s: {', '.join(much)}{beside}; its σ is therefore too small; give "
-                'memory = "states"'
+                'memory = "states", or where a quay refuses it compare with a run of constant_period = '
+                f"{longest:.3g}, which has the damping of slow motion"
             )
         return
     still = dragged or np.any(body.quadratic.reshape(-1, 6)[: len(drift), PLANE] > 0)

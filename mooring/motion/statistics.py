@@ -2,14 +2,14 @@
 
     m₀ = σ²,  m₂ = mean ẋ²,  m₄ = mean ẍ²;  T_zero = 2π√(m₀/m₂),  T_peak = 2π√(m₂/m₄),  ε = √(1 − m₂²/(m₀m₄))
 
-σ² is the sum of a slow part, from frequencies below a split, and a wave part, from those above it.  Means of the
-highest third and tenth are of all maxima of the record, measured from its mean: amplitudes, not heights.  The expected
-extreme of a duration D is the mean plus
+σ² is the sum of a slow part, from frequencies below a split, and a wave part, from frequencies above it. Means of
+the highest third and tenth are taken over all maxima of the record, measured from its mean: they are amplitudes, not
+heights. The expected extreme in a duration D is the mean plus
 
     X = σ {s + γ/s},   s = √(2 ln(n√(1−ε²))),   n = D/T_peak,   γ = 0.5772                      (3.5.1.5, 3.5.1.6)
 
-with D of 1000 mean wave periods in the report, for Gaussian records: only for comparison with the report's tables.
-`extremes` treats the largest values of runs.
+where D is 1000 mean wave periods in the report. The formula holds for Gaussian records and serves only for
+comparison with the report's tables. `extremes` treats the largest values of runs.
 """
 
 from typing import NamedTuple
@@ -26,6 +26,8 @@ STEADY = 1e-9  # σ over the largest value of a record that does not vary
 ROUNDING, NOTHING = 1e-6, 1e-9
 PLANE = {"surge": 0, "sway": 1, "yaw": 5}  # motions reported by windows of a record
 FEWEST_IN_WINDOW = 5  # waves
+WIDER = 0.1  # of a range, by which a body that has come to rest may leave it
+LEFT = 8  # samples of half a record
 FEW = 8.0  # frequencies in a record, below which it has lines and no spectrum, and its maxima no distribution
 
 
@@ -34,7 +36,7 @@ class RecordStatistics(NamedTuple):
 
     slow, wave : standard deviations of the slow part and of the wave part
     mean_third, mean_tenth : means of the highest maxima, from the mean
-    largest, smallest : values; extreme : expected largest amplitude by the formula, or nan
+    largest, smallest : largest and smallest value; extreme : expected largest amplitude by the formula, or nan
     """
 
     mean: float
@@ -52,10 +54,11 @@ class RecordStatistics(NamedTuple):
 
 
 def stillness(sigma, units, length, weight):
-    """Standard deviation up to which quantities count as constant, relative to the other motions and forces, and the
-    hull; shape (q,).
+    """Standard deviation up to which a quantity counts as constant, by comparison with other motions and forces;
+    shape (q,).
 
-    sigma, units : (q,) of "m", "rad", "N" or another; length : m; weight : N.  An angle moves an end of the hull by
+    sigma, units : (q,); units are "m", "rad", "N" or any other; length : length of the hull, m; weight : N.  An
+        angle moves an end of the hull by
     half the length times the angle.
     """
     sigma, units = np.asarray(sigma, float), np.asarray(units)
@@ -69,16 +72,19 @@ def stillness(sigma, units, length, weight):
 
 def frequencies_in(record):
     """Number of frequencies in a record (n,): (ΣE)²/ΣE², with E the energies of its Fourier terms.
-    It is about 2 for one
-    wave, 4 for two, and for a sea nearly as many as its band contains; 0 for a constant record"""
+
+    It is about 2 for one wave, 4 for two waves, nearly the number of frequencies in the band for a sea, and 0 for a
+    constant record
+    """
     energy = np.abs(np.fft.rfft(np.asarray(record, float) - np.mean(record))[1:]) ** 2
     total = energy.sum()
     return float(total**2 / np.sum(energy**2)) if total > 0 else 0.0
 
 
 def without_rounding(found, still):
-    """`RecordStatistics` of a record whose σ is at most `still`: such a record counts as constant, and ends that small
-    count as zero"""
+    """`RecordStatistics` of a record whose σ is at most `still`: it counts as constant, and extremes up to `still`
+    count as zero
+    """
     if not found.sigma <= still:
         return found
     mean, *ends = (0.0 if abs(value) <= 3 * still else value for value in (found.mean, found.largest, found.smallest))
@@ -88,17 +94,17 @@ def without_rounding(found, still):
 def record_statistics(record, step, split, duration=None):
     """RecordStatistics of equally spaced values.
 
-    record : (n,); step : s; split : rad/s between slow and wave part; duration : s of the extreme, by default all
+    record : (n,); step : s; split : frequency between slow and wave part, rad/s
+    duration : duration of the extreme, s, by default that of the record.
     A constant record has nan for all values that need maxima.  Raises ValueError for a record that is not finite.
     """
     return statistics_of_records([record], step, split, duration)[0]
 
 
 def statistics_of_records(records, step, split, duration=None):
-    """`record_statistics` of records (q, n), whose spectra are computed together, in half the time that single records
-    take; shape (q,)
+    """`record_statistics` of records (q, n), shape (q,); their spectra are computed together, in half the time.
 
-    raises : ValueError as there
+    raises : ValueError as `record_statistics` does
     """
     x = np.ascontiguousarray(records, float)
     if x.ndim != 2 or x.shape[1] < 8 or not np.all(np.isfinite(x)):
@@ -125,8 +131,9 @@ def _statistics(x, y, mean, slow, wave, step, duration):
 
 
 def parts(records, step, split):
-    """Standard deviations of the parts of records (…, n) without mean below and above `split`, rad/s; shape (2, …): σ²
-    is their sum."""
+    """Standard deviations below and above `split`, rad/s, of records (…, n) without mean; shape (2, …). The sum of
+    squares is σ².
+    """
     n = records.shape[-1]
     power = _power(records.reshape(-1, n))
     power[:, 1 : (n + 1) // 2] *= 2
@@ -158,6 +165,25 @@ def slow_part(record, step, split):
     return np.fft.irfft(part, len(record))
 
 
+def in_plane(motion):
+    """Surge, sway and yaw of all bodies of motions (t, n)"""
+    return motion[:, [i for i in range(motion.shape[1] // 6 * 6) if i % 6 in PLANE.values()]]
+
+
+def settled_from(time, motion, lost):
+    """First sample from which motions (t, n) stay, after a line is lost at `lost` s, within their range in the second
+    half of what is left of the record: at their new place.  0 without a loss, or with too little left for statistics"""
+    first = int(np.searchsorted(time, lost))
+    after = motion[first:]
+    half = len(after) // 2
+    if half < LEFT:
+        return 0
+    low, high = after[half:].min(axis=0), after[half:].max(axis=0)
+    low, high = low - WIDER * (high - low), high + WIDER * (high - low)
+    outside = np.flatnonzero(np.any((after < low) | (after > high), axis=1))
+    return first + (int(outside[-1]) + 1 if len(outside) else 0)
+
+
 def periods(record, step):
     """T_zero and T_peak (s) and ε of a record (n,) without mean, by differences exact to fourth order in the step."""
     x = record
@@ -168,7 +194,9 @@ def periods(record, step):
 
 
 def highest_mean(falling, share):
-    """Mean of the highest `share` of values (n,) in falling order, of at least one value; nan without values"""
+    """Mean of the highest fraction `share` of values (n,) in descending order, at least one value; nan without
+    values
+    """
     return float(falling[: max(1, round(share * len(falling)))].mean()) if len(falling) else np.nan
 
 
@@ -178,9 +206,9 @@ def over_runs(values):
 
 
 class Windows(NamedTuple):
-    """start : (w,) s; amplitude : (w, 3) m, m, rad, significant, of surge, sway and yaw; period : (w, 3) s
+    """start : (w,) s; amplitude : significant amplitudes of surge, sway and yaw, (w, 3), m, m, rad; period : (w, 3) s
 
-    nan of fewer than FEWEST_IN_WINDOW waves
+    nan where a window has fewer than FEWEST_IN_WINDOW waves
     """
 
     start: np.ndarray
@@ -191,8 +219,8 @@ class Windows(NamedTuple):
 def windows(motion, step, length):
     """`Windows` of `length` s of a record (n, 6) m, rad, at steps of `step` s.
 
-    Amplitudes are halves of H₁/₃ of the waves between zero crossings about the window's mean.  A last window that is
-    incomplete is not included.
+    Amplitudes are H₁/₃/2 of the waves between zero crossings about the window's mean. An incomplete last window is
+    not included.
     """
     count = round(length / step)
     begin = count * np.arange((len(motion) - 1) // count)

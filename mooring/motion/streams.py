@@ -1,4 +1,4 @@
-"""Wind and current on a body in time: steady coefficients at the velocity relative to the body, gusts added.
+"""Wind and current on a body in time: steady coefficients times the square of the relative velocity, including gusts.
 
     F = c(α) |U|²,    U = U∞ (1 + u′/|U∞|) − (u, v) in the body's axes, α its angle
 
@@ -28,9 +28,10 @@ GUST_STEP, GUSTS = 0.2, 400  # s, number of components
 class Stream(NamedTuple):
     """Wind or current in the form that the kernels read.
 
-    table : (bodies, RING + 3, 6) N s²/m², N s² of unit speed at equal angles; velocity : (2,) m/s in space
-    gusts : (1, n) m/s along the mean, from `first` s on in steps of GUST_STEP; one column without gusts
-    still : (bodies,) share of the table that is left in water at rest (`loads.on_hull.StreamOnHull.share`)
+    table : (bodies, RING + 3, 6), N s²/m² and N s², forces at unit speed at equally spaced angles; velocity : (2,)
+        m/s in space
+    gusts : (1, n) m/s along the mean velocity, from `first` s on in steps of GUST_STEP; one column without gusts
+    still : (bodies,), fraction of the table that applies in water at rest (`loads.on_hull.StreamOnHull.share`)
     """
 
     table: np.ndarray
@@ -59,8 +60,9 @@ def wind_stream(wind, hull, center, gusts=None, seed=0, start=0.0, end=0.0):
 
 
 def stream_of(unit, speed, direction, gusts=None, seed=0, start=0.0, end=0.0):
-    """The Stream of forces (n, 3) N, N m at unit speed over the angle to which the stream flows, about the centre of
-    the motion"""
+    """The Stream of forces (n, 3), N and N m, at unit speed, over the direction of flow, about the centre of the
+    motion
+    """
     record, first = np.zeros((1, 1)), start
     if gusts is not None:
         first = start - 4 * GUST_STEP
@@ -87,10 +89,11 @@ def _around():
 
 @kernel(counted=False)
 def stream_force(stream, body, t, share, moving, weights, out, value):
-    """out (6,) N, N m on one of the bodies, in axes of the body, of a stream that has grown to `share` of its speed.
+    """Fill out (6,), N and N m, the force on a body, in its axes, of a stream that has grown to the fraction `share`
+    of its speed.
 
-    moving : (3,) heading of the body and its velocities along and across this heading, rad and m/s
-    weights (6,), value (1,) : room for work
+    moving : (3,), heading of the body, rad, and its velocities along and across this heading, m/s
+    weights, value : work arrays (6,) and (1,)
     """
     heading, u, v = moving[0], moving[1], moving[2]
     cos, sin = np.cos(heading), np.sin(heading)

@@ -2,18 +2,17 @@
 
     F(t) = Re Σ aᵢ X(ωᵢ, βᵢ − ψ) exp{i(kᵢ·r + εᵢ − ωᵢt)},    D(t) = |Σ aᵢ √D⁺ᵢ e^{…}|² − |Σ aᵢ √D⁻ᵢ e^{…}|²
 
-in axes that turn with the slow heading ψ; r is the origin of the database's axes at its slow position. In the drift, r
-is the rotation centre of the body, so that groups of waves reach several bodies one after another.
-The drift is Newman's
-approximation, with the square root of both diagonal terms (`mooring.response.slow_drift`).
-On a current V the exponent of waves at a place contains ωᵢ + kᵢ·V, and Dᵢ is D + B V for each wave
+in axes that turn with the slow heading ψ. In F, r is the slow position of the origin of the database's axes. In the
+drift D, r is the rotation centre of the body, so that wave groups reach several bodies one after another. The drift
+is Newman's approximation, with the square root of both diagonal terms (`mooring.response.slow_drift`).
+On a current V, the exponent of waves at a fixed place contains ωᵢ + kᵢ·V, and Dᵢ becomes D + B V for each wave
 (`mooring.response.wave_drift_damping`). Time is divided into
 windows. A slow pose is predicted for the end of each window. Forces change linearly from the pose at the beginning of a
-window to the pose at its end, so they are continuous for any motion. Around the instant between two windows
-exp(−iωt) at equal steps is always the same matrix. The waves of a pose are therefore summed once, for the window before
-it and the window after it (`tables.harmonics`). In a sea from one direction first-order forces are those of some fifty
-frequencies, on which the waves are shared for the time of a window (`tables.wave_windows`).  Between two steps a force
-is the polynomial of fifth degree through its values at the six nearest steps.
+window to the pose at its end, so they are continuous for any motion. Around the instant between two windows,
+exp(−iωt) at equal steps is always the same matrix. The waves at the pose of this instant are therefore summed once
+for the windows before and after it (`tables.harmonics`). In a sea from one direction, some fifty frequencies are
+enough for first-order forces; the waves are distributed over them for the time of a window (`tables.wave_windows`).
+Between two steps a force is the polynomial of fifth degree through its values at the six nearest steps.
 
 Each of several bodies has its own slow pose, and the origin of its wave phases moves with the body. The waves that the
 other bodies scatter are computed for the positions at rest, which is accurate while the distances change little.
@@ -24,6 +23,7 @@ from functools import cached_property, partial
 
 import numpy as np
 
+from hakobune.bem.algebra.cubic_spline import cubic_spline
 from hakobune.bem.database.between_frequencies import BetweenError
 from hakobune.bem.kernels.simd import WIDTH
 from hakobune.bem.kernels.threads import blas_threads
@@ -47,10 +47,11 @@ OF_PERIOD = 1.2  # and at most so many mean periods: of a model of 1:70 in waves
 
 @dataclass(frozen=True, eq=False)
 class WaveForces:
-    """Forces and drift of a body over frequencies and a ring of headings relative to its axes, for any sea.
+    """Forces and drift of a body over frequencies and over headings around the circle, relative to its axes, for any
+    sea.
 
-    omega : (q,) rad/s; force : (q, HEADINGS, 12) real and imaginary parts per metre; drift : (q, HEADINGS, 3) or None
-    others : WaveForces of further moving bodies, then of groups of six shapes, at the same frequencies
+    omega : (q,) rad/s; force : real and imaginary parts per metre, (q, HEADINGS, 12); drift : (q, HEADINGS, 3) or None
+    others : WaveForces of further moving bodies, then of groups of six shapes, at these frequencies
     """
 
     omega: np.ndarray
@@ -66,15 +67,16 @@ class WaveForces:
     @cached_property
     def curves(self):
         """Cubic splines over the frequency, of forces and of drift (None if unknown)"""
-        from scipy.interpolate import CubicSpline
-
-        drift = None if self.drift is None else CubicSpline(self.omega, self.drift)
-        return CubicSpline(self.omega, self.force), drift
+        drift = None if self.drift is None else cubic_spline(self.omega, self.drift)
+        return cubic_spline(self.omega, self.force), drift
 
     @cached_property
     def at_nodes(self):
-        """Frequencies (M,) rad/s in equal steps over all, and forces of `each` there (N + G, M, HEADINGS, 12), so close
-        that forces and windows of waves can be interpolated between them"""
+        """Frequencies (M,) rad/s at equal steps over the whole range, and the forces of `each` at them (N + G, M,
+            HEADINGS, 12).
+
+        The steps are so small that forces and windows of waves can be interpolated
+        """
         step, low, high = TURN / (WINDOW + OF_EDGE), self.omega[0], self.omega[-1]
         while True:
             nodes = np.linspace(low, high, max(NEAR, int(np.ceil((high - low) / step)) + 1))
@@ -90,8 +92,9 @@ class WaveForces:
 
 
 def on_nodes(omega, nodes):
-    """First of NEAR nodes about each of omega (c,), and its shares on them (c, NEAR), Lagrange's polynomials; nodes in
-    equal steps"""
+    """First of the NEAR nodes around each of omega (c,), and its shares on them by Lagrange's polynomials (c, NEAR);
+    equal steps
+    """
     place = (np.asarray(omega) - nodes[0]) / (nodes[1] - nodes[0])
     near = np.clip(np.floor(place).astype(np.int64) - NEAR // 2 + 1, 0, len(nodes) - NEAR)
     share = np.ones((len(place), NEAR))
@@ -105,9 +108,9 @@ def on_nodes(omega, nodes):
 def wave_forces(body, turned=False):
     """`WaveForces` of a `bem.database.reader.Reader` at frequencies close enough for every resonance.
 
-    The same digits for any number of threads: a second one would change the order of sums.
-    turned : whether one body that turns out of the stored headings takes the forces of its nearest one along, as a
-        round body does; otherwise the stored headings have to go all round
+    One thread computes them, because several threads would change the order of sums and with it the digits.
+    turned : whether a body that turns beyond the stored headings keeps the forces of the nearest stored heading, as
+        a round body does; otherwise stored headings must cover the circle
     """
     try:
         with blas_threads(1):
@@ -182,7 +185,9 @@ def no_wave_forces(body):
 
 
 def drift_of(forces, components, heading):
-    """Drift of wave components alone, in still water, on a body at heading `heading`, rad, as in runs; shape (c, 3)"""
+    """Drift of single wave components, in still water, on a body at `heading`, rad, as computed in runs; shape (c,
+    3)
+    """
     table = forces.curves[1](np.clip(components.omega, forces.omega[0], forces.omega[-1]))
     place = (np.asarray(components.direction) - heading) * (HEADINGS / (2 * np.pi))
     whole, weights, out = np.floor(place), np.empty(6), np.empty((len(place), 3))
@@ -193,8 +198,9 @@ def drift_of(forces, components, heading):
 
 
 def forces_towards(forces, direction):
-    """Complex first-order forces per metre on a body at rest; shape (q, 6); direction : rad, in which waves travel,
-    from the body's axes"""
+    """Complex first-order forces per metre on a body at rest, shape (q, 6); direction : direction of travel from
+    body axes, rad
+    """
     place, weights = direction * (HEADINGS / (2 * np.pi)), np.empty(6)
     whole = np.floor(place)
     lagrange_weights(place - whole + 2.0, 6, weights)
@@ -203,17 +209,21 @@ def forces_towards(forces, direction):
 
 
 def drift_damping(forces, omega, depth, gravity):
-    """D (q, HEADINGS, 3) at omega (q,) rad/s, and B (q, HEADINGS, 3, 2) of velocities along x and y of the body"""
+    """Drift D (q, HEADINGS, 3) at omega (q,) rad/s, and damping B (q, HEADINGS, 3, 2) for velocities along the
+    body's x and y
+    """
     drift = forces.curves[1](omega)
     around = np.concatenate([drift[:, -1:], drift, drift[:, :1]], axis=1)
     by_heading = (around[:, 2:] - around[:, :-2]) * (HEADINGS / (4 * np.pi))
     ring, k = np.arange(HEADINGS) * (2 * np.pi / HEADINGS), wavenumber(omega, depth, gravity)
-    return drift, from_slopes(omega, ring, k, depth, drift, forces.curves[1](omega, 1), by_heading)
+    return drift, from_slopes(omega, ring, k, depth, drift, forces.curves[1].slope(omega), by_heading)
 
 
 def drift_on_current(forces, omega, direction, velocity, depth, gravity):
-    """Drift D + B V of waves of omega (q,), rad/s, towards `direction` (q,), rad, on a current V (2,), m/s, all in
-    space; shape (q, HEADINGS, 3)
+    """Drift D + B V of waves omega (q,) rad/s that travel towards `direction` (q,) rad on a current V (2,) m/s, in
+    space.
+
+    Shape (q, HEADINGS, 3).
 
     The HEADINGS are directions of the waves in the body's axes; the current keeps its angle to the waves.
     """
@@ -228,11 +238,13 @@ def drift_on_current(forces, omega, direction, velocity, depth, gravity):
 def wave_table(forces, components, depth, center, gravity, drift=True, carrier=None, heading=(0.0,)):
     """`WaveTable` of `WaveForces` in wave components (`mooring.environment.sea.Components`).
 
-    Components outside the stored frequencies exert no force; their drift is the nearest stored one.
-    center : (3,) m, rotation centre, of several bodies (N, 3); heading : (N,) rad, of their axes at rest
-    drift : whether it is computed
-    carrier : `mooring.on_current.waves.Carrier` of the components, whose frequencies are intrinsic for any kind of it;
-        None for still water
+    Components outside the stored frequencies exert no first-order force; their drift is that of the nearest stored
+    frequency.
+    center : rotation centre (3,) m, for several bodies (N, 3); heading : headings of the bodies' axes at rest, (N,)
+        rad
+    drift : whether drift is computed
+    carrier : `mooring.on_current.waves.Carrier` of the components, None for still water; frequencies are intrinsic
+        for every kind of Carrier
     """
     omega, amplitude, phase, direction = (np.asarray(part, float) for part in components)
     held = np.clip(omega, forces.omega[0], forces.omega[-1])

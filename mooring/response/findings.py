@@ -221,5 +221,6 @@ def large_rotations(degrees):
     if named:
         yield (
             f"the motion has an amplitude of {', '.join(named)}; linear theory is valid up to about "
-            f"{LARGEST_ROTATION:g}°, so this motion is not realistic; give viscous damping, or use lower waves"
+            f"{LARGEST_ROTATION:g}°, so this motion is not realistic; give viscous damping ([viscous] of the scene; "
+            "simulate also takes simulation.damping_ratio), or use lower waves"
         )

@@ -29,7 +29,10 @@ if TYPE_CHECKING:  # it loads the panel method, which Newman's approximation doe
 LEVELS = ("newman", "bound-wave", "body", "full", "auto")
 ENOUGH = 0.05  # largest part, over Newman's slow force, that "auto" neglects
 # both from docs/slow_forces.md: slow forces by either level relative to the whole
-OF_BOUND = "without the other terms, slow forces on boxes in 12 and 20 m of water are up to 1.5 times too large"
+OF_BOUND = (
+    "without the other terms, slow forces are 0.9 to 1.6 times the complete ones (boxes in 12 and 20 m of water, and a "
+    "ship with 2.6 m under its keel)"
+)
 OF_NEWMAN = (
     "for boxes in 10 to 20 m of water the complete slow force is 0.7 to 1.2 times that by Newman's approximation in "
     "surge and sway, and 1 to 2 times in yaw"
@@ -168,7 +171,7 @@ def beside_newman(db, sea, level, spread=False):
     if level == "newman":
         return None, ()
     if level in ("body", "full"):
-        return stored_pairs(db, sea, level, spread), _surface_left_out(db, sea, level)
+        return stored_pairs(db, sea, level, spread), (*_failed(db, level), *_surface_left_out(db, sea, level))
     if level == "bound-wave":
         return of_sea(db, sea), ()
     if (steep := ursell(db.reader, sea)) > STOKES:
@@ -186,7 +189,8 @@ def beside_newman(db, sea, level, spread=False):
     size = f"the force of bound long waves is {size} Newman's approximation"
     try:
         found = stored_pairs(db, sea, "auto", spread)
-        return found, (f'qtf = "auto" uses {found.level}: {size}', *_surface_left_out(db, sea, found.level))
+        used = f'qtf = "auto" uses {found.level}: {size}'
+        return found, (used, *_failed(db, "auto"), *_surface_left_out(db, sea, found.level))
     except ValueError as missing:
         kh, lacks = depth_in_waves(db.reader, sea), _lacks(db, sea, missing)
     beside = (
@@ -223,6 +227,19 @@ def beside_newman_of_bodies(db, sea, level):
         "left out: the free-surface forcing around several bodies is not known; it is a part of "
         + beyond
         + ", is not known",
+    )
+
+
+def _failed(db, level):
+    """Remark on stored pairs that fail their check and are used all the same"""
+    from hakobune.bem.second_order.stored import failed_gap, read_forces
+
+    failed = failed_gap(read_forces(db).forces)
+    if failed is None:
+        return ()
+    return (
+        f'qtf = "{level}" uses wave pairs that fail their check: {failed[0]}; slow forces may be wrong by about as '
+        f'much; qtf = "bound-wave" needs no pairs',
     )
 
 
@@ -264,7 +281,7 @@ def stored_pairs(db, sea, level="body", spread=False, body=None):
     body : number of one of several bodies
     raises : ValueError, with a message of one line, for what is not stored in it
     """
-    from hakobune.bem.second_order.stored import read_forces
+    from hakobune.bem.second_order.stored import USABLE, failed_gap, read_forces
 
     if not isinstance(sea, Sea) or (sea.spreading is not None and not spread):
         raise ValueError(f'qtf = "{level}" in a sea of several directions; it needs one long-crested system')
@@ -284,6 +301,11 @@ def stored_pairs(db, sea, level="body", spread=False, body=None):
         raise ValueError(
             f"the wave pairs in {db.path} do not include the free-surface forcing; 'hakobune qtf {db.path} "
             f"--level full' adds it"
+        )
+    if level == "auto" and (failed := failed_gap(forces)) is not None and failed[1] > USABLE:
+        raise ValueError(
+            f"the wave pairs in {db.path} fail their check and are not used: {failed[0]}; "
+            'qtf = "body" or "full" uses them all the same'
         )
     level = {"auto": "body" if forces.surface is None else "full"}.get(level, level)
     values = forces.total if level == "full" else forces.to_body

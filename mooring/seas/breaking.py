@@ -26,7 +26,7 @@ def breaking_height(period, depth, gravity=GRAVITY):
 
 
 def largest_height(period, depth, gravity=GRAVITY):
-    """m, largest significant height in water of `depth` m: 0.6 h, or H_b of the period if that is less"""
+    """Largest significant height, m, in water of `depth` m: 0.6 h, or H_b of the period if H_b is less"""
     return np.minimum(SATURATED * depth, breaking_height(period, depth, gravity))
 
 
@@ -36,7 +36,9 @@ def too_high(spectrum, depth, gravity=GRAVITY):
 
 
 def too_high_waves(height, Tp, depth, gravity=GRAVITY):
-    """The same for a significant height, m, and a peak period, s, inf for an unknown period"""
+    """Messages on waves of a significant height, m, and a peak period, s (inf if unknown), that break in water of
+    `depth` m
+    """
     single = 2 * np.pi * MICHE * depth if np.isinf(Tp) else float(breaking_height(Tp, depth, gravity))
     if height > single:
         period = "" if np.isinf(Tp) else f" at a peak period of {Tp:.4g} s"

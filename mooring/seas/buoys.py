@@ -36,7 +36,7 @@ DAYS = (".swdir", ".swdir2", ".swr1", ".swr2")
 
 
 def kind(text):
-    """The reader for a text, None for other formats"""
+    """The reader for the format of a text, None for other formats"""
     head = text.lstrip()[:2000]
     lines = head.splitlines() or [""]
     if re.match(r"#?\s*Y", head) and re.match(r"#?\s*YY(YY)?\s+MM\s+DD", lines[0]):
@@ -55,7 +55,7 @@ def kind(text):
 
 
 def ndbc(path, text, x_axis, time):
-    """Sea of the row of `time`; with directions if x_axis, degrees of the compass, and the direction files are given"""
+    """Sea of the row of `time`; with directions if the direction files exist and x_axis, compass degrees, is given"""
     frequency, density = _row(path, text, time)
     density = _measured(path, frequency, density, time)
     beside = None if x_axis is None else _directions_beside(path)
@@ -73,7 +73,7 @@ def ndbc(path, text, x_axis, time):
 
 
 def datawell(path, text, x_axis, time):
-    """Sea of a .spt"""
+    """Sea of a Datawell .spt"""
     lines = [line for line in text.splitlines() if line.strip()]
     try:
         height, most = float(lines[1]) / 100, float(lines[3])
@@ -86,7 +86,7 @@ def datawell(path, text, x_axis, time):
 
 
 def history(path, text, x_axis, time):
-    """Raise TableError, since a .his file has no densities; the message quotes its first row, or the row of the time"""
+    """Raise TableError, since a .his file has no densities; the message quotes the first row, or the row of `time`"""
     rows = [re.split(r"[,\t ]+", line.strip()) for line in text.splitlines() if line.strip()]
     rows = [row for row in rows if time is None or row[0].startswith(str(time).strip().replace(" ", "T"))]
     if not rows:
@@ -100,7 +100,7 @@ def history(path, text, x_axis, time):
 
 
 def trdi(path, text, x_axis, time):
-    """Sea of a DSpec, PSpec, SSpec or VSpec"""
+    """Sea of a TRDI DSpec, PSpec, SSpec or VSpec file"""
     number = r"\s+([\d.]+)"
     lines = text.splitlines()
     head = "\n".join(line for line in lines if line.lstrip().startswith("%"))
@@ -124,7 +124,7 @@ def trdi(path, text, x_axis, time):
 
 
 def triaxys(path, text, x_axis, time):
-    """Sea of a NONDIRSPEC or DIRSPEC"""
+    """Sea of a Triaxys NONDIRSPEC or DIRSPEC file"""
     head = dict(re.findall(r"^([A-Z][A-Z ()/a-z]*?)\s*=\s*(.*)$", text, re.MULTILINE))
     try:
         first, step = (float(head[key]) for key in ("INITIAL FREQUENCY (Hz)", "FREQUENCY SPACING (Hz)"))
@@ -146,7 +146,7 @@ def triaxys(path, text, x_axis, time):
 
 
 def spotter(path, text, x_axis, time):
-    """Sea of a row of a .csv"""
+    """Sea of a row of a Spotter .csv"""
     rows = list(csv.reader(text.splitlines(), skipinitialspace=True))
     names = [name.strip() for name in rows[0]]
     rows = [dict(zip(names, row, strict=False)) for row in rows[1:] if len(row) > 1]
@@ -165,8 +165,9 @@ def spotter(path, text, x_axis, time):
 
 
 def one_of(path, times, time):
-    """Index of the time that begins with `time` in a list of texts; for None the list must have a single time.
-    Raises TableError."""
+    """Index of the time that begins with `time` in a list of texts; if `time` is None, the list must have a single
+    time. Raises TableError.
+    """
     found = [i for i, one in enumerate(times) if time is None or one.startswith(str(time).strip())]
     if len(found) == 1:
         return found[0]
@@ -177,7 +178,7 @@ def one_of(path, times, time):
 
 
 def check_height(path, sea, height):
-    """Raise TableError if the height of a Sea differs from the height that its file states, m; NaN if unknown"""
+    """Raise TableError if the height of a Sea differs from the height stated in its file, m (NaN if unknown)"""
     read = float(sea.spectrum.significant_height)
     if np.isfinite(height) and height > 0 and abs(read / height - 1) > OFF:
         raise TableError(

@@ -1,12 +1,12 @@
-"""Directions of a measured spectrum from buoy data at each frequency: moments, or a mean and a spread.
+"""Distribution over direction of a measured spectrum, from buoy data at each frequency: moments, or a mean and a
+spread.
 
     D(α) = (1/2π) (1 − φ₁ c₁* − φ₂ c₂*) / |1 − φ₁ e^{−iα} − φ₂ e^{−2iα}|²
     φ₁ = (c₁ − c₂ c₁*) / (1 − |c₁|²),   φ₂ = c₂ − φ₁ c₁,   c₁ = r₁ e^{iα₁},   c₂ = r₂ e^{2iα₂}
 
-has the moments c₁, c₂ = ∫ D e^{iα} dα, ∫ D e^{2iα} dα and is nowhere negative, unlike their Fourier sum (Lygre and
-Krogstad 1986, Journal of Physical Oceanography 16).  From a spread σ alone it is cos²ˢ{(α − α₁)/2}, s = 2/σ² − 1 (Kuik
-et al. 1988).
-Angles α are directions that waves come from, clockwise from north.
+has the moments c₁, c₂ = ∫ D e^{iα} dα, ∫ D e^{2iα} dα and, unlike their Fourier sum, is nowhere negative (Lygre and
+Krogstad 1986, Journal of Physical Oceanography 16).  If only the spread σ is known, D is cos²ˢ{(α − α₁)/2}, s = 2/σ²
+− 1 (Kuik et al. 1988). Angles α are directions that waves come from, clockwise from north.
 """
 
 import numpy as np
@@ -18,8 +18,9 @@ LARGEST = 0.99  # largest r₁ and r₂; beyond, D is narrower than a row
 
 
 def of_moments(r1, r2, alpha1, alpha2):
-    """Density over direction, 1/rad, on ALPHA; shape (n, ROWS); r1, r2 : (n,); alpha1, alpha2 : (n,), rad. Where a
-    value is NaN, for unknown, the density is uniform"""
+    """Density over direction, 1/rad, on ALPHA; shape (n, ROWS); r1, r2 : (n,); alpha1, alpha2 : (n,), rad. The
+    density is uniform where a value is NaN (unknown)
+    """
     r1, r2 = np.clip(r1, 0, LARGEST), np.clip(r2, 0, LARGEST)
     c1, c2 = r1 * np.exp(1j * alpha1), r2 * np.exp(2j * alpha2)
     with np.errstate(invalid="ignore"):  # division by NaN, where the direction is unknown
@@ -31,16 +32,18 @@ def of_moments(r1, r2, alpha1, alpha2):
 
 
 def of_spread(alpha1, spread):
-    """Density over direction, 1/rad, on ALPHA; shape (n, ROWS); alpha1, spread : (n,), rad. Where a value is NaN, for
-    unknown, the density is uniform"""
+    """Density over direction, 1/rad, on ALPHA; shape (n, ROWS); alpha1, spread : (n,), rad. The density is uniform
+    where a value is NaN (unknown)
+    """
     s = np.clip(2 / np.maximum(spread, 1e-3) ** 2 - 1, 0, LARGEST_S)
     with np.errstate(divide="ignore"):
         return _whole(np.exp(2 * s[:, None] * np.log(np.abs(np.cos((ALPHA - alpha1[:, None]) / 2)))))
 
 
 def towards(x_axis):
-    """Direction travelled to by waves from ALPHA, in axes whose x points to x_axis degrees of the compass, rad; shape
-    (ROWS,)"""
+    """Direction of travel, rad, of waves that come from ALPHA, in axes whose x points to x_axis compass degrees;
+    shape (ROWS,)
+    """
     return np.radians(x_axis) - ALPHA - np.pi
 
 

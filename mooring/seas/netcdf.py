@@ -1,4 +1,4 @@
-"""Spectra in netCDF, identified by names and units of the variables as the programs write them.
+"""Spectra in netCDF, identified by the names and units of variables that each program writes.
 
     WAVEWATCH III   efth(time, station, frequency, direction) m² s/rad, directions towards
     ERA5            d2fd(time, frequency, direction, place): log₁₀ of m² s/rad; 30 frequencies from 0.03453 Hz, each
@@ -13,7 +13,8 @@
     NDBC            spectral_wave_density(time, frequency) m²/Hz, mean_wave_dir, principal_wave_dir, wave_spectrum_r1,
                     wave_spectrum_r2
 
-Directions are clockwise from north: towards if the standard name has "to_direction", else from.
+Directions are clockwise from north. Waves travel towards them if the standard name has "to_direction"; otherwise
+waves come from them.
 """
 
 import numpy as np
@@ -77,8 +78,8 @@ def _sea(path, data, x_axis, time, location):
 def planes_of(path, location):
     """Planes of all hours of a file at one place, AT_ONCE hours at a time.
 
-    yields : (m,) times, (f,) Hz rising, (d,) rad clockwise from north, travelled to, and (m, f, d) m²/Hz/rad in
-    float32, nan for an hour without a plane.  Raises TableError.
+    yields : times (m,); frequencies (f,), Hz, ascending; directions of travel (d,), rad clockwise from north; and
+        densities (m, f, d), m²/Hz/rad, float32, nan for an hour without a plane.  Raises TableError.
     """
     import xarray
 

@@ -14,9 +14,10 @@ EQUAL = 1e-3  # of the largest density, difference of the densities of one direc
 
 @dataclass(frozen=True, eq=False, repr=False)
 class TabulatedSpreading(Spreading):
-    """Directions of a two-dimensional spectrum: linear between rows of omega (n,) rad/s and of angle (m,) rad.
+    """Spreading of a two-dimensional spectrum, linear between its frequencies omega (n,) rad/s and directions angle
+    (m,) rad.
 
-    values : (n, m) 1/rad, each row of integral one; angle rising over one turn at most, closed at its end
+    values : (n, m) 1/rad, with integral 1 in each row; angle : ascending over at most one turn, closed at its end
     """
 
     omega: np.ndarray
@@ -44,7 +45,8 @@ class TabulatedSpreading(Spreading):
 
 
 def two_dimensional(omega, angle, density, name):
-    """Sea of S(ω, θ) (n, m) m² s/rad², omega (n,) rad/s rising, angle (m,) rad travelled to, in any order.
+    """Sea of S(ω, θ) (n, m), m² s/rad²; omega : (n,) rad/s, ascending; angle : (m,) directions of travel, rad, in
+    any order.
 
     A direction given twice, such as −180° and 180°, is used once if the densities agree.
     """

@@ -1,10 +1,10 @@
 """Faults of a measured record before its waves are counted: spikes, a varying level, wrong units.
 
-A Gaussian record of a day has crests of 5 σ, in steep waves perhaps 6 σ. A value beyond 8 robust deviations (1.4826
-times the median distance from the median) is no wave.  Means over stretches of 20 waves have a few thousandths of the
-variance of waves. More than that is tide, trend or drift of the instrument, which enters the heights and the longest
-periods. No
-wave is steeper than H/L = 1/7, L = gT²/2π (Michell, 1893): steeper heights and periods are in other units.
+A Gaussian record of a day has crests of 5 σ, in steep waves perhaps of 6 σ. A value beyond 8 robust deviations
+(1.4826 times the median distance from the median) cannot be a wave.  The variance of means over 20 waves is a few
+thousandths of the variance of the waves. A larger variance is due to tide, trend or instrument drift, and falsifies
+heights and the longest periods. No wave is steeper than H/L = 1/7, L = gT²/2π (Michell, 1893); steeper waves show
+that heights or times are in other units.
 """
 
 import numpy as np
@@ -16,7 +16,7 @@ WAVES = 20  # waves in a stretch of the record
 
 
 def faults(record, step, mean_period, gravity=9.80665):
-    """Lines on a record (n,) m of `step` s and waves of mean_period s"""
+    """Faults, one line each, of a record (n,) m with steps of `step` s and waves of mean_period s"""
     height, length = 4 * float(np.std(record)), gravity * mean_period**2 / (2 * np.pi)
     if height > STEEPEST * length:
         yield (

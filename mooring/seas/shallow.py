@@ -2,8 +2,9 @@
 
     S = S_JONSWAP(ω) Φ(ω),    Φ = k⁻³ ∂k/∂ω / {(ω²/g)⁻³ 2ω/g} = tanh²(kh) / 2n,    n = ½(1 + 2kh/sinh 2kh)
 
-which tends to ω²h/2g in long waves, where the tail is then ω⁻³, and to 1 in short waves.  The peak period is the peak
-period of the JONSWAP form. The spectrum is scaled to a height, or by fetch to the height possible in this depth.
+Φ tends to ω²h/2g in long waves, where the tail of S becomes ω⁻³, and to 1 in short waves.  The peak period is the peak
+period of the JONSWAP form. The spectrum is scaled to a given height, or by fetch to the height that is possible in
+this depth.
 """
 
 from dataclasses import dataclass
@@ -25,7 +26,7 @@ STEPS = 40  # panels of Gauss's rule per unit of ln ω, as narrow as the flank o
 
 @dataclass(frozen=True, repr=False, eq=False)
 class Shallow(Spectrum):
-    """`jonswap`, a Peaked, times `level` Φ in water of `depth` m"""
+    """The spectrum `jonswap`, a Peaked, times `level` Φ in water of `depth` m"""
 
     jonswap: Peaked
     depth: float
@@ -73,7 +74,7 @@ class Shallow(Spectrum):
 
 
 def limited(omega, depth, gravity=GRAVITY):
-    """Φ at omega (…,) rad/s, 0 at 0"""
+    """Factor Φ at omega (…,) rad/s; 0 at omega = 0"""
     omega = np.asarray(omega, float)
     if np.isinf(depth):
         return np.ones_like(omega)
@@ -86,7 +87,7 @@ def limited(omega, depth, gravity=GRAVITY):
 def tma(height, depth, *, gamma=3.3, gravity=GRAVITY, **period):
     """TMA spectrum scaled to 4√m₀ = height.
 
-    height, depth : m; one period (s) of `periods.KINDS`, where peak_period belongs to the JONSWAP form; gamma : 1 to 10
+    height, depth : m; one period of `periods.KINDS`, s, where peak_period is that of the JONSWAP form; gamma : 1 to 10
     """
     from scipy.optimize import brentq
 

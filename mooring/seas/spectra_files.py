@@ -3,9 +3,9 @@
     SWAN (`swan`);  NDBC, Datawell, TRDI, Triaxys, Spotter (`buoys`);  WAVEWATCH III's transfer file (`wavewatch`).
     netCDF files of WAVEWATCH III, ERA5, SWAN, WWM, NDBC, Sofar and wavespectra (`netcdf`). A table of densities (.csv)
 
-Nautical directions are directions that waves come from, clockwise from north; with the x axis of the body towards ψ of
-the compass waves travel to β = ψ − (N + 180°).  Cartesian directions are those in which waves travel, from the x axis
-of the model. This axis is assumed to be the body's after a turn by the given heading.
+Nautical directions N are those that waves come from, clockwise from north. If the body's x axis points to the
+compass heading ψ, waves travel towards β = ψ − (N + 180°).  Cartesian directions are those in which waves travel,
+from the x axis of the model. The model's x axis, turned by the given heading, is taken as the x axis of the body.
 """
 
 from pathlib import Path
@@ -28,10 +28,10 @@ NETCDF = (b"CDF", b"\x89HDF")
 def read_sea(path, x_axis=None, time=None, location=1):
     """`environment.sea.Sea` of a file of the module; long-crested towards 0 if the file has no directions.
 
-    x_axis : compass degrees of the x axis, needed for nautical directions of planes; without it, buoy spectra are
-        long-crested
-    time : as in the file, or its beginning, by default the only one; location : number of the place in the file
-    Raises TableError that names the line.
+    x_axis : compass heading of the x axis, degrees, needed for nautical directions of planes; without it, buoy
+        spectra are long-crested
+    time : time as in the file, or the beginning of its text; by default the only time
+    location : number of the place in the file. Raises TableError that names the line.
     """
     path = Path(path)
     if path.is_file() and _begin(path).startswith(NETCDF):

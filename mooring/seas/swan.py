@@ -1,9 +1,9 @@
 """Spectra as SWAN writes them (.spc, .sp1, .sp2, .s1d, .s2d, .hot): AFREQ or RFREQ, NDIR or CDIR, VaDens or EnDens.
 
-AcDens, in the restart file, is VaDens over ω.
+AcDens, used in the restart file, is VaDens over ω.
 
-1-D with mean direction and spread, or 2-D with FACTOR, ZERO, NODATA; of several quantities in a 2-D file the first is
-used (SWAN user manual, appendix D).  Remarks follow single numbers.
+Files are 1-D, with mean direction and spread, or 2-D, with FACTOR, ZERO, NODATA. Of several quantities in a 2-D file
+only the first is used (SWAN user manual, appendix D).  Remarks may follow a number that stands alone in its line.
 """
 
 import numpy as np
@@ -47,8 +47,8 @@ class Swan:
     def numbers(self, count, thing):
         """Numbers from as many lines as needed; shape (count,)
 
-        SWAN writes remarks after a single number, but none among many numbers, where a word is a fault. Otherwise the
-        next line, which may be a time, would be read in its place.
+        SWAN writes remarks after a single number, but not among many numbers. There a word is a fault: if it were
+        skipped, the next line, which may be a time, would be read in its place.
         """
         found = []
         while len(found) < count:
@@ -61,7 +61,7 @@ class Swan:
         return np.array(found[:count])
 
     def sea(self, x_axis, time, location):
-        """The head, then the block of the time and location"""
+        """The Sea of the requested time and location, from the head of the file and the block of numbers"""
         head, timed, places = {}, False, 1
         while "QUANT" not in head:
             word = self.words()[0].upper()
@@ -89,7 +89,7 @@ class Swan:
         return self.made(head, self.block(head), x_axis)
 
     def none_follows(self):
-        """Whether the file states 0 directions and lists none, as a 1-D file does; then that line has been read"""
+        """Whether the file states 0 directions and lists none, as a 1-D file does; the line with the 0 is then read"""
         said = [line.split()[0] for _, line in self.lines[self.at : self.at + 2]]
         none = said[:1] == ["0"] and not numbers_of(said[-1])
         self.at += none
@@ -122,7 +122,7 @@ class Swan:
         raise TableError(f"{self.path} has no time {time}; it has {', '.join(seen[:6])}")
 
     def block(self, head):
-        """Numbers of one location, of the first quantity if there are directions; shape (n, columns); else None"""
+        """Numbers of one location, shape (n, columns), in a 2-D file of the first quantity; None without data"""
         found = self.part(head)
         for _ in head["QUANT"][1:] if "angle" in head and found is not None else ():
             self.part(head)
@@ -167,7 +167,7 @@ class Swan:
             raise TableError(f"{self.path}: {error}") from None
 
     def with_mean_direction(self, spectrum, kind, density, values, x_axis):
-        """Mean direction and spread weighed by energy: cos²ˢ(θ/2) with s = 2/σ² − 1 (Kuik et al. 1988)"""
+        """Sea with the energy-weighted mean direction and spread: cos²ˢ(θ/2) with s = 2/σ² − 1 (Kuik et al. 1988)"""
         there = density > 0
         angle = self.travelled(kind, np.radians(values[there, 1]), x_axis)
         mean = np.angle(density[there] @ np.exp(1j * angle))
@@ -175,7 +175,7 @@ class Swan:
         return Sea(spectrum, float(mean), HalfCosinePower(max(2 / sigma**2 - 1, 0.0)) if sigma > 1e-3 else None)
 
     def travelled(self, kind, angle, x_axis):
-        """rad travelled to in the body's axes"""
+        """Directions of travel in the body's axes, rad"""
         if kind == "CDIR":
             return angle - np.radians(x_axis or 0.0)
         if x_axis is None:

@@ -23,7 +23,7 @@ class Sum(Spectrum):
 
     @cached_property
     def peak_omega(self):
-        """rad/s of the highest of the peaks"""
+        """Frequency of the highest peak of all systems, rad/s"""
         peaks = np.array([part.peak_omega for part in self.parts])
         return float(peaks[np.argmax(self.density(peaks))])
 
@@ -39,7 +39,7 @@ class Sum(Spectrum):
 
 @dataclass(frozen=True, eq=False)
 class Systems:
-    """A sea of several `environment.sea.Sea`, with the methods of a Sea for all together"""
+    """A sea of several `environment.sea.Sea`, with the methods of a single Sea"""
 
     systems: tuple[Sea, ...]
 
@@ -51,7 +51,7 @@ class Systems:
 
     @property
     def direction(self):
-        """rad, mean direction of the energy"""
+        """Mean direction of the energy, rad"""
         return float(np.angle(self._energies @ np.exp(1j * np.array([system.direction for system in self.systems]))))
 
     @property
@@ -60,7 +60,7 @@ class Systems:
         return m0 / m0.sum()
 
     def directional(self, headings, omega=None):
-        """Shares per heading as in `Sea.directional`"""
+        """Shares of the energy per heading, as in `Sea.directional`"""
         if omega is None:
             return sum(share * s.directional(headings) for share, s in zip(self._energies, self.systems, strict=True))
         parts = [s.spectrum.density(omega)[:, None] * s.directional(headings, omega) for s in self.systems]
@@ -68,9 +68,10 @@ class Systems:
         return total / np.maximum(total.sum(axis=1, keepdims=True), 1e-300)
 
     def components(self, count, seed, *, low=None, high=None, **words):
-        """`Sea.components` of each system, numbered in proportion to its range of frequencies; at least a quarter each.
+        """`Sea.components` of each system; the number of each is proportional to its frequency range, but at least a
+        quarter.
 
-        low, high : rad/s of the whole sea; each system has its own share of them
+        low, high : frequency range of the whole sea, rad/s; each system covers its own part of this range
         """
         widths = np.array([np.ptp(system.spectrum.quantile(BAND)) for system in self.systems])
         shares = np.maximum(widths / widths.sum(), 0.25)

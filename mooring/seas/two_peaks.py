@@ -2,17 +2,19 @@
 
     S = ¼ Σ_j (b_j ω_j⁴)^λ_j / Γ(λ_j)  H_j² ω^−(4λ_j+1) exp(−b_j ω_j⁴/ω⁴),    b_j = λ_j + ¼
 
-and its most probable member for a given significant height.  λ = 1 is Bretschneider's shape.
+The most probable spectrum of this family for a given significant height is `ochi_hubble`. λ = 1 is Bretschneider's
+shape.
 
-Height and peak period: Torsethaugen & Haver (2004, ISOPE) in their simplified form (DNV-RP-C205, appendix A), with
-T_f = 6.6 H^(1/3) the peak period of a fully developed sea at a fetch of 370 km.  Both systems have λ = ¾, a tail ω⁻⁴:
+For a given height and peak period: Torsethaugen & Haver (2004, ISOPE), in the simplified form (DNV-RP-C205, appendix
+A), with T_f = 6.6 H^(1/3) the peak period of a fully developed sea at a fetch of 370 km.  Both systems have λ = ¾, a
+tail ω⁻⁴:
 
     T_p ≤ T_f   wind sea  r H, T_p, γ = 35 (2π r H/gT_p²)^0.857,   r = 0.7 + 0.3 exp{−[2(T_f − T_p)/(T_f − 2√H)]²}
                 swell     √(1 − r²) H, T_f + 2
     T_p > T_f   swell     r H, T_p, γ = 35 (2πH/gT_f²)^0.857 (1 + 6 t),  r = 0.6 + 0.4 exp{−(t/0.3)²},
                 wind sea  √(1 − r²) H, 6.6 (√(1 − r²) H)^(1/3),          t = (T_p − T_f)/(25 − T_f)
 
-γ at least 1; the height of the enhanced system is preserved by integration.
+γ is at least 1; integration preserves the height of the enhanced system.
 """
 
 from dataclasses import dataclass
@@ -32,7 +34,7 @@ LEAST = 1e-3  # height of the second system over the total, below which it is om
 
 @dataclass(frozen=True, repr=False)
 class OneSystem(Spectrum):
-    """One term: height m, significant; peak_omega rad/s; shape λ"""
+    """One term of the sum; height : significant height, m; peak_omega : rad/s; shape : λ"""
 
     height: float
     peak_omega: float
@@ -78,7 +80,7 @@ class OneSystem(Spectrum):
 
 @dataclass(frozen=True, repr=False)
 class Enhanced(Spectrum):
-    """`system` times level γ^r: the peak is raised as in JONSWAP"""
+    """The spectrum `system` times level γ^r; its peak is raised as in JONSWAP"""
 
     system: OneSystem
     gamma: float
@@ -116,9 +118,9 @@ class Enhanced(Spectrum):
 
 
 def torsethaugen(height, *, peak_period=None, gravity=GRAVITY, **period):
-    """Swell and wind sea of a significant height (m) and the period (s) of the higher peak.
+    """Swell and wind sea for a significant height (m) and the period (s) of the higher peak.
 
-    raises : ValueError for a period of another kind, a period above 25 s, or waves steeper than wind waves can be
+    raises : ValueError for a period of any other kind, a period above 25 s, or waves too steep for wind waves
     """
     given = [kind for kind, value in period.items() if value is not None]
     if peak_period is None or given:
@@ -155,9 +157,8 @@ def six_parameters(swell, sea):
 def ochi_hubble(height, **period):
     """The most probable sea of a significant height (m): the first of the eleven rows of table 2b.
 
-    The periods follow from the height: a given period raises ValueError.
-    The printed heights, 0.84 and 0.54 of the significant
-    height, have 0.9972 of the energy; both are scaled to the whole energy.
+    The periods follow from the height, so a given period raises ValueError. The printed heights, 0.84 and 0.54 of
+    the significant height, contain 0.9972 of the energy; both heights are scaled up to the full energy.
     """
     given = [kind for kind, value in period.items() if value is not None]
     if given:

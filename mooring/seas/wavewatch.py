@@ -6,7 +6,8 @@
     'point' latitude longitude depth wind speed and direction, current speed and direction     NPTS times,
     NK NTH densities, m²/Hz/rad, frequencies of a direction one after the other                for each time
 
-Directions are where waves travel to, clockwise from north: with the x axis towards ψ of the compass β = ψ − direction.
+Directions are those in which waves travel, clockwise from north. If the x axis points to the compass heading ψ, β =
+ψ − direction.
 """
 
 import re
@@ -21,10 +22,11 @@ PLACE = 7  # numbers after the name of a point
 
 
 def read_wavewatch(path, text, x_axis, time, location):
-    """omega (n,) rad/s, angle (m,) rad travelled to, density (n, m) m² s/rad², of one time and point of a file's text
+    """omega (n,) rad/s, direction of travel (m,) rad and density (n, m) m² s/rad² at one time and point of a file's
+    text
 
-    x_axis : degrees of the compass; time : "yyyymmdd hhmmss", None for the only one; location : location of a point,
-    from 1
+    x_axis : compass heading of the x axis, degrees; time : "yyyymmdd hhmmss", None for the only time
+    location : number of the point, counted from 1
     raises : TableError
     """
     if x_axis is None:

@@ -28,7 +28,8 @@ STEP = 1e-4  # relative step of derivatives with respect to velocity
 
 
 class Mode(NamedTuple):
-    """A slow motion about an equilibrium: root λ, 1/s; shares (3,) of surge, sway and yaw in its kinetic energy"""
+    """A slow motion about an equilibrium: root λ, 1/s; shares (3,) in its kinetic energy of surge along the steady
+    pull, sway across it, and yaw"""
 
     root: complex
     shares: np.ndarray
@@ -87,9 +88,9 @@ class Equilibrium:
     def modes(self):
         """A Mode for each root or pair of roots, the fastest growing first"""
         roots, vectors = np.linalg.eig(self._small)
-        cos, sin = np.cos(self.heading), np.sin(self.heading)
-        own = np.array([[cos, sin, 0.0], [-sin, cos, 0.0], [0.0, 0.0, 1.0]]) @ vectors[:3]
-        energy = np.diag(self.point.mass)[:, None] * np.abs(own) ** 2
+        by = np.arctan2(self.force[1], self.force[0])  # from the bow, along the pull
+        own = _axes(by + self.heading) @ vectors[:3]
+        energy = np.diag(_axes(by) @ self.point.mass @ _axes(by).T)[:, None] * np.abs(own) ** 2
         made = [Mode(complex(root), of / of.sum()) for root, of in zip(roots, energy.T, strict=True) if root.imag >= 0]
         return sorted(made, key=lambda mode: -mode.root.real)
 
@@ -124,6 +125,12 @@ class Equilibrium:
     def quartic(self):
         """Coefficients of the criterion, shape (5,); None if `lateral` is"""
         return None if self.lateral is None else moored_quartic(self.lateral)
+
+
+def _axes(angle):
+    """Motions along and across a direction, and yaw; shape (3, 3)"""
+    cos, sin = np.cos(angle), np.sin(angle)
+    return np.array([[cos, sin, 0.0], [-sin, cos, 0.0], [0.0, 0.0, 1.0]])
 
 
 def equilibria(point: SinglePoint):

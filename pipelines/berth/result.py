@@ -35,6 +35,7 @@ MASS_DIFFERS = 0.02  # relative difference of the ship's mass from the displaced
 DEPTH_DIFFERS = 0.02  # relative difference of water depths that is reported; less than a tide
 BUCKLING = ("cell", "v", "h", "cone")  # families with a plateau
 LINEAR_TO = 0.15  # strain up to which Ueda (1981) treats a fender as a spring
+MORE = 0.05  # energy in time above that of every formula that is told
 BANDS = ("catalogue", "softest of a batch", "stiffest of a batch", "softest", "stiffest")
 BEHIND = ("x", "gap", "dolphin", "dolphin_yield", "dolphin_beyond")  # keys that the fender of a simulation lacks
 DEFAULT = dict(zip(BerthFender.__struct_fields__[::-1], BerthFender.__struct_defaults__[::-1], strict=False))
@@ -46,7 +47,7 @@ def berth(study: File | Tables | BerthStudy, database: File | Database | None = 
     time.
 
     study : path of a berthing, its tables as a dictionary, or a `study.BerthStudy`
-    database : path of the ship's database, or an open one, for the memory of the water
+    database : path of the ship's database, or an open one, for the fluid memory (radiation)
     returns : Result, in SI; its `detail` is the `study.Approach` and the `mooring.berthing.memory.Berthing`, None where
         the fenders cannot absorb the energy
     raises : ValueError, with a message of one line
@@ -71,7 +72,7 @@ def berth(study: File | Tables | BerthStudy, database: File | Database | None = 
     return Result(
         "berth", found, axes, (
             *told, *shallow(approach.ship, study.depth), *_failures(study, approach, course),
-            *_softest_of_all(approach, table), *refused,
+            *_softest_of_all(approach, table), *_above_formulas(approach, course, db), *refused,
         ),
         (
             f"softest and stiffest by {', '.join(causes_of(table))}", *((water,) if course is not None else ()),
@@ -257,6 +258,20 @@ def _softest_of_all(approach, table):
             f"needs {100 * approach.energy / soft.rated_energy:.4g} % of its rated energy, and the softest of a "
             f"batch needs {100 * approach.energy / batch.rated_energy:.4g} %; choose a larger fender, or name in "
             "fender.causes only the causes that act together at this berth"
+        )
+
+
+def _above_formulas(approach, course, db):
+    """A warning if the memory of the water gives the fenders more energy than every formula of C_M"""
+    if course is None or db is None:
+        return
+    name, (mass, energy) = max(approach.energies.items(), key=lambda one: one[1][1])
+    if course.energy > (1 + MORE) * energy:
+        yield (
+            f"the memory of the water gives the fenders {course.energy / 1e3:.4g} kJ, C_M {course.virtual_mass:.3g}, "
+            f"{100 * (course.energy / energy - 1):.0f} % more than the largest formula ({name}: {energy / 1e3:.4g} kJ, "
+            f"C_M {mass:.3g}), as happens where little water is under the keel; the table of fenders of a batch is for "
+            f"the energy of the formula, {approach.energy / 1e3:.4g} kJ: size them for the larger one"
         )
 
 

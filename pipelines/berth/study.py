@@ -62,7 +62,7 @@ class SpeedsTable(Table):
 
     mean : m/s, mean berthing speed
     deviation : m/s, standard deviation of the berthing speed
-    contacts : number of berthings in which the design speed is reached once on average
+    contacts : number of berthings, of which on average one reaches the design speed
     """
 
     mean: float
@@ -78,7 +78,7 @@ class ApproachTable(Table):
     offset : m, distance of the contact from the centre of gravity along the ship; by default from the x of the first
         fender
     eccentricity : eccentricity coefficient C_E, in place of the offset
-    virtual_mass : method of the virtual mass coefficient C_M: ueda, vasco_costa, older or pianc; or its value
+    virtual_mass : method of the virtual mass coefficient C_M: ueda, vasco_costa, older or pianc; or the value of C_M
     softness : softness coefficient C_s
     configuration : berth configuration coefficient C_c
     abnormal : factor on the energy for abnormal berthing
@@ -99,7 +99,7 @@ class BerthFender(FenderTable, kw_only=True):
     """A fender of the berth
 
     x : m, distance ahead of midship where the ship meets it
-    gap : m, distance of its face behind the face of the foremost fender
+    gap : m, distance of the fender's face behind the face of the foremost fender
     """
 
     x: float | None = None
@@ -120,10 +120,11 @@ class BerthStudy(Table):
 
 
 class Approach(msgspec.Struct, frozen=True):
-    """Values of a study in SI: ship : `energy.Ship`; speed : m/s; offset : m of the first contact from the centre of
-    gravity; eccentricity, virtual_mass, energy (J, with all factors) of the chosen method
+    """Values of a study in SI: ship : `energy.Ship`; speed : m/s; offset : distance of the first contact from the
+    centre of gravity, m; eccentricity, virtual_mass, energy (J, with all factors) of the chosen method
 
-    energies : {method: (C_M, J)}; meetings : (fender with its dolphin, x m, gap m) for each fender; first : number of
+    energies : {method: (C_M, energy in J)}; meetings : (fender with its dolphin, x in m, gap in m) for each fender;
+        first : number of
     the fender met first
     """
 

@@ -7,6 +7,23 @@ from hakobune.mooring.studies.breakwater.breakwater import KN
 
 from ..printing.number import significant
 
+JUMP = 0.25  # of K_T between neighbouring periods, that is told
+
+
+def jumps(asked, found):
+    """A line on each curve whose transmission jumps between neighbouring periods, at a resonance"""
+    period = np.asarray(asked.waves.period)
+    for curve in found.curves:
+        K = np.abs(curve.response.transmission)
+        if len(K) > 1 and (steps := np.abs(np.diff(K))).max() > JUMP:
+            at = int(steps.argmax())
+            low, high = sorted(period[at : at + 2])
+            yield (
+                f"{curve.name}: K_T goes from {K[at]:.3g} at {period[at]:.4g} s to {K[at + 1]:.3g} at "
+                f"{period[at + 1]:.4g} s, a resonance without losses; give more waves.periods between {low:.3g} and "
+                f"{high:.3g} s to see its peak; the sea behind has its own frequencies"
+            )
+
 
 def failures(optimisation, found):
     """Failures: lines that go slack, impossible pretensions, anchors that are too small, or no design that meets the

@@ -207,7 +207,7 @@ def lee_of(asked, found):
     leeward, ratios = np.array(lee.behind).T
     made = {
         "lee.behind": Quantity(
-            ratios, ("leeward",), "", "height over incident height", f"behind {units} in {lee.waves}"
+            ratios, ("leeward",), "", "height over incident height, rms along the row", f"behind {units} in {lee.waves}"
         ),
         "lee.ratio": Quantity(lee.ratio, ("map_y", "map_x"), "", "height over incident height", record=True),
         "lee.unit": Quantity(lee.units, ("unit", "xy"), "m", "middle of a unit"),

@@ -17,7 +17,7 @@ from ..results.provenance import provenance
 from ..results.result import Result
 from .build import anchors_of as asked_anchors
 from .build import breakwater_of, changing, ranges_of
-from .findings import failures, wanted
+from .findings import failures, jumps, wanted
 from .measured import read_measured
 from .quantities import (
     anchors_of,
@@ -47,11 +47,10 @@ class Found(NamedTuple):
 
 
 def breakwater(study: File | Tables | BreakwaterStudy, database: File | Database | None = None) -> Result:
-    """Transmission of a floating breakwater, the sea behind the breakwater, tensions, pretension over the tide,
-    anchors.
+    """Waves behind a floating breakwater, the tensions and pretension of its lines over the tide, and its anchors.
 
     study : path of a study, its tables as a dictionary, or a `pipelines.breakwater.study.BreakwaterStudy`
-    database : path of the database of a unit of finite length along x, or an open one, for [map]
+    database : path of the database of a unit of finite length along x, or an open database; needed for [map]
     returns : Result, in SI; its `detail` is a Found
     raises : ValueError, with a message of one line
     """
@@ -91,7 +90,8 @@ def result_of(found, text, db=None):
         quantities, axes = quantities | made, axes | labels
     optimisation, front = found.study.optimisation, found.results.front
     return Result(
-        "breakwater", quantities, axes, (*found.results.warned, *failures(optimisation, found.results)),
+        "breakwater", quantities, axes,
+        (*found.results.warned, *jumps(found.asked, found.results), *failures(optimisation, found.results)),
         (
             *behind_in_words(found.results.sea, getattr(found.study.sea, "height", None)),
             *(() if front is None else wanted(optimisation, front)),

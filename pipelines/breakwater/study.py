@@ -62,7 +62,7 @@ def _check_directions(study):
 
 
 def periods(study):
-    """Periods, ascending, s; shape (n,).  Raises StudyError."""
+    """Wave periods of a study, ascending, s; shape (n,).  Raises StudyError."""
     given = study.waves.periods
     if isinstance(given, SpanTable):
         check_count("waves.periods", given.count, 2, MOST_PERIODS, StudyError)

@@ -30,8 +30,8 @@ class SectionTable(Table):
     beam : m, width of a rectangle along the waves
     height : m, height of a rectangle from bottom to deck
     diameter : m, diameter of a circle
-    points : m, corners [y, z] of an outline, or [y, z, bulge of the edge to the next corner]; the last corner is the
-        first
+    points : m, corners [y, z] of an outline, or [y, z, bulge of the edge to the next corner]; the last corner
+        repeats the first
     """
 
     shape: str
@@ -43,7 +43,7 @@ class SectionTable(Table):
 
 
 class BodyTable(Table):
-    """Mass of the section; not needed for a fixed one
+    """Mass of the section; not needed for a fixed breakwater
 
     center_of_gravity : m, height of the centre of gravity above the lowest point
     gyration : m, radius of gyration in roll
@@ -102,7 +102,7 @@ class WavesTable(Table):
 
 
 class SeaTable(SpectrumTable):
-    """An irregular sea with one of the periods
+    """An irregular sea, given by its height and one of the periods
 
     obliquity_deg : angle between the mean wave direction and the normal of the breakwater
     duration_hours : duration of the sea whose largest tension is computed
@@ -201,7 +201,7 @@ class MapTable(Table):
 
 
 class LossTable(Table):
-    """Head loss of the flow under the keel, in potential flow; moving bodies and their tensions need a rectangle
+    """Head loss of the flow under the keel, in potential flow; a moving section and its tensions need a rectangle
 
     coefficient : coefficient C of the head loss C U²/2g
     """
@@ -210,14 +210,14 @@ class LossTable(Table):
 
 
 class OptimisationTable(Table):
-    """Designs with the least wave behind for each tension, over ranges [from, to]
+    """Search over ranges [from, to] for the designs with the lowest wave behind the breakwater at each tension
 
     draft : m, range of the draft
     width : m, range of the beam of a rectangle or the diameter of a circle
     angle_deg : range of the angle between line and bed
     samples : number of designs tried first, a power of two from 4 to 4096
-    limits : number of tension limits, 1 to 100; for each of them the wave behind is minimised
-    behind : target, in m of wave height behind the breakwater, or of the transmission K_T without a sea
+    limits : number of tension limits, 1 to 100; the wave behind the breakwater is minimised for each limit
+    behind : target for the wave height behind the breakwater, m; without a sea, for the transmission coefficient K_T
     """
 
     draft: tuple[float, float] | None = None

@@ -5,17 +5,13 @@ import io
 import os
 import sys
 import tempfile
-from contextlib import contextmanager
-from importlib import import_module
 from pathlib import Path
-from threading import Thread
 
 from hakobune.meshing.whole_files import write_whole
 
 PLOTS = (".png", ".svg", ".pdf")
 FIRST_OF_OTHERS = "\u2e80"  # first of the Chinese, Japanese and Korean letters, which matplotlib's own font lacks
 BOXES = "Last Resort"  # a font of matplotlib with a box for every letter
-PARTS_OF_MATPLOTLIB = "matplotlib.figure", "matplotlib.backends.backend_agg"
 VIEWS = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff")
 
 
@@ -41,17 +37,6 @@ def save(figure, path, dpi):
     packed = {"pil_kwargs": {"compress_level": 1}} if kind == "png" else {}  # a tenth larger in a third of the time
     figure.savefig(drawn, dpi=dpi, format=kind, **packed)
     write_whole(path, drawn.getvalue())
-
-
-@contextmanager
-def loaded_meanwhile(wanted):
-    """Context in which matplotlib is loaded if it is needed (0.3 s): while kernels run, Python has time for it"""
-    loading = Thread(target=lambda: [*map(import_module, PARTS_OF_MATPLOTLIB)] if wanted else None)
-    loading.start()
-    try:
-        yield
-    finally:
-        loading.join()
 
 
 def draw_streams(axes, towards):

@@ -50,13 +50,15 @@ def damping(
 ) -> Result:
     """Linear and quadratic damping of a body from a record of its motion: forced oscillation, or free decay.
 
-    record : path of a CSV of time_s, motion_m, and force_kN of the water where the body is moved, or {column: values};
-        of a rotation motion_deg and moment_kNm; a decay may have other names with their units, "t (s), roll (deg)"
-    mass : mass with added mass, of a free decay, kg, or of a rotation kg m²; with a database it is only compared
-    database : of the body; what its waves damp is subtracted from B1 in the keys: of a forced oscillation the radiation
-        damping of this motion alone, of a decay that of the motion coupled with the others, which are free; the mass of
-        a decay is then that of the database
-    motion : the recorded one, "roll", of several bodies "barge roll"; needed with a database
+    record : path of a CSV file, or {column: values}, with the columns time_s and motion_m, for a rotation motion_deg.
+    A forced oscillation also has force_kN of the water, for a rotation moment_kNm.
+    A decay may have other column names with units, such as "t (s), roll (deg)"
+    mass : mass with added mass of a free decay, kg, of a rotation kg m²; compared with the database where there is one
+    database : path of the body's database, or None. Its radiation damping is subtracted from B1 in the keys.
+    For a forced oscillation this is the radiation damping of the recorded motion alone.
+    For a decay it is the radiation damping of the recorded motion coupled with all other free motions.
+    The mass of a decay is then the mass of the database
+    motion : name of the recorded motion, "roll"; with several bodies "barge roll"; needed with a database
     returns : Result, in SI
     raises : ValueError, with a message of one line
     """

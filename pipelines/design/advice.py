@@ -68,7 +68,7 @@ def advise(read, judged, cases, others, paths, folder, step):
     governing = [one for one in changed if one.governing is not None and one.governing.case in cases]
     keys = {key_of(cases[one.governing.case]) for one in governing} | _keys_of_fatigue(read, cases)
     criteria, now = [one.criterion for one in governing], max(one.governing.utilisation for one in governing)
-    number, most = itertools.count(1), sum(map(len, changes.values()))
+    number, most = itertools.count(1), most_tried(changes)
 
     @cache
     def tried(way, i):
@@ -78,6 +78,11 @@ def advise(read, judged, cases, others, paths, folder, step):
 
     best = [_smallest(partial(tried, way), len(changes[way]), now) for way in changes]
     return Advice(tuple(changes), tuple(one for one in best if one is not None), beyond)
+
+
+def most_tried(changes):
+    """Largest number of the changes of `ways` that the search runs: in doubling steps, then between two of them"""
+    return sum(min(len(one), 2 * len(one).bit_length()) for one in changes.values())
 
 
 def _keys_of_fatigue(read, cases):

@@ -4,7 +4,6 @@ The content of the page is independent of time and place: the same inputs give t
 """
 
 import os
-import tomllib
 from importlib.resources import files
 
 import numpy as np
@@ -54,6 +53,8 @@ def _context(read, verdict, advice, paths, folder):
         "levels": list(_levels(read, paths, folder)),
         "return_period": words.return_words(own, verdict),
         "in_time": words.time_words(read),
+        "not_run": sum(one.numbers is None for one in verdict.ran),
+        "mooring": list(words.mooring_words(read)),
         "states": [words.state_row(state) for state in read.project.states],
         **_of_body(read, paths, folder),
         "lines": list(words.line_rows(read, verdict)),
@@ -161,7 +162,7 @@ def _checks(paths):
     """Results of the checks of the databases, one line each"""
     from hakobune.bem.database import open_database
 
-    from ..solve.report import ESTIMATED, checked
+    from ..solve.report import ESTIMATED, checked, given_panels
 
     failed = False
     for level, path in paths.items():
@@ -170,18 +171,13 @@ def _checks(paths):
             if not one.passed:
                 failed, text = True, f"{level}: {one.name} is {one.largest:.2g} at ω {one.omega:.3g} rad/s"
                 if one.name in ESTIMATED and given_panels(db):
-                    text += "; the scene gives panels, so that no tolerance was asked for"
-                    yield {"css": "open", "text": text}
+                    text = f"{level}: the estimated error of {one.name.removeprefix('estimated_')} is at most "
+                    text += f"{100 * one.largest:.2g} %, at ω {one.omega:.3g} rad/s; "
+                    yield {"css": "source", "text": f"{text}the scene gives panels, so that no tolerance was asked for"}
                     continue
                 yield {"css": "fails", "text": f"{text}; limit {one.limit:g}"}
     text = "reciprocity, Haskind relation, energy, residual, estimated errors, each against its stored limit."
     yield {"css": "source", "text": f"Checked{' besides' if failed else ', and passed'}: {text}"}
-
-
-def given_panels(db):
-    """Whether the scene of a database gave panels, as a number or a mesh file, so that no tolerance applies"""
-    scene = tomllib.loads(str(db.attributes.get("scene", "")))
-    return "panels" in scene or any(body.get("shape") == "mesh" for body in scene.get("bodies", ()))
 
 
 def _equipment(read, db):

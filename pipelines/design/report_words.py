@@ -13,6 +13,7 @@ from ..common.weather.seas import period_of
 from ..printing.number import fixed
 from .fatigue import QUANTITY as FATIGUE
 from .kinds.mooring import BESIDE
+from .kinds.needs import REACTION
 from .kinds.numbers import Numbers
 from .report_tables import CASE_HEAD, OF_PROJECT, WORDS, case_row, farthest
 from .verdict import FAILS, NUMBER, OPEN
@@ -21,6 +22,7 @@ COUNTED = ("stable headings",)  # a count without a utilisation: if the criterio
 THE_PROJECT = "the project"  # origin of values that belong to no load case
 # of a finding: "solve 0.3 to 5.9 rad/s as well", "solve from 0.3 rad/s", "solve to 5.9 rad/s"
 BAND = re.compile(r"solve (?:([\d.e-]+) to ([\d.e-]+)|from ([\d.e-]+)|to ([\d.e-]+)) rad/s")
+ANCHOR_SIZES = {"mass": "kg", "weight_kN": "kN in water", "holding_kN": "kN of holding", "uplift_kN": "kN of uplift"}
 WAYS = {"size": "larger sizes", "number": "more lines"}  # words for ways that differ from their names
 MOTIONS = tuple(dof.lower() for dof in DOFS)
 MARK = {True: "passes", False: "fails", None: "open"}
@@ -186,6 +188,21 @@ def line_rows(read, verdict):
         )
 
 
+def mooring_words(read):
+    """Sentences on the anchors and the wear that the criteria take"""
+    anchors = read.study.get("anchors", ())
+    for one in anchors if isinstance(anchors, list) else ():  # a breakwater has a table of its own kind
+        given = [f"{value:g} {unit}" for key, unit in ANCHOR_SIZES.items() if (value := one.get(key)) is not None]
+        words = ", ".join([one["kind"], *(str(one[key]) for key in ("type", "soil") if key in one), *given])
+        on = ", ".join(one.get("lines", ())) or "all lines on the bed"
+        yield f"Anchors of {on}: {words}; factor of safety {one.get('safety', 1):g}."
+    wear = read.project.wear
+    if wear is not None:
+        years = wear.years or read.project.project.service_life
+        lost = f"{wear.mm_per_year:g} mm of diameter a year, {wear.mm_per_year * years:.3g} mm in {years:g} years"
+        yield f"Chains are worn by {lost}."
+
+
 def _used_of(used, breaking, allowable):
     if allowable is None:
         return percent(used)
@@ -205,7 +222,8 @@ def part_table(read, verdict):
             values = one.numbers.parts.get(quantity, {})
             pick = min if quantity in least else max
             item = pick(values, key=values.get) if values else ""
-            cells.append(f"{values[item]:.3g} {item}" if values else "")
+            shown = [item] if quantity != REACTION and values else values  # the jetty needs it of each fender
+            cells.append(", ".join(f"{values[item]:.3g} {item}" for item in shown))
         rows.append((one.case.name, cells))
     return quantities, rows
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from datetime import datetime
 from pathlib import Path
+from time import perf_counter
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,14 +12,18 @@ import numpy as np
 from hakobune.mooring.criteria.failing import fails
 
 from ..common.outputs import check_folder
+from ..common.progress import duration as time_words
 from ..executors.choice import executor_of
 from ..results.given import File
 from ..results.provenance import provenance
 from ..results.quantity import Quantity
 from ..results.result import Result, labels
+from .advice import most_tried
+from .kinds.changes import ways
 from .project import read_project
 from .report_tables import WORDS
 from .report_words import advice_words, band, fatigue_words, method_words, percent, summary
+from .verdict import FAILS
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -33,8 +38,9 @@ def design(
     """A mooring in all load cases of a site, judged by rule sets, as one page.
 
     project : path of a project; output : path of the folder of its page, load cases and databases
-    executor : local or processes:N; advice : try other sizes and pretensions if it fails; console : for progress
-    returns : Result, in SI; its `detail` is the `verdict.Verdict` and the names of the files written
+    executor : local or processes:N; advice : whether to try other sizes and pretensions if the mooring fails;
+        console : console for progress
+    returns : Result, in SI; its `detail` is the `verdict.Verdict` and the names of the written files
     raises : ValueError, with a message of one line, before anything is solved
     """
     read, output = read_project(project), Path(output)
@@ -49,8 +55,8 @@ def design(
 
 
 def unread_simulation(study, project):
-    """A line of text on keys of a study's [simulation] that the project's [simulation] lacks; a project reads its own
-    table alone
+    """A remark on keys of a study's [simulation] that the project's [simulation] lacks; only the project's table is
+    read
 
     study, project : tables as read
     """
@@ -64,8 +70,10 @@ def unread_simulation(study, project):
 
 
 def made(read, folder, workers, console, advice=True):
-    """Verdict, names of the written files and advice (None if it is not requested) of a Read project; all files are in
-    `folder`."""
+    """Verdict, names of the written files, and advice for a Read project; all files are written to `folder`.
+
+    The advice is None if it is not requested.
+    """
     from .advice import advise, after_lines_move
     from .report import write_report
     from .running import databases, of_databases, run_cases
@@ -74,9 +82,13 @@ def made(read, folder, workers, console, advice=True):
     folder.mkdir(parents=True, exist_ok=True)
     paths = databases(read, folder, workers, console)
     with _Counting(console, folder / "log.txt") as step:
+        began = perf_counter()
         verdict = judged_project(read, run_cases(read, paths, folder, workers, step), of_databases(read, paths))
         change = None
         if advice:
+            if verdict.word == FAILS:
+                write_report(read, verdict, None, paths, folder)
+                step.search(_announced(read, verdict, perf_counter() - began, folder))
             cases = {one.case.name: one.case for one in verdict.ran}
             others = project_quantities(read)
             change = advise(read, verdict.judged, cases, others, paths, folder / "advice", step)
@@ -84,12 +96,25 @@ def made(read, folder, workers, console, advice=True):
     return verdict, write_report(read, verdict, change, paths, folder), change
 
 
+def _announced(read, verdict, seconds, folder):
+    """The verdict, and what the search of advice then does; seconds : that the load cases took, little where kept"""
+    each, most = seconds / max(len(verdict.ran), 1), most_tried(ways(read.study))
+    text = f"the mooring {verdict.word}{summary(verdict)}\nwritten: {folder / 'report.html'}, without advice"
+    if not most:
+        return text
+    took = f", each about {time_words(each)}" if each > 1 else ", which take as long as when they ran first"
+    return (
+        f"{text}\nsearching the smallest change that passes: at most {most} changes are tried, and each runs its "
+        f"governing load cases again{took}; Ctrl-C ends the search, and --no-advice omits it"
+    )
+
+
 class _Counting:
     """Context whose value, called with the number done, the total number and a name, shows the progress of the cases,
     and writes it to the file `log` with the time of day"""
 
     def __init__(self, console, log):
-        self.console, self.log = console, log
+        self.console, self.log, self.searching = console, log, False
 
     def __enter__(self):
         self.log.write_text("", encoding="utf-8")
@@ -100,10 +125,25 @@ class _Counting:
 
     def __call__(self, done, known, name):
         text = f"{done} of {known}: {name}"
-        with self.log.open("a", encoding="utf-8") as log:
-            print(datetime.now().strftime("%H:%M:%S"), text, file=log)
+        self._log(text)
         if self.status:
             self.status.update(text)
+        elif self.searching:
+            self._print(f"change {text}")
+
+    def search(self, text):
+        """Print what a search of advice begins with; each change that it tries is then a line too"""
+        self.searching = True
+        self._log(text)
+        self._print(text)
+
+    def _log(self, text):
+        with self.log.open("a", encoding="utf-8") as log:
+            print(datetime.now().strftime("%H:%M:%S"), text, file=log)
+
+    def _print(self, text):
+        if self.console:
+            self.console.print(text, highlight=False, markup=False, soft_wrap=True)
 
     def __exit__(self, *_):
         if self.status:
@@ -111,9 +151,8 @@ class _Counting:
 
 
 def result_of(verdict, change, names, origin, told=()):
-    """Result of a Verdict; change : advice, or None; names : names of the files; origin : its provenance
-
-    told : lines that are printed first
+    """Result of a Verdict; change : advice, or None; names : names of the files; origin : provenance of the Verdict
+    told : lines that are printed before the verdict
     """
     judged, ran = verdict.judged, verdict.ran
     rules = [f"{k + 1} {one.criterion.rule}: {one.criterion.quantity}" for k, one in enumerate(judged)]

@@ -16,6 +16,7 @@ from hakobune.mooring.criteria.verdict import Case, Tensions
 
 from ..common.quantities import StudyError
 from ..common.typed import read_toml
+from ..executors.choice import Here
 from ..moor.study import make_study
 from .cases import LoadCase, file_name, intact_cases, without_line
 from .kinds.needs import ANCHOR, EXCURSION, SCOPE
@@ -192,10 +193,12 @@ def key_of(case):
 
 def _run_all(read, cases, factors, paths, folder, executor, step, done):
     places = [folder / "cases" / f"{file_name(case)}.h5" for case in cases]
-    jobs = [
+    jobs = (
         executor.submit(read.kind.run, case.study, paths[case.level], place, factors)
         for case, place in zip(cases, places, strict=True)
-    ]
+    )
+    if not isinstance(executor, Here):  # which works in the call, so that each case would be told of after all of them
+        jobs = list(jobs)
     ran = []
     for case, place, job in zip(cases, places, jobs, strict=True):
         try:

@@ -18,9 +18,9 @@ class ProjectTable(Table):
         breakwater
     scene : file of the body's scene, solved at every water level; or give database
     database : file of the solved body; or give scene; optional for a single point and a breakwater
-    site : file of site values, written by hakobune site, for weather, levels and service life
+    site : file of site values (weather, levels, service life) written by `hakobune site`
     service_life : years, service life of the mooring
-    probability : probability that the value of an extreme state is not exceeded during the service life
+    probability : probability that the extreme value is not exceeded during the service life
     note : note printed in the report
     author : author of the report
     client : client of the report
@@ -49,13 +49,13 @@ class StateTable(Table):
 
     name : name of the state in results
     state : class of the state in the rules: normal or abnormal
-    incidence_deg : wave directions; wind and current come from the same direction, plus each of the offsets listed
+    incidence_deg : wave directions; each offset in wind_off_deg and current_off_deg is added for wind and current
     wind_off_deg : offsets of the wind direction from the wave direction
     current_off_deg : offsets of the current direction from the wave direction
-    levels : names of water levels; "mean" is that of the study
-    lines : conditions of the lines: "intact", "one lost"; a rope of a berth counts as a line
+    levels : names of water levels; "mean" is the water level of the study
+    lines : conditions of the lines, "intact" or "one lost"; a rope of a berth counts as a line
     lost : which line is lost: the "worst" of the intact case, or "each" in turn
-    weather : name of a state of the site, for wind, current and waves that are not given here
+    weather : name of a state of the site, which supplies the wind, current and waves that are not given here
     share : fraction of the service life with this weather, for fatigue; divided equally among directions and levels
     """
 
@@ -78,9 +78,10 @@ class RuleTable(Table):
     """A rule set, and the part of the rule set that applies
 
     rule : name of the rule set
-    subject : part of the rule set that applies; by default all of it
+    subject : part of the rule set that applies; by default the whole rule set
     file : file of your own rules, in place of the tables of hakobune
-    confirmed : whether criteria that have not been checked against the book are used; needed where the rule set has any
+    confirmed : whether criteria not checked against the printed rules are used; needed where the rule set has such
+        criteria
     """
 
     rule: str
@@ -95,13 +96,13 @@ class LimitTable(Table):
     quantity : name of the quantity as in rule sets: "surge", "fender strain, total", "transmitted wave height", …
     at_most : upper limit, in the unit of the quantity; or give at_least
     at_least : lower limit, in the unit of the quantity; or give at_most
-    unit : unit of the limit, a check: a unit other than that of the quantity is refused
-    state : states it applies to: normal, abnormal or any
-    lines : conditions of the lines it applies to: intact, one lost or any
-    subject : "hawser" for the tensions of hawsers; by default those of all other lines; or the name of a body for
-        its motions, by default those of all bodies
-    statistic : statistic that is limited: largest, or for motions amplitude or peak to peak; largest and amplitude of a
-        motion are from its mean, peak to peak is the largest less the smallest of a run
+    unit : unit of the limit, only to check it: a unit other than the unit of the quantity is refused
+    state : states that the limit applies to: normal, abnormal or any
+    lines : conditions of the lines that the limit applies to: intact, one lost or any
+    subject : for tensions "hawser", by default all lines but hawsers; for motions the name of a body, by default
+        all bodies
+    statistic : limited statistic: largest, or for motions amplitude or peak to peak. Largest and amplitude of a
+        motion are measured from its mean; peak to peak is the largest value less the smallest value of a run
     source : origin of the limit, as "the owner"
     """
 
@@ -117,13 +118,13 @@ class LimitTable(Table):
 
 
 class ValueTable(Table):
-    """A value computed elsewhere, for a criterion that no load case gives a value for
+    """A value computed elsewhere, for a criterion on a quantity that no load case computes
 
     quantity : name of the quantity as in rule sets: "bending stress / yield stress", "gust factor", …
     value : the value, in the unit of the criterion
     source : origin of the value, such as a calculation
-    state : states it applies to: normal, abnormal or any
-    lines : conditions of the lines it applies to: intact, one lost or any
+    state : states that the value applies to: normal, abnormal or any
+    lines : conditions of the lines that the value applies to: intact, one lost or any
     """
 
     quantity: str
@@ -137,7 +138,8 @@ class EarthquakeCase(Table):
     """An earthquake at the dolphins of a berth, as a load case of the abnormal state
 
     name : name of the case in results
-    study : file of a hakobune earthquake study beside this one; without [body] the body is that of the database
+    study : file of a `hakobune earthquake` study beside this one; if it has no [body], the body of the database is
+        used
     """
 
     name: str
@@ -147,8 +149,8 @@ class EarthquakeCase(Table):
 class WearTable(Table):
     """Loss of chain diameter by wear and corrosion
 
-    mm_per_year : loss of diameter in a year
-    years : years, time of wear; by default the service life
+    mm_per_year : yearly loss of diameter
+    years : years, duration of the wear; by default the service life
     """
 
     mm_per_year: float
@@ -159,7 +161,7 @@ class AnchorsTable(Table):
     """Holding capacity of the anchors
 
     holding_kN : holding capacity of an anchor
-    lines : kN, {name of a line = holding capacity of its anchor}, for anchors that differ
+    lines : kN, {name of a line = holding capacity of its anchor}, for anchors with different capacities
     """
 
     holding_kN: float
@@ -173,8 +175,9 @@ class FatigueTable(Table):
         s^−m
     exponent : exponent m of your own curve
     constant : constant a of your own curve
-    basis : range s that your own curve uses: "stress", in MPa over the nominal area, both legs of a chain; or "share",
-        the tension range over the breaking load, for chain over that of grade ORQ of the same size
+    basis : range s of your own curve: "stress", in MPa over the nominal area, for a chain the area of both legs; or
+        "share", the tension range over the breaking load, for a chain over the breaking load of an ORQ chain of its
+        size
     chain : whether your own curve is for chain
     factor : factor on the damage over the service life, at least 1
     """
@@ -207,9 +210,9 @@ class Project(Table):
 
     @property
     def database_with_levels(self):
-        """Whether levels are requested with the database of one depth"""
+        """Whether the project requests water levels although it gives a database, which has only one depth"""
         return self.project.database is not None and bool(self.levels)
 
     def level(self, name):
-        """m above the water of the study"""
+        """Height of a named water level above the water level of the study, m"""
         return 0.0 if name == MEAN else self.levels[name]

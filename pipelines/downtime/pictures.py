@@ -49,7 +49,8 @@ def _operations(result):
 def months(result, axes):
     """Share of each month with its interval"""
     _bars(result, axes, 100 * result["month.share"], 100 * result["month.low"], 100 * result["month.high"])
-    axes.set(ylabel="downtime, %", title="by month, with the 90 % interval between years")
+    between = ", with the 90 % interval between years" * bool(np.isfinite(result["month.low"]).any())
+    axes.set(ylabel="downtime, %", title=f"by month{between}")
     axes.set_xticks(range(12), result.labels["month"].values)
 
 

@@ -37,12 +37,13 @@ def _verdict(result, number):
     name, at = result.labels["operation"].values[number], result["downtime.hours"][number]
     low, high = result["downtime.hours_low"][number], result["downtime.hours_high"][number]
     between = f", 90 % interval {low:.4g} to {high:.4g} h" if low == low else ""
+    hours = f"{at:.4g}" if low == low else f"{float(f'{at:.2g}'):g}"  # of too few years for an interval
     own = [i for i, one in enumerate(result.detail.limits) if one.operation == number]
     worst = max(own, key=lambda i: result["cause.hours"][i])
     label = result.labels["limit"].values[worst].removeprefix(f"{name}: ")
     share = 100 * result["downtime.share"][number]
     cause = f"; the main cause is {label} with {result['cause.hours'][worst]:.4g} h" if at > 0 else ""
-    return {"name": name, "text": f"is down {at:.4g} h a year, {share:.3g} % of the time{between}{cause}."}
+    return {"name": name, "text": f"is down {hours} h a year, {share:.3g} % of the time{between}{cause}."}
 
 
 def _pictures(result):

@@ -61,10 +61,10 @@ def downtime(
 
     study : path of a downtime study, its tables as a dictionary, or a `DowntimeStudy`, with files relative to it
     database : path of the body's database, or an open one; None with [lee]
-    states : path of the file of simulated states, continued where it stopped; None to keep none
-    executor : executor of the simulations, as in the command; say : called with each line of progress
+    states : path of the file of simulated states, continued where it stopped; None to store no states
+    executor : executor of the simulations, as in the command; say : function that is called with each line of progress
     returns : Result, in SI; its `detail` is a Detail
-    raises : ValueError, with a message of one line; KeyboardInterrupt, finished states are kept
+    raises : ValueError, with a message of one line; KeyboardInterrupt, after which finished states are kept
     """
     read, text = given(study, DowntimeStudy, read_downtime, make_downtime)
     folder = Path(study).parent if isinstance(study, str | os.PathLike) else Path()
@@ -138,7 +138,7 @@ def _with_waves(response):
 
 
 def hours_of(response, record):
-    """`limits.Hours` of a Record, with wave systems added, or by its planes"""
+    """`limits.Hours` of a Record, whose wave systems are added up, or which has `planes` in place of wave systems"""
     hindcast, planes = record.hindcast, record.planes
     if planes is None:
         each = [moments_of_hours(response, shape, waves)

@@ -134,7 +134,9 @@ def simulated(read, record, limits, ready, path, executor, say):
 
 def _counted(row):
     """How a state that failed enters the hours"""
-    return "counted as beyond all limits" if row.get("overload") else "left out, its hour follows from other states"
+    if row.get("overload"):
+        return "counted as beyond all limits, so that the hours of every cause include those like it"
+    return "left out, its hour follows from other states"
 
 
 def _features(hindcast, rows):

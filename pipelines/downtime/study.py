@@ -1,4 +1,4 @@
-"""A downtime study from its file: checked tables, the hindcast in axes of the body, shapes of its spectra."""
+"""A downtime study from its file: checked tables, the hindcast in the body's axes, and the shapes of the spectra."""
 
 import itertools
 import math
@@ -37,7 +37,7 @@ OF_PLANES = Shape("jonswap", "energy_period", None, CosinePower(4.0))
 
 
 class Record(NamedTuple):
-    """hindcast : `mooring.downtime.hindcast.Hindcast`; shapes : `every_hour.Shape` of each of its systems
+    """hindcast : `mooring.downtime.hindcast.Hindcast`; shapes : `every_hour.Shape` of each wave system
 
     planes : `mooring.downtime.planes.Planes`, None for a hindcast with systems of waves
     """
@@ -145,7 +145,7 @@ def record_of(table, folder, depth=None):
 
 
 def known_columns(columns):
-    """Names of quantities from the columns of a HindcastTable that limits may use"""
+    """Names of the quantities in the columns of a HindcastTable, on which operations may have limits"""
     made = [name for stream, ends in STREAMS if f"{stream} east" in columns
             for name in (f"{stream} speed", f"{stream} {ends}")]  # fmt: skip
     return [*columns, *made]

@@ -29,7 +29,7 @@ PASSING = {"passing surge": "kN", "passing sway": "kN", "passing yaw": "kN m"}
 
 
 class WavesColumns(Table):
-    """Columns of one wave system, with one height, one period and one direction, and its spectrum
+    """Columns of one wave system (one height, one period, one direction), and its spectrum
 
     height : name of the column of the significant height, m
     mean_period : name of the column of the mean period T₀₁, s; or give another of the periods
@@ -58,14 +58,16 @@ class HindcastTable(Table):
     """A weather record of several years
 
     file : CSV, netCDF, NDBC or SWAN table beside the study; a pattern such as "era5_*.nc" joins several files
-    waves : columns of the wave systems; left out where a netCDF file has a spectrum for each hour
+    waves : columns of the wave systems; not given for a netCDF file with a spectrum for each hour
     time : name of the column of times, ISO 8601
-    location : number of the place, from 1, in a netCDF file of several, the last of its axes fastest
-    zone : time zone of times without an offset: UTC, +09:00 or a name such as Europe/Berlin
+    location : number of the place, counted from 1, in a netCDF file of several places; the count runs fastest along
+        the last axis
+    zone : time zone of all times that are written without one: UTC, +09:00 or a name such as Europe/Berlin
     x_axis_compass_deg : compass heading of the body's x axis
-    level_at_rest : m, value of the column level at the water level of the database
-    columns : {quantity = column}, for "wind speed", "wind from", "current speed", "current to", or in their place "wind
-        east", "wind north", "current east", "current north"; also for level, ice and any other quantity with a limit
+    level_at_rest : m, value in the column "level" that corresponds to the water level of the database
+    columns : {quantity = column}, for "wind speed", "wind from", "current speed", "current to", or for the
+        components "wind east", "wind north", "current east", "current north"; also for level, ice and any other
+        quantity with a limit
     """
 
     file: str
@@ -81,11 +83,11 @@ class HindcastTable(Table):
 class LimitTable(Table):
     """A limit on an operation
 
-    quantity : a motion such as "roll", with [simulation] that of the moored body; with [simulation] also "tension /
-        breaking load", "fender deflection" and "fender reaction"; without it also a response of a point, as "bow
-        acceleration z", "air gap NAME" or "under-keel clearance"; or the "significant height" or a column of the
-        hindcast
-    at_most : upper limit, in m, degrees, m/s², or the unit of a column; or give at_least
+    quantity : a motion such as "roll"; the "significant height"; or a column of the hindcast. With [simulation]
+        motions are those of the moored body, and "tension / breaking load", "fender deflection" and "fender
+        reaction" are allowed. Without [simulation] responses of a point are allowed: "bow acceleration z", "air gap
+        NAME" or "under-keel clearance"
+    at_most : upper limit, in m, degrees, m/s², or the unit of the hindcast's column; or give at_least
     at_least : lower limit in the same units, for an air gap, an under-keel clearance or a column; or give at_most
     statistic : statistic of a motion: "largest", the mean of the largest amplitude in an hour; "significant"; or "peak
         to peak"
@@ -103,8 +105,8 @@ class OperationTable(Table):
     name : name of the operation in results
     rule : name of a rule set whose limits apply in addition, as "PIANC"
     subject : part of the rule set that applies, as "freighter, coaster; quay cranes"
-    window_hours : time that the operation needs without interruption
-    allowed_hours : allowed downtime in h a year; the study fails above it
+    window_hours : h, time that the operation needs without interruption
+    allowed_hours : allowed downtime, h per year; the study fails above this downtime
     """
 
     name: str
@@ -119,7 +121,7 @@ class LeeTable(Table):
     """The lee of a floating breakwater in place of a body, for limits on "wave height behind"
 
     study : file of a breakwater study beside this one, whose transmission applies to waves from all directions
-    holding : a holding of that study; by default the holding of its [design], or the last one
+    holding : name of a holding of the breakwater study; by default the holding of its [design], or its last holding
     """
 
     study: str
@@ -130,7 +132,7 @@ class PassagesTable(Table):
     """Passing ships, for limits on "passing surge" (kN), "passing sway" (kN) and "passing yaw" (kN m) in each hour
 
     file : list of passages beside this one, with a row for each
-    study : file of a study of a passing ship, used at the distance and speed of each passage
+    study : file of a study of a passing ship, whose distance and speed are replaced by those of each passage
     time : name of the column of the time of the passage
     distance : name of the column of the distance between the centre lines, m
     speed : name of the column of the ship's speed through the water, m/s
@@ -147,7 +149,7 @@ class AlternativeTable(Table):
     """Another mooring of the same body, for comparison
 
     name : name of the alternative in results
-    study : file of a mooring study beside this one, with another fender, line or pretension
+    study : file of a mooring study beside this one, with different fenders, lines or pretensions
     turned_deg : clockwise rotation of the body with its mooring
     """
 
@@ -157,18 +159,17 @@ class AlternativeTable(Table):
 
 
 class StatesTable(Table):
-    """A moored body simulated in selected sea states, from which all hours are interpolated
+    """Selected sea states in which the moored body is simulated; results of all other hours are interpolated
 
-    study : file of a mooring study beside this one; its waves are replaced by those of each hour, and its wind where
-        the hindcast has one
+    study : file of a mooring study beside this one; each hour of the hindcast replaces its waves, and its wind if
+        the hindcast has wind
     states : number of states at the start, 8 or more, selected by maximum dissimilarity
     most_states : largest number of states
-    batch : number of states added at a time, where verdicts may change
+    batch : number of states added at a time, among hours whose verdict may still change
     seeds : number of simulations of each state, 2 or more
     duration_hours : duration of a simulation
-    tolerance_hours : tolerated error of the interpolation, in h a year of downtime of each operation
-    alternatives : other moorings, each simulated in selected states of its own, stored in a file beside that of the
-        states
+    tolerance_hours : tolerated error of the interpolation in the downtime of each operation, h per year
+    alternatives : other moorings; each is simulated in its own selected states, which are stored in its own file
     """
 
     study: str

@@ -1,4 +1,4 @@
-"""An earthquake at dolphins as typed TOML: a body, its fenders, and the known data of the ground.
+"""An earthquake at dolphins as typed TOML: a body, its fenders, and the data of the ground motion.
 
 motion = "sway"         [fender]            # keys of `hakobune fender`   [spectrum]
                         family = "cell"                                   periods = [0.1, 0.5, 1.0, 5.0]
@@ -48,7 +48,7 @@ class BodyTable(Table):
 
 
 class SideFender(FenderTable, kw_only=True):
-    """The fenders on one side of the body; the other side has the same
+    """The fenders on one side of the body; the other side has equal fenders
 
     count : number of fenders on each side, 1 to 1000
     clearance : m, gap between fender and body at rest
@@ -58,7 +58,7 @@ class SideFender(FenderTable, kw_only=True):
 
 
 class RecordTable(Table):
-    """A ground acceleration record, corrected so that the ground ends at rest
+    """A record of the ground acceleration; it is corrected so that the ground is at rest at the end
 
     file : CSV file beside the study with the columns time_s and acceleration_m_s2 or acceleration_gal, equally spaced
         in time
@@ -74,7 +74,7 @@ class RecordTable(Table):
 class SpectrumTable(Table):
     """A response spectrum
 
-    periods : s, rising periods, with straight lines between the points
+    periods : s, rising periods; the acceleration is linear between them
     acceleration : m/s², spectral acceleration at each period
     damping_ratio : damping ratio of the spectrum
     """
@@ -88,7 +88,7 @@ class EarthquakeStudy(Table):
     """A floating body between dolphins during an earthquake
 
     motion : direction of motion: "sway", across the dolphins, or "surge"
-    coefficient : seismic coefficient, as a site study gives it; or give rule
+    coefficient : seismic coefficient, such as the coefficient that a site study computes; or give rule
     """
 
     fender: SideFender
@@ -102,7 +102,9 @@ class EarthquakeStudy(Table):
 
 
 def read_study(path):
-    """EarthquakeStudy of a TOML file, the whole path of its record, and the text of the file.  Raises StudyError."""
+    """EarthquakeStudy of a TOML file, with the full path of its record, and the text of the file.  Raises
+    StudyError.
+    """
     raw, text = read_study_at_site(Path(path), "an earthquake study", EARTHQUAKE)
     record = raw.get("record")
     if isinstance(record, dict) and isinstance(record.get("file"), str):
@@ -125,7 +127,7 @@ def make_study(raw):
 
 
 def quake_of(study, folder=".", database=None):
-    """`Quake` of a study with files in `folder`, or with full paths.  Raises StudyError or EarthquakeError."""
+    """`Quake` of a study whose files are in `folder` or have full paths.  Raises StudyError or EarthquakeError."""
     fender = pair_of(study.fender, fender_of(_one(study.fender)))
     if not 0 <= study.fender.clearance <= WIDEST:
         raise StudyError(f"fender.clearance is {study.fender.clearance:g} m; allowed: 0 to {WIDEST:g}")

@@ -1,5 +1,6 @@
-"""`hakobune.fender`: the characteristic of a fender, of its softest and of its stiffest variant, and one compression of
-all three."""
+"""`hakobune.fender`: the characteristics of a fender, of its softest variant and of its stiffest variant, and one
+compression of each.
+"""
 
 from __future__ import annotations
 
@@ -33,9 +34,9 @@ BANDS = ("catalogue", "softest", "stiffest")
 
 
 class Pressed(NamedTuple):
-    """pair : the fender and its support; bands : the softest and the stiffest; at : requested deflection, m, or None
+    """pair : the fender and its support; bands : softest and stiffest variant; at : requested deflection, m, or None
 
-    straight : the pair under a face without inclination, None if the face has none
+    straight : the pair under a face without inclination; None if the face is not inclined
     """
 
     pair: Fender
@@ -54,7 +55,7 @@ def fender(
     """Reaction and energy of a fender over its compression, its returned energy, its softest and stiffest variants.
 
     table : keys of the table [fender] of studies as a dictionary, or a `common.fender_tables.FenderTable`
-    strain, deflection (m), energy (J) : one of them requests one compression
+    strain, deflection (m), energy (J) : at most one of the three, to request one compression
     returns : Result, in SI; its `detail` is a `Pressed`
     raises : ValueError, with a message of one line
     """

@@ -26,6 +26,9 @@ def keys(
     hakobune keys pretension
     hakobune keys --schema schemas
     """
+    from hakobune.mooring.criteria.rule_lines import rule_lines
+    from hakobune.mooring.criteria.rules import read_rules, rule_names
+
     from . import shown
 
     if json and markdown:
@@ -36,8 +39,19 @@ def keys(
         print(shown.kinds_text(json, markdown))
         return 0
     write = shown.as_json if json else shown.as_markdown if markdown else shown.as_text
-    tables = _tables(kind, words)
+    try:
+        tables = _tables(kind, words)
+    except ValueError:
+        rules = rule_lines((kind, *words))
+        if not rules:
+            raise
+        print(*rules, sep="\n")
+        return 0
     print(write(tables))
+    asked = {word.strip("[]").lower() for word in (kind, *words)}
+    rule = kind.lower() in (name.lower() for name in rule_names(read_rules()))
+    if not (json or markdown) and (rule or asked <= {"design", "rules", "limits"}):
+        print("", *rule_lines((kind, *words) if rule else ()), sep="\n")
     if not (json or markdown) and any(key.name == "catalogue" for table in tables for key in table.keys):
         from hakobune.mooring.lines.catalogue import FORMS
 

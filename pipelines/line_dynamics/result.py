@@ -1,4 +1,4 @@
-"""`hakobune.line_dynamics`: one line with a moving fairlead, its tensions, slack and work, and its statics."""
+"""`hakobune.line_dynamics`: tensions, slack, work and statics of one line with a moving fairlead."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def line_dynamics(
     """Tensions, slack and work of one mooring line whose fairlead moves.
 
     study : path of a study, its tables as a dictionary, or a `pipelines.line_dynamics.study.LineDynamicsStudy`
-    duration : s, tolerance : in place of the study's
+    duration : s, tolerance : values in place of those in the study
     progress : function of the duration, s, that returns a function called with the time reached
     returns : Result, in SI; its `detail` is a Run
     raises : ValueError, with a message of one line

@@ -1,6 +1,6 @@
 """One mooring line and the motion of its fairlead, as typed TOML.
 
-Keys are in m, s, kg and degrees; other units stand in the key.
+Keys are in m, s, kg and degrees; a key with another unit ends in that unit.
 Segments, and the bodies between them, count from the anchor up. z is
 measured from still water, and under the anchor the bed lies `water.depth` below still water.
 Every fault is one line that names
@@ -21,7 +21,7 @@ from ..common.weather.seas import SeaTable, seas_at
 class WaterTable(water.WaterTable):
     """Water at the anchor
 
-    depth : m, under the anchor, inf for a line that touches no bed
+    depth : m, water depth at the anchor; inf for a line that touches no bed
     """
 
 
@@ -31,10 +31,10 @@ class BedTable(Table):
     friction : coefficient of friction between line and bed
     points : m, points [x, z], … of the bed, x from the anchor along the line; in place of a slope
     slope_deg : slope of the bed, positive upwards along uphill_deg
-    uphill_deg : direction in which the bed rises, or in which x of the points increases, 0 → +x; for points by default
+    uphill_deg : direction in which the bed rises, 0 → +x; with points, the direction of increasing x, by default
         towards the mean position of the fairlead
-    stiffness_kPa_per_m : stiffness of the bed for each metre of line, over the line's diameter
-    damping_kPa_s_per_m : damping of the bed for each metre of line, over the line's diameter
+    stiffness_kPa_per_m : stiffness of the bed for each metre of line, divided by the line's diameter
+    damping_kPa_s_per_m : damping of the bed for each metre of line, divided by the line's diameter
     """
 
     friction: float = 0.0
@@ -50,7 +50,7 @@ class DynamicTypeTable(MaterialTable):
 
     elongation_percent : %, elongations from 0 on of a rope with nonlinear stiffness, with straight lines between the
         points
-    tension : tension of such a rope at each elongation, from 0 on
+    tension : tension of a rope with nonlinear stiffness at each elongation, from 0 on
     """
 
     elongation_percent: list[float] | None = None
@@ -76,7 +76,7 @@ class FairleadTable(Table):
 
     position : m, x, y, z of the mean position
     table : CSV file beside this one with the columns t,x,y,z in s and m
-    ramp : s, time in which the motion grows from rest; by default the longest period, and 0 for a table
+    ramp : s, time in which the motion grows from rest; by default the longest period, for a table 0
     """
 
     position: tuple[float, float, float] | None = None
@@ -90,7 +90,7 @@ class CurrentTable(Table):
 
     speed : m/s, speed at the surface; or give speed_knots
     exponent : exponent α of the profile U(z) = U₀ (1 + z/h)^α
-    z : m, heights of the given speeds, rising from the bed; in place of an exponent
+    z : m, z of the given speeds, ascending from the bed; in place of an exponent
     speeds : m/s, speed at each z
     """
 
@@ -127,8 +127,8 @@ class MoorDynTable(Table):
     """A line of a MoorDyn file, in place of water, types, segments, bodies and anchor
 
     file : MoorDyn file beside this one
-    line : number of the line in that file; where free points join several lines, the number of any of them
-    depth : m, water depth, for a file without it
+    line : number of the line in that file; any of the numbers where free points join several lines
+    depth : m, water depth; needed where the file has none
     """
 
     file: str
@@ -141,9 +141,9 @@ class LineDynamicsStudy(Table):
 
     anchor : m, x, y, z of the anchor in space
     name : name of the line in results and pictures
-    duration : s, duration of the simulation; by default to the end of a table, or twelve times the longest period;
+    duration : s, duration of the simulation; by default the duration of a table, or twelve times the longest period;
         needed with a sea
-    tolerance : error of any tension in a step, relative to the largest tension
+    tolerance : allowed error of every tension in a step, relative to the largest tension
     surface : whether parts above still water have their weight in air and no water loads; by default only for a MoorDyn
         file
     measure_from : s, time from which statistics are computed; by default the end of the ramp

@@ -1,4 +1,6 @@
-"""`hakobune.members`: forces on slender members over one wave, the largest of each and of all, and their phases."""
+"""`hakobune.members`: forces on slender members over one wave: largest force on each member and on all members, and
+their phases.
+"""
 
 from __future__ import annotations
 
@@ -22,7 +24,7 @@ A_MEMBER = 0.1  # s, over a wave
 
 
 def members(study: File | Tables | MembersStudy) -> Result:
-    """Water and wind on slender members, piles and frames of a dolphin, cranes: forces over a regular wave.
+    """Forces of water and wind on slender members over a regular wave: piles and frames of a dolphin, cranes.
 
     study : path of a study of members, its tables as a dictionary, or a `study.MembersStudy`
     returns : Result, in SI
@@ -78,7 +80,7 @@ def _records(rows, force):
 
 
 def findings(standing, force, wave):
-    """One line each on members that are never wet or too wide for Morison's formula; force : (p, m, 6)"""
+    """Findings, one line each, on members that are never wet or too wide for Morison's formula; force : (p, m, 6)"""
     dry = [one.name for k, one in enumerate(standing) if not force[:, k].any()]
     if dry:
         yield (

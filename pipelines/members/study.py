@@ -69,7 +69,7 @@ class MemberTable(Table):
     width : m, diameter or side without marine growth
     start : m, x, y, z of one end, z up from still water
     end : m, x, y, z of the other end
-    drag : drag coefficient C_D, over the width with growth
+    drag : drag coefficient C_D, referred to the width with growth
     inertia : inertia coefficient C_M; by default that of potential flow: 2 for circular, 2.19 for square, 1 for plate
     growth : m, thickness of the marine growth
     """
@@ -183,7 +183,9 @@ def _placed(member, depth):
 
 
 def wind_on(study):
-    """[(name, (6,) N and N m about the origin)] of the members in the wind.  Raises StudyError, ValueError."""
+    """[(name, wind force and moment about the origin (6,), N and N m)] of the members in the wind.  Raises
+    StudyError, ValueError.
+    """
     if study.wind is None:
         return []
     towards, found = direction("wind", study.wind), []

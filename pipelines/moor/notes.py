@@ -33,7 +33,15 @@ def resonant(made, db):
 def _used(result, line):
     if np.isinf(result.system.breaking_load[line]):
         return "its utilisation is unknown, since no breaking load is given"
-    return f"{100 * result.utilisation[line]:.0f} % of its breaking load (allowable {100 * result.allowable:.0f} %)"
+    used = f"{100 * result.utilisation[line]:.0f} % of its breaking load (allowable {100 * result.allowable:.0f} %)"
+    found = result.extreme.solutions.get(line)
+    if found is None:
+        return used
+    parts = zip(found.segment_tensions, found.line.segments, strict=True)
+    tension, part = max(parts, key=lambda one: one[0] / one[1].breaking_load)
+    return (
+        f"{used}, in its segment {part.name}, {significant(tension / KN)} of {significant(part.breaking_load / KN)} kN"
+    )
 
 
 def _waves(made):

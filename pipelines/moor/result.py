@@ -1,4 +1,4 @@
-"""`hakobune.moor`: a mooring study on a database, by the simplified method, and its stored results."""
+"""`hakobune.moor`: a mooring study on a database by the simplified method, and the study's results."""
 
 from __future__ import annotations
 
@@ -36,6 +36,10 @@ FORCE_UNITS = ("N", "N", "N", "N m", "N m", "N m")
 MOTION_UNITS = ("m", "m", "m", "rad", "rad", "rad")
 WORDS = {"irregular": "irregular waves", "regular_wave": "regular wave of significant height"}
 UNUSED = "not used: "
+OF_RUNS = (
+    "not used: simulation.damping_ratio and linear_damping, which damp runs of simulate alone; [viscous] of the scene "
+    "damps both"
+)
 FORCES = ("Fx", "Fy", "Fz", "Mx", "My", "Mz")
 LINE = {  # name: (unit, description, table, of a MultiPoint)
     "tension.at_rest": ("N", "at rest", LINES, lambda r: r.rest.lines.tension_b),
@@ -57,7 +61,7 @@ LINE = {  # name: (unit, description, table, of a MultiPoint)
 
 
 def moor(study: File | Tables | Study, database: File | Database) -> Result:
-    """Equilibrium, natural periods and line tensions of a moored body, or of several bodies moored to each other.
+    """Equilibrium, natural periods and line tensions of a moored body, or of several bodies that are moored together.
 
     study : path of a mooring study, its tables as a dictionary, or a `pipelines.moor.study.Study`
     database : path of the body's database, or an open one
@@ -82,6 +86,8 @@ def studied(study, db):
     anchors = study.anchors_on(system.line_names)
     berth, body = study.berth_of(db, hull) if db.bodies else None, linked(db.bodies_reader, study.hinges, db)
     conditions, of_seas = study.conditions_and_warnings()
+    damped = study.simulation is not None and (study.simulation.damping_ratio or study.simulation.linear_damping)
+    of_seas = (*of_seas, *((OF_RUNS,) if damped else ()))
     result = multi_point(db, system, hull, conditions, study.allowable, berth, body)
     found = anchor_findings(system.line_names, anchors, *_at_anchors(result))
     return replace(result, warnings=(*study.remarks(hull, db), *of_seas, *result.warnings, *found)), hull
@@ -96,7 +102,7 @@ def result_of(made, hull, text, db, first=(), anchors=()):
     """Result of a MultiPoint and its hull or hulls
 
     text : text of its study; db : database of the body; first : findings printed first
-    anchors : `Study.anchors_on` its lines
+    anchors : anchors of its lines, from `Study.anchors_on`
     """
     names = [body.name for body in db.bodies if not body.fixed]
     of_each = partial(_of_each, names)

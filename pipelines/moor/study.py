@@ -65,9 +65,9 @@ AT_SURFACE = 1e-6  # depth of a point in the surface, over the draft
 class Study(Table):
     """A moored body: water, hull, lines and weather
 
-    hulls : a table like [hull] for each moving body by name, where there are several
+    hulls : {name of a moving body = a table like [hull]}, where several bodies move
     lines_file : file of lines of MoorDyn, MoorPy, RAFT, OrcaFlex or `hakobune lines`, in place of types and lines
-    lines_body : name of the body that these lines hold, where there are several
+    lines_body : name of the body that the lines of lines_file hold, where there are several bodies
     allowable : fraction of the breaking load that a line or rope may carry (OCIMF MEG4: 0.5 of ropes, 0.55 of wires)
     """
 
@@ -119,7 +119,9 @@ class Study(Table):
         return Conditions(wind, current, regular, waves.method, sea, duration, factor)
 
     def hulls_of(self, db):
-        """ExposedBox as by `hull_of` for a database of one body; for several {name: ExposedBox} of the moving bodies"""
+        """ExposedBox of a database of one body, by `hull_of`; for several bodies {name: ExposedBox} of the moving
+        bodies
+        """
         if not db.bodies:
             if self.hulls:
                 raise StudyError(f"hulls.{min(self.hulls)} is given, but the database contains one body; give [hull]")
@@ -139,7 +141,8 @@ class Study(Table):
         return found
 
     def hull_of(self, dimensions, table=None):
-        """ExposedBox with sizes of the study, or of a database (`dimensions`, m); a contradiction is an error.
+        """ExposedBox with sizes from the study or from a database (`dimensions`, m); sizes that contradict each
+        other are an error.
 
         A hull with a radius is round.
 
@@ -168,10 +171,12 @@ class Study(Table):
 
         raises : StudyError as `check_streams` and `check_floats`
         """
+        from ..solve.report import doubts
+
         self.check_depth(db.water_depth, db.path)
         check_floats(db)
         said = [line for line in dict.fromkeys(unread(one.catalogue) for one in self.types.values()) if line]
-        said += doubtful_weather(self)
+        said += [*doubtful_weather(self), *doubts(db)]
         for one in each_body(db):
             box = hull.get(one.name) if db.bodies else hull
             if box is not None:
@@ -190,7 +195,9 @@ class Study(Table):
         check_solved_depth(self.water.depth, solved, name, None if waves is None else waves.period)
 
     def check_streams(self, hull, density):
-        """Raises StudyError for impossible weather, or weather without coefficients for an `ExposedBox`; kg/m³"""
+        """Raises StudyError for impossible weather, and for weather without the coefficients of an `ExposedBox`;
+        density : kg/m³
+        """
         given = self.conditions()
         try:
             if given.wind:
@@ -210,8 +217,7 @@ class Study(Table):
         return berth_of_tables(self.fender, self.dolphin, self.rope, hull, center)
 
     def berth_of(self, db, hulls):
-        """The same for several bodies of a database; hulls : from `hulls_of`  Raises StudyError for unsupported
-        cases."""
+        """Berth of several bodies of a database; hulls : from `hulls_of`. Raises StudyError for unsupported cases."""
         if not db.bodies:
             return self.berth(hulls, db.rotation_center)
         if self.quay is not None or self.harbour is not None:
@@ -238,7 +244,8 @@ class Study(Table):
         return anchors_of(self.anchors, names, [line.name for line in self.lines if line.bollard is not None])
 
     def system(self, hull, center, density=1025.0, gravity=9.80665, in_time=False):
-        """System of one hull on all spreads and lines; None if only a berth holds the hull, or in a simulation nothing
+        """System of one hull on all spreads and lines; None if only a berth holds the hull, or if nothing does in a
+        simulation
 
         center : (3,) m, origin of the axes of the body; density : kg/m³; gravity : m/s²
         """
@@ -326,7 +333,7 @@ class Study(Table):
 
 
 def check_floats(db):
-    """Raises StudyError for a body whose hull is at the surface, but has no stiffness in heave"""
+    """Raises StudyError for a body whose hull pierces the water surface but has no stiffness in heave"""
     if db.bodies or db.hydrostatic_stiffness is None or db.hydrostatic_stiffness[2, 2] > 0 or db.mesh is None:
         return
     top = float(db.mesh.points[:, 2].max())
@@ -340,8 +347,10 @@ def check_floats(db):
 
 
 def box_of(db, body):
-    """{"length", "beam", "draft"} m of the box about its origin around one of several bodies, a `bem.modes.Body`; also
-    the "radius" of a hull of revolution about its own vertical
+    """{"length", "beam", "draft"}, m, of the box around one of several bodies (`bem.modes.Body`), centred on the
+    body's origin.
+
+    A hull of revolution about its own vertical axis also has a "radius".
 
     db : Database, or a `moor.checked.Body` of hulls that are not solved yet
     """
@@ -409,7 +418,9 @@ def read_study(path):
 
 
 def read_raw(path):
-    """Nested dictionaries and text of a TOML file, with its values of a site and of other files.  Raises StudyError."""
+    """Nested dictionaries of a TOML file, with the values taken from a site and other files; and the text of the
+    file.  Raises StudyError.
+    """
     return with_files(*with_lines(*read_study_at_site(Path(path), "a study"), path), path)
 
 

@@ -27,8 +27,8 @@ class HullTable(SuperstructureTable, kw_only=True):
 class Spread(LineTable, kw_only=True):
     """Lines from the four corners of the hull
 
-    corner_headings_deg : angles from the x axis, 0 to 90, of the lines at the corner +x, +y; the other corners mirror
-        them
+    corner_headings_deg : angles from the x axis, 0 to 90, of the lines at the corner +x, +y; lines at other corners
+        are mirrored
     pretension : horizontal tension at rest
     fairlead_z : m, height of the fairleads above still water
     body : name of the body whose corners are used, where there are several
@@ -47,11 +47,11 @@ class OneLine(LineTable, kw_only=True):
     name : name of the line in results and messages
     fairlead : m, x, y, z on the body at rest
     anchor : m, x, y on the bed
-    bollard : m, x, y, z of a fixed bollard in place of an anchor; a hawser to it needs a length or a pretension
+    bollard : m, x, y, z of a fixed bollard in place of an anchor; a hawser to a bollard needs a length or a pretension
     heading_deg : direction from the fairlead to the anchor, 0 → +x
     pretension : horizontal tension at rest
-    body : name of the body in whose coordinates the fairlead is, where there are several
-    to : name of another body, in whose coordinates the bollard is
+    body : name of the body in whose coordinates the fairlead is given, where there are several bodies
+    to : name of another body to which the line leads; the bollard is then given in that body's coordinates
     """
 
     name: str
@@ -81,7 +81,7 @@ class GivenForceTable(Table):
 
     file : CSV file beside the study with the columns t (s from the end of the ramp), Fx, Fy, Fz (N), Mx, My, Mz (N m)
     body : name of the body that the force acts on, where there are several
-    at : s, time of the run at which t of the table is 0; a table that begins and ends with zeros may be shorter than
+    at : s, time in the run at which the table's t is 0; a table that begins and ends with zeros may be shorter than
         the run
     """
 
@@ -95,7 +95,7 @@ class RecordTable(Table):
 
     file : CSV file beside the study with the columns time_s and elevation_m, equally spaced in time, at least as long
         as ramp and duration
-    shortest : s, shortest wave period that is kept; by default that of the highest stored frequency
+    shortest : s, shortest wave period that is kept; by default the period of the highest stored frequency
     """
 
     file: str
@@ -109,26 +109,26 @@ class SimulationTable(Table):
 
     duration : s, duration of the statistics, after the ramp
     duration_hours : duration of the statistics, in hours
-    ramp : s, time before the duration, in which every load grows from 0
+    ramp : s, time before the duration of the statistics, in which every load grows from 0
     step : s, sampling interval of the records
     tolerance : error of the motions, relative to their standard deviations
-    seeds : number of seeds, from 1 on, or a list of them
+    seeds : number of seeds, which then count from 1, or a list of seeds
     keep_series : number of seeds whose records are stored
     components : number of wave components of each sea; by default chosen by duration and bandwidth
     slow_drift : method of the slow drift force: "newman", "half-waves" of the SR179 report, "mean" or "none"
     wave_drift_damping : whether slow velocities change the drift force (wave drift damping)
-    qtf : method of the slow force of pairs of waves: "newman", "bound-wave", "body" or "full", as in a response study,
-        or "auto", the part stored in the database, where Newman's approximation is not accurate enough
-    motions : names of the motions that are free, by default all; the others are held at rest and need no hydrodynamics
+    qtf : method of the slow force of wave pairs: "newman", "bound-wave", "body" or "full", as in a response study;
+        or "auto", which uses the forces stored in the database where Newman's approximation is not accurate enough
+    motions : names of the free motions, by default all; other motions are held at rest and need no hydrodynamics
     memory : method of the radiation force: "states", or "constant" for added mass and damping at one frequency
     constant_period : s, period of that frequency; by default the mean period of the waves
-    dynamic_lines : lines simulated with inertia, drag and their own motion: "auto" for all lines where a trial run
-        shows the need, "all", "none", or a list of names; the others have their static shape; dynamic lines are
-        uniform, of a catalogue type
+    dynamic_lines : lines simulated with inertia, drag and their own motion: "auto" (all lines, if a trial run shows
+        the need), "all", "none", or a list of names. All other lines have their static shape. The types of dynamic
+        lines and of their segments need mass and diameter, as those of the catalogue have
     dynamic_elements : number of elements of each dynamic line
     dynamic_water : water motion around dynamic lines: "still" for none, or "sea" for waves and current
-    estimate_error : whether the error is estimated with a second run at a tenth of the tolerance, and a third at a
-        hundredth where the second differs by more than a third of the tolerance
+    estimate_error : whether a second run at a tenth of the tolerance estimates the error; if the two differ by more
+        than a third of the tolerance, a third run at a hundredth follows
     damping_ratio : {motion = share of critical damping}, in addition to radiation, as in a response study
     linear_damping : kN s/m, {motion = B₁}, kN m s for rotations, as `hakobune damping` computes it
     quadratic_damping : kN s²/m², {motion = B₂}, kN m s² for rotations, as `hakobune damping` computes it
@@ -173,7 +173,7 @@ class SimulationTable(Table):
 class HarbourTable(Table):
     """Natural periods of the harbour of a berth
 
-    periods : s, natural periods; natural periods of the moored body near them are reported
+    periods : s, natural periods of the harbour; a natural period of the moored body near one of these is reported
     """
 
     periods: list[float]
@@ -182,9 +182,9 @@ class HarbourTable(Table):
 class QuayTable(Table):
     """A vertical quay along x that reflects all waves, for simulate
 
-    y : m, y of its face with the body at rest, as y of fenders
-    method : "far-field", for a database of open water, without the waves that decay between hull and quay; or "panels",
-        for a database solved with --wall at y; by default whichever fits the database
+    y : m, y of the quay's face with the body at rest, like the y of fenders
+    method : "far-field", for a database of open water, which neglects the decaying waves between hull and quay; or
+        "panels", for a database solved with --wall at y; by default the method that fits the database
     """
 
     y: float

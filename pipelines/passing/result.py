@@ -33,7 +33,7 @@ FINE = 6  # factor on the number of places where they cost little
 
 
 def passing(study: File | Tables | PassingStudy) -> Result:
-    """Forces on a moored ship while another ship passes the moored ship on a parallel track.
+    """Forces on a moored ship while another ship passes on a parallel track.
 
     study : path of a study, its tables as a dictionary, or a `study.PassingStudy`
     returns : Result, in SI; its `detail` is the `mooring.passing.passage.Passage`

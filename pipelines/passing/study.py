@@ -1,6 +1,6 @@
 """A ship that passes a moored ship, as typed TOML.
 
-Bodies are as in a scene; for a mesh file the middle of its length and beam is the middle of the ship.
+Bodies are described as in a scene. For a mesh file, the middle of the mesh's length and beam is the ship's middle.
 
 [water]                [moored]               [passing]              [track]
 depth = 20.0           shape = "ship"         shape = "ship"         distance = 110.0
@@ -43,7 +43,7 @@ class TrackTable(Table):
     speed : m/s, speed over the ground
     opposite : whether the ship heads towards the stern of the moored ship
     current : m/s, current along the track, positive towards the bow of the moored ship
-    lengths : length of track before and behind the moored ship, over the mean ship length
+    lengths : length of track before and behind the moored ship, in mean ship lengths
     """
 
     distance: float
@@ -143,7 +143,9 @@ def track_of(study):
 
 
 def size(body, hull):
-    """Length, beam and draft, m; shape (3,): as given, or of a mesh file, whose hull is whole"""
+    """Length, beam and draft, m; shape (3,): as given, or taken from a mesh file, which must have both sides of the
+    hull
+    """
     if body.shape == "mesh":
         length, beam = np.ptp(hull.points[:, :2], axis=0)
         return np.array([length, beam, hull.draft])
@@ -152,7 +154,9 @@ def size(body, hull):
 
 
 def check_apart(study, beams):
-    """m between the sides.  Raises StudyError for ships that touch, or one inside the wall; beams : (2,) m"""
+    """Distance between the sides of the ships, m.  Raises StudyError for ships that touch, or one inside the wall;
+    beams : (2,) m
+    """
     half = 0.5 * np.asarray(beams)
     distance, wall = study.track.distance, study.wall
     gap = abs(distance) - half.sum()

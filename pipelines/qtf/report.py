@@ -1,15 +1,23 @@
 """Report on forces of wave pairs: size of each part, deviation of Newman's approximation, errors."""
 
+import math
+
 import numpy as np
 
+from hakobune.bem.panels.pressure_drift.hull_interpolation import twisted_panels
 from hakobune.bem.second_order.kinds import SUM
+from hakobune.bem.second_order.stored import APART, USABLE, diagonal_gap, failed_gap
 from hakobune.bem.waves import wavenumber
 from hakobune.mooring.criteria.failing import fails
 
 from .question import A_WAVE, carried_by
 
-APART = 0.05  # difference of drift by pressure and by far field, over the largest drift, that is accepted
 MODES = [0, 1, 5]
+MORE = "the difference falls with more panels"
+MORE_OF_TWISTED = (
+    "flow at the pointed ends and on the twisted panels of this hull is uncertain, and more panels may not lower the "
+    "difference"
+)
 
 
 def newman(forces, mode, heading):
@@ -22,34 +30,28 @@ def newman(forces, mode, heading):
     return out
 
 
-def diagonal_gap(forces):
-    """Largest difference between mean drift by pressure and by the far field in surge and sway, over the largest mean
-    drift; None if unknown"""
-    if forces.added is None:
-        return None
-    h = np.arange(len(forces.headings))
-    drift = forces.squares[0][:, h, h][..., :2]
-    return float(np.abs(forces.added[:, h, h][..., :2]).max() / max(np.abs(drift).max(), 1e-300))
-
-
 def failures(stored, db=None):
     """Failures of `StoredForces`: a mean drift by pressure that differs from the mean drift by the far field
 
     db : its open database, whose panels may be too large for the waves; None for no message on them
     """
-    gap = None if stored.forces.kind is SUM else diagonal_gap(stored.forces)
-    if gap is not None and gap > APART:
-        yield fails(
-            f"mean drift by pressure differs from the far-field drift by {100 * gap:.3g} % of the largest, limit "
-            f"{100 * APART:g} %; {_smaller_panels(stored.forces, db)}"
-        )
+    failed = failed_gap(stored.forces)
+    if failed is not None:
+        words, gap = failed
+        remedy = _smaller_panels(stored.forces, db)
+        if remedy == MORE and db is not None:
+            most = math.ceil(db.mesh.total * gap / APART - 1e-9)
+            remedy += f", at best as one over their number: {most} or more for the limit"
+        used = "uses these pairs with a warning" if gap <= USABLE else "leaves these pairs out"
+        yield fails(f'{words}; {remedy}; qtf = "auto" {used}, and qtf = "bound-wave" needs none')
 
 
 def _smaller_panels(forces, db):
     """The remedy: panels that resolve the waves, or longer waves"""
     size, most = (np.inf, np.inf) if db is None else (float(db.mesh.sizes.max()), _carried(db))
     if most >= forces.omega[-1]:
-        return "the difference falls with more panels"
+        twisted = db is not None and twisted_panels(db.mesh).any()
+        return MORE_OF_TWISTED if twisted else MORE
     length = 2 * np.pi / wavenumber(float(forces.omega[-1]), db.water_depth, db.gravity)
     within = "in the mesh, and import it (--mesh)" if "imported" in getattr(db, "attributes", ()) else "in the scene"
     return (
@@ -81,7 +83,9 @@ def notes(stored):
             "the diagonal is the mean drift by the far field; the drift by pressure differs from it by "
             f"{100 * gap:.3g} % of the largest"
         )
-    if stored.errors is None:
+    if failed_gap(forces) is not None:
+        yield "there is no estimated error, since the mean drift by pressure fails its check"
+    elif stored.errors is None:
         yield "there is no estimated error, since there is no mesh with half as many panels"
     else:
         shares = _relative(stored)

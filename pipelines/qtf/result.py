@@ -44,11 +44,13 @@ def qtf(
 ) -> Result:
     """Forces of wave pairs at the difference or the sum of their frequencies, on the body of a database.
 
-    database : path or an open one; the forces are stored there, and stored ones are not solved again
-    omega : (n,) rad/s at even steps in the stored band; headings : (m,) rad; highest : rad/s, difference or sum
-    fixed : for the fixed body; moored : path of a mooring study whose lines hold the floating body
-    level : body, full (with the surface's forcing) or, of differences, auto; by default body, of sums full
-    method : panel, contour or auto; fresh : whether to solve again
+    database : path, or an open database; the forces are stored in it, and stored forces are not solved again
+    omega : (n,) rad/s at even steps in the stored band; headings : (m,) rad; highest : highest difference or sum,
+        rad/s
+    fixed : whether the body is fixed; moored : path of a mooring study whose lines hold the floating body
+    level : "body", "full" (with the forcing of the free surface), or "auto" for differences; by default "body", for
+        sums "full"
+    method : "panel", "contour" or "auto"; fresh : whether to solve stored forces again
     returns : Result, in SI; its `detail` is the `bem.second_order.stored.StoredForces`
     raises : ValueError, with a message of one line
     """
@@ -103,7 +105,7 @@ def _stiffness(study, db):
 
 
 def result_of(stored, db):
-    """Result of `StoredForces` of an open database: root mean square of the force with each additional part"""
+    """Result of `StoredForces` of an open database: root mean square of the force after adding each part in turn"""
     forces, sums = stored.forces, stored.forces.kind is SUM
     rows = list(_rows(stored, sums))
     parts = list(rows[0][3]) if rows else []

@@ -47,7 +47,7 @@ def response(study: File | Tables | ResponseStudy, database: File | Database, mo
 
     study : path of a response study, its tables as a dictionary, or a `ResponseStudy`
     database : path of the body's database, or an open one
-    moored : path of a mooring study whose lines, wind and current hold the body, None for a freely floating body
+    moored : path of a mooring study whose lines, wind and current act on the body; None for a freely floating body
     returns : Result, in SI; its `detail` is a `SeaState` or a `Climate` of `mooring.response`
     raises : ValueError, with a message of one line
     """
@@ -95,8 +95,10 @@ def response(study: File | Tables | ResponseStudy, database: File | Database, mo
 
 
 class Solved(NamedTuple):
-    """found : SeaState or Climate; body : Reader of the moving bodies; stiffness : (n, n) SI of water and lines;
-    warnings, failures, notes : one line each; slow : `SlowMotion` on lines, None without them"""
+    """found : SeaState or Climate; body : Reader of the moving bodies; stiffness : stiffness of water and lines, (n,
+    n), SI;
+    warnings, failures, notes : one line each; slow : `SlowMotion` on lines; None without lines
+    """
 
     found: SeaState | Climate
     body: Reader
@@ -131,7 +133,9 @@ def _of_depth(read, db):
 
 
 def of_sea(found, radius, bodies=()):
-    """Quantities of a SeaState and the labels of their axes; radius : m, of the hull; bodies : names of several"""
+    """Quantities of a SeaState and the labels of their axes; radius : radius of the hull, m; bodies : names of the
+    bodies where there are several
+    """
     excited = np.flatnonzero(~(found.sigma <= 0))  # an unknown value is not zero
     units, axis = tuple(found.units[i] for i in excited), ("response",)
     columns = {
@@ -199,8 +203,9 @@ def of_climate(found, years, radius, bodies=()):
 
 
 def without_rounding(force, radius, among=None):
-    """Fx, Fy and Mz (3,); a component is set to zero if it is only rounding error of the largest force of `among` (n,
-    3), or of the largest component
+    """Fx, Fy and Mz, shape (3,), with zeros for components that are only rounding error.
+
+    A component is compared with the largest force of `among` (n, 3), and with the largest component.
 
     A moment is compared with a force times the radius in m.
     """
@@ -253,7 +258,7 @@ def _with_gaps(made, axes, found, years):
 
 
 def of_moored(motion, axis="plane"):
-    """Quantities of a SlowMotion; axis : name of the axis of its slow motions"""
+    """Quantities of a SlowMotion; axis : name of the axis of the slow motions"""
     moved = MOVED * (len(motion.offset) // 3)
     columns = {
         "offset": (motion.offset, moved, "mean"),

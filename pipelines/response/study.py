@@ -38,7 +38,8 @@
     tide = -0.5                          # m, under-keel clearance at this level of the water
     extra_draft = 0.2                    # m
 
-Directions have either `direction_deg`, travelled to, or `incidence_deg`, the angle χ of the reports, 0 from ahead.
+Directions have either `direction_deg`, the direction of travel, or `incidence_deg`, the angle χ of the reports, 0
+from ahead.
 """
 
 from pathlib import Path
@@ -63,9 +64,10 @@ class SeaTable(common.SystemsTable):
     """A sea with one wave system or several
 
     duration_hours : duration of the sea whose largest motions are computed
-    qtf : method of the slow force of pairs of waves: "newman"; "bound-wave", with the long waves bound to them; "body",
-        with all that `hakobune qtf` stores except the forcing of the free surface; "full", including it; or "auto", the
-        cheapest that is accurate enough; all but "newman" need one wave system, and "bound-wave" needs long crests
+    qtf : method of the slow force of pairs of waves: "newman"; "bound-wave", which adds the bound long waves;
+        "body", with all parts that `hakobune qtf` stores except the forcing of the free surface; "full", with this
+        forcing too; or "auto", the cheapest method that is accurate enough. All methods but "newman" need one wave
+        system, and "bound-wave" needs long crests
     """
 
     duration_hours: float = 3.0
@@ -75,7 +77,7 @@ class SeaTable(common.SystemsTable):
 class DirectionTable(Table):
     """A direction of the climate
 
-    share : fraction of the time with waves of this direction
+    share : fraction of the time with waves in this direction
     """
 
     share: float
@@ -103,8 +105,8 @@ class PointTable(Table):
 
     name : name of the point in results
     position : m, x, y, z of the point with the body at rest
-    clearance : m, height above still water of a part that has to stay dry, for the air gap
-    body : name of the body whose coordinates the position is in, where there are several
+    clearance : m, height above still water of the part that has to stay dry; needed for the air gap
+    body : name of the body in whose coordinates the position is given, where there are several bodies
     """
 
     name: str
@@ -141,9 +143,10 @@ class KeelTable(Table):
 class BodyTable(Table):
     """Damping and stiffness in addition to those of the database
 
-    viscous : viscous damping that grows with the motion, linearised in the sea; replaces that of the database's scene
-    damping_ratio : {motion = share of critical damping}, in addition to radiation; of several bodies {"barge roll" =
-        share}
+    viscous : viscous damping that grows with the motion, linearised in the sea; it replaces the viscous damping of
+        the database's scene
+    damping_ratio : {motion = share of critical damping}, in addition to radiation; with several bodies {"barge roll"
+        = share}
     damping : additional damping, a 6 × 6 matrix in SI units; with several bodies six rows for each that moves
     stiffness : additional stiffness, a 6 × 6 matrix in SI units; with several bodies six rows for each that moves
     """
@@ -158,7 +161,7 @@ class CarryingTable(Table):
     """A uniform current that carries the waves of [sea]; its force on the hull is part of a mooring study
 
     speed : m/s, current speed; or give speed_knots
-    waves : how the spectrum was measured, as in a mooring study: "intrinsic", "absolute" or "still"
+    waves : reference of the spectrum, as in a mooring study: "intrinsic", "absolute" or "still"
     """
 
     speed: float | None = None
@@ -220,7 +223,7 @@ def viscous_laws(study, db):
 
 
 def viscous_words(body, laws, damping):
-    """A message on the viscous damping (6, 6) of each law in a sea"""
+    """Messages on the viscous damping (6, 6) of each law in a sea"""
     for dof in laws:
         i = body.names.index(dof)
         share = damping[i, i] / body.critical_damping(i)
@@ -234,7 +237,7 @@ def read_response_study(path):
 
 
 def make_response_study(raw, name="the study"):
-    """The ResponseStudy of nested dictionaries; name : name of their source.  Raises StudyError."""
+    """The ResponseStudy of nested dictionaries; name : name of their source in messages.  Raises StudyError."""
     study = typed(raw, ResponseStudy, StudyError)
     if (study.sea is None) == (study.climate is None):
         state = "has neither" if study.sea is None else "has both"
@@ -250,7 +253,7 @@ def files_of(study, folder):
 
 
 def damping_of(where, ratios, body):
-    """Damping, SI, of ratios {motion: share of critical} of a Body; shape (n, n).  Raises StudyError."""
+    """Damping matrix of a Body, SI, shape (n, n), from ratios {motion: share of critical}.  Raises StudyError."""
     extra = np.zeros_like(body.damping)
     for mode, ratio in checked_ratios(where, ratios, body.words).items():
         extra[mode, mode] = ratio * body.critical_damping(mode)
@@ -268,7 +271,7 @@ def checked_ratios(where, ratios, names=ONE_BODY):
 
 
 def climate_of(table, beside, depth):
-    """Arguments of `mooring.response.climate.climate` after the body; `beside` is the path of the study, depth m."""
+    """Arguments of `mooring.response.climate.climate` after the body; beside : path of the study; depth : m."""
     from hakobune.mooring.environment.scatter import read_scatter
 
     positive("climate.years", table.years)

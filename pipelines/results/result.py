@@ -29,10 +29,10 @@ PLACE = re.compile(r"(?P<head>[^\[\]]+)\[(?P<label>[^\]]+)\](?:\.(?P<tail>.+))?"
 @dataclass(frozen=True, eq=False)
 class Result(Mapping[str, Any]):
     """kind : kind of study, as "moor"
-    quantities : {name: Quantity}; dots separate the parts of a name, the first of which names the object
+    quantities : {name: Quantity}; dots separate the parts of a name, and the first part names the object
     labels : {axis: Quantity of its labels, or of its values}
     findings : lines; failures begin with FAILS (`mooring.criteria.failing`)
-    notes : printed lines with information that tables lack; first : findings printed before the tables
+    notes : lines, printed, with information that the tables lack; first : findings printed before the tables
     provenance : {name: text} of the input, the database and the version of the program
     detail : the return value of the study's own function, for a result that was not read from a file
     """
@@ -76,7 +76,7 @@ class Result(Mapping[str, Any]):
 
     @property
     def told(self) -> tuple[str, ...]:
-        """All findings, first the findings that are printed before the tables"""
+        """All findings; those printed before the tables come first"""
         return (*self.first, *self.findings)
 
     @property
@@ -90,7 +90,9 @@ class Result(Mapping[str, Any]):
         return int(bool(failing(self.told)))
 
     def quantity(self, name: str) -> Quantity:
-        """The Quantity of a name; at one label of its first axis if the name has one.  Raises KeyError."""
+        """The Quantity of a name; if the name contains a label of the first axis, the Quantity at that label.
+        Raises KeyError.
+        """
         if name in self.quantities:
             return self.quantities[name]
         found = PLACE.fullmatch(name)
@@ -134,7 +136,7 @@ class Result(Mapping[str, Any]):
         return as_xarray(self)
 
     def to_dataframe(self, *names: str) -> pandas.DataFrame:
-        """A pandas.DataFrame of quantities that have the same axes.  Raises ValueError for others."""
+        """A pandas.DataFrame of quantities with the same axes. Raises ValueError where the axes differ."""
         from .frames import as_dataframe
 
         return as_dataframe(self, *names)
@@ -170,7 +172,9 @@ def labels(axis: str, values: Any, unit: str | tuple[str, ...] = "", description
 
 
 def records(given):
-    """{name: Quantity} of {name: (values, axes, unit, description)} that are long, and only in files"""
+    """{name: Quantity} of {name: (values, axes, unit, description)}, for long records that are only written to
+    files
+    """
     return {
         name: Quantity(values, axes, unit, words, record=True) for name, (values, axes, unit, words) in given.items()
     }

@@ -1,8 +1,8 @@
 """A result as tables: which quantities form a table, and how they are printed.
 
-Quantities with one `table` and the same first axis are columns, its labels the rows; further axes are spread over
-columns.  Quantities without axes are rows of a table of names, values and units.  Numbers are printed with significant
-digits, in print units; --csv and --json give all digits, in SI.
+Quantities with the same `table` and the same first axis become columns of one table. The labels of that axis are the
+rows; further axes are spread over columns. Quantities without axes are rows of a table of names, values and units.
+Numbers are printed with significant digits, in print units; --csv and --json give all digits, in SI.
 """
 
 import itertools
@@ -24,9 +24,9 @@ ROUNDING = 1e-10  # numbers below this fraction of the largest with the same uni
 
 
 class Column(NamedTuple):
-    """name : name of the quantity, with the label of its second axis; heading : in print; values : (rows,)
+    """name : name of the quantity, with the label of its second axis; heading : printed heading; values : (rows,)
 
-    units : one for each row, or one for all rows; read_in : (print unit, its size) if all rows share a unit
+    units : one unit for each row, or one for all rows; read_in : (print unit, its size) if all rows share a unit
     """
 
     name: str
@@ -46,7 +46,7 @@ class Shown(NamedTuple):
 
 
 def tables(result, all_of_them=False):
-    """[Shown, …] of a result, in the order of its quantities; including those that are not printed if all_of_them"""
+    """[Shown, …] of a result, in the order of its quantities; with all_of_them also quantities that are not printed"""
     groups = {}
     for name, one in result.quantities.items():
         if not one.record and (all_of_them or (one.table and not _unknown(one))):
@@ -75,7 +75,7 @@ def _shown(result, title, axes, members):
 def columns_of(result, name, one, common=None):
     """[Column, …] of a quantity with a first axis: one column for each label of its further axes
 
-    common : sizes by unit of the quantities printed beside it
+    common : {unit: size} of the quantities that are printed beside this one
     """
     words, units = one.description or name, _read_in(one, common or _common([one]))
     if one.values.ndim == 1:
@@ -128,7 +128,7 @@ def printed(result, console=None):
 
 
 def rich_table(shown, labels):
-    """A rich table, within LINE characters if narrow headings or exchanged rows and columns achieve it"""
+    """A rich table; it keeps within LINE characters if narrow headings or exchanging rows and columns achieve that"""
     from rich.console import Console
 
     measured = Console(width=10 * LINE).measure

@@ -269,8 +269,6 @@ def _check_apart(key, given, values, turn=None, way_out=""):
 
 
 def _check_rest(scene):
-    if scene.tolerance is not None and scene.panels is not None:
-        raise SceneError(f"tolerance is {scene.tolerance} and panels is {scene.panels}; give only one of them")
     if not 1e-5 <= scene.accuracy <= 0.2:
         raise SceneError(f"tolerance is {scene.tolerance}; allowed: 1e-5 to 0.2")
     if scene.panels is not None and not 1 <= scene.panels <= 100_000:

@@ -91,8 +91,9 @@ def overlaid(raw, flags, body):
     for key in ("center_of_gravity", "gyration"):
         _put(bodies[0], **{key: _triple(key, getattr(flags, key))})
     _put(raw, method=flags.method, wall=flags.wall, rotation_center=_triple("rotation_center", flags.rotation_center))
-    if flags.tolerance is not None or flags.panels is not None:
-        raw = {key: value for key, value in raw.items() if key not in ("tolerance", "panels")}
+    if flags.tolerance is not None or flags.panels is not None:  # beside panels a tolerance is the limit of checks
+        replaced = ("panels",) if flags.tolerance is None else ("tolerance", "panels")
+        raw = {key: value for key, value in raw.items() if key not in replaced}
         _put(raw, tolerance=flags.tolerance, panels=_whole_number("panels", flags.panels))
     if flags.only is not None:
         raw["want"] = [word.strip() for word in flags.only.split(",") if word.strip()]

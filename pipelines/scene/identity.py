@@ -43,8 +43,7 @@ def fixed_part(scene, mesh_file=None):
     """
     raw = msgspec.to_builtins(scene)
     raw = {key: value for key, value in raw.items() if key not in ("waves", "want")}
-    if scene.panels is None:
-        raw["tolerance"] = scene.accuracy
+    raw["tolerance"] = scene.accuracy if scene.panels is None else None  # beside panels it is a limit of checks alone
     contents = iter((mesh_file or "").split("; "))
     for body in raw["bodies"]:
         del body["trimmed"]  # no number depends on it

@@ -37,7 +37,7 @@ class Scene(SceneTable, dict=True):  # dict=True: derived quantities are cached 
 
     want : names or groups of results; by default everything
     tolerance : relative error of the coefficients [0.01]; or give panels
-    panels : number of panels on the whole hull, in place of tolerance
+    panels : number of panels on the whole hull; a tolerance beside it is the limit of the checks alone
     method : solution method: auto, panel, contour, transfer, pressure, strip or inverse-strip
     rotation_center : m, x, y, z of the point of rotations and moments
     lid : whether an interior lid removes irregular frequencies
@@ -149,11 +149,6 @@ def read_scene(path):
     other = of_another(raw, Scene)
     if other:
         raise SceneError(other)
-    waves = raw.get("waves")
-    if isinstance(waves, dict) and isinstance(waves.get("omegas"), str):  # as the flag has it
-        raw["waves"] = {"band": band("waves.omegas", waves["omegas"])} | {
-            k: v for k, v in waves.items() if k != "omegas"
-        }
     tables = [one for key in ("bodies", "modes") if isinstance(raw.get(key), list) for one in raw[key]]
     for table in tables:
         if isinstance(table, dict) and isinstance(table.get("file"), str):
@@ -164,6 +159,10 @@ def read_scene(path):
 def make_scene(raw):
     """A checked Scene of nested dictionaries read from TOML.  Raises SceneError."""
     check_depth_given(raw)
+    waves = raw.get("waves")
+    if isinstance(waves, dict) and isinstance(waves.get("omegas"), str):  # as the flag has it
+        kept = {key: value for key, value in waves.items() if key != "omegas"}
+        raw = raw | {"waves": kept | {"band": band("waves.omegas", waves["omegas"])}}
     scene = typed(raw, Scene, SceneError)
     check(scene)
     return scene

@@ -1,4 +1,6 @@
-"""Tables of a scene with their keys, units and defaults (`scene.Scene` joins them), and the numbers of their lists."""
+"""Tables of a scene with their keys, units and defaults, joined by `scene.Scene`; and the numbers of lists and
+ranges.
+"""
 
 import math
 
@@ -22,7 +24,7 @@ class SceneError(ValueError):
 
 
 class SceneTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
-    """Table without unknown keys, each given by name"""
+    """A table that refuses unknown keys; every key is given by name"""
 
 
 class Span(SceneTable):
@@ -34,7 +36,7 @@ class Span(SceneTable):
 
 
 class Band(SceneTable):
-    """A band of frequencies; their number follows from the tolerance
+    """A band of frequencies; the number of frequencies follows from the tolerance
 
     from : rad/s, lowest frequency
     to : rad/s, highest frequency
@@ -61,24 +63,25 @@ class BodyTable(SceneTable):
     shape : shape of the body: box, buoy (vertical cylinder), ship or mesh
     length : m, length of a box or ship
     beam : m, beam of a box or ship
-    draft : m, draft of a box, buoy or ship; that of the water depth for a fixed box or buoy on the bed
+    draft : m, draft of a box, buoy or ship; the water depth for a fixed box or buoy on the bed
     radius : m, radius of a buoy
     block : block coefficient of a ship
     bow : fullness of the waterplane of a ship at the bow
     stern : fullness of the waterplane of a ship at the stern
     waterplane : waterplane coefficient of a ship, in place of bow and stern
     file : mesh file beside the scene: .gdf .msh .vtu .pnl …
-    mass : kg, mass of the body; by default that of the displaced water
+    mass : kg, mass of the body; by default the mass of the displaced water
     center_of_gravity : m, x, y, z of the centre of gravity, z up from still water
     GM : m, transverse metacentric height, in place of z of the centre of gravity
     gyration : m, radii of gyration [kxx, kyy, kzz] about the centre of gravity; without them no motions are computed
-    trimmed : whether the body is held in its drawn trim, although its weight would turn it
+    trimmed : whether the body is held at the trim of its mesh, although its weight would turn it
     name : name of the body, a prefix of the names of its motions, where there are several
-    place : m, m, degrees, x and y of the origin of the body and its heading, where there are several
-    rotation_center : m, x, y, z from the origin of the body, the point of its rotations and moments, where there are
-        several
-    fixed : whether the body is fixed and scatters waves, as a caisson, a pier or a pile; it may stand on the bed
-    viscous : viscous damping of the body, where there are several; [viscous] of the scene has the wave height
+    place : m, m, degrees, x and y of the origin of the body, and its heading, where there are several bodies
+    rotation_center : m, x, y, z from the origin of the body of the point about which it rotates and moments are
+        taken, where there are several bodies
+    fixed : whether the body is fixed and scatters waves, like a caisson, pier or pile; a fixed body may stand on the
+        bed
+    viscous : viscous damping of the body, where there are several bodies; its wave height is in [viscous] of the scene
     """
 
     shape: str = "box"
@@ -111,13 +114,13 @@ class ModeTable(SceneTable):
     count : number of modes of a beam, the lowest first
     EI : N m², bending stiffness
     GJ : N m², torsional stiffness
-    length : m, length of the beam about the middle of the hull; by default that of the hull
+    length : m, length of the beam about the middle of the hull; by default the length of the hull
     mass_per_length : kg/m, mass of the beam for each metre; by default mass over length
     inertia_per_length : kg m, torsional moment of inertia for each metre; by default mass times kxx² over length
     axis_height : m, z of the neutral axis, or for torsion of the shear centre
     damping : damping ratio of each shape in air
-    file : file with rows x, y, z (m, of the body, or of the scene), ux, uy, uz for a unit of the shape, and mass (kg)
-        where it is known
+    file : file with rows x, y, z (m, in coordinates of the body or of the scene), the displacements ux, uy, uz for
+        one unit of the shape, and mass (kg) if known
     name : name of the shape in a file
     stiffness : N/m, stiffness of the shape in a file
     mass : kg, mass of the shape in a file without masses
@@ -153,14 +156,14 @@ class DampingLidTable(SceneTable):
 class Waves(SceneTable):
     """Frequencies, given in one of four ways, and headings
 
-    omegas : rad/s, wave frequencies, a list or a range
+    omegas : rad/s, wave frequencies, a list, a range, or "auto:from:to", which is a band
     periods : s, wave periods, a list or a range
     xi_B : dimensionless frequencies ω²B/2g, a list or a range
-    band : band of frequencies; their number follows from the tolerance
+    band : band of frequencies; the number of frequencies follows from the tolerance
     headings_deg : directions that the waves travel to, degrees, 0 → +x, 90 → +y, a list or a range
     """
 
-    omegas: list[float] | Span | None = None
+    omegas: list[float] | Span | str | None = None
     periods: list[float] | Span | None = None
     xi_B: list[float] | Span | None = None
     band: Band | None = None
@@ -168,7 +171,7 @@ class Waves(SceneTable):
 
 
 def listed(key, value):
-    """The numbers of a list, a Span or, for a Band, its ends.  Raises SceneError."""
+    """The numbers of a list or of a Span; for a Band its two ends.  Raises SceneError."""
     if isinstance(value, Band):
         if not (math.isfinite(value.first) and math.isfinite(value.last) and value.first < value.last):
             raise SceneError(

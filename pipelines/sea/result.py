@@ -40,9 +40,9 @@ COUNTS = ("seed", "components")  # flags that are whole numbers in words
 
 
 class Findings(NamedTuple):
-    """A spectrum; a `Record`, its `ZeroCrossings` and the estimate of its spectrum, None without one
+    """A spectrum; a `Record`, its `ZeroCrossings` and the estimate of its spectrum, each None without a record
 
-    analysed : whether the spectrum is that estimate; notes : one line each
+    analysed : whether the spectrum is estimated from the record; notes : one line each
     """
 
     title: str
@@ -61,14 +61,15 @@ def sea(
     reading: Tables | None = None,
     depth: float | None = None,
 ) -> Result:
-    """Moments, periods and heights of a wave spectrum, or of a record of waves; a record generated from a spectrum.
+    """Moments, periods and heights of a wave spectrum or of a wave record; on request a record generated from the
+    spectrum.
 
     spectrum : path of a record that is analysed (CSV), a `mooring.environment.spectrum.Spectrum`, or the command's
         flags, such as {"height": 3.0, "mean_period": 8.0}
-    record : keys or flags of a generated record, such as {"duration": 3600.0, "seed": 2}, {} for the default; its
-        direction in degrees
-    reading : likewise of a record that is read: column, segment, and step (s) if it has no times
-    depth : m, of the water, deep without
+    record : keys or flags of a generated record, such as {"duration": 3600.0, "seed": 2}; {} for the default. The
+        direction is in degrees
+    reading : keys or flags for a record that is read from a file: column, segment, and step (s) if it has no times
+    depth : water depth, m; None for deep water
     returns : Result, in SI; its `detail` is a Findings
     raises : ValueError, with a message of one line
     """
@@ -283,7 +284,7 @@ def _point(given):
 
 
 def curve(spectrum):
-    """omega (n,) rad/s and density (n,) m² s/rad that draw a spectrum"""
+    """omega (n,) rad/s and density (n,) m² s/rad of a spectrum, for a picture"""
     if isinstance(spectrum, Tabulated):
         return spectrum.omega, spectrum.values
     low, high = spectrum.quantile(SHARES)

@@ -51,11 +51,12 @@ def sections(
     xi: Sequence[float] = XI,
     tolerance: float = 1e-6,
 ) -> Result:
-    """Added mass, damping and excitation of rectangular sections: the SR179 report's Tables 2.1.3.1 to 20. With a
-    study: sections side by side in beam waves, free or held together by hinges.
+    """Added mass, damping and excitation of rectangular sections, as in the SR179 report's Tables 2.1.3.1 to 2.1.3.20.
 
-    study : path of a study of sections side by side, its tables as a dictionary, or a `study.SectionsStudy`; without it
-    a table of rectangles:
+    A study describes sections side by side in beam waves, free or held together by hinges.
+
+    study : path of a study of sections side by side, its tables as a dictionary, or a `study.SectionsStudy`; without
+        a study a table of rectangles is computed:
     beam_draft : B/d; depth_draft : H/d, above 1, or inf; xi : ξ_B = ω²B/2g; tolerance : relative error
     returns : Result, without units as in the report; its `detail` has the rows of `bem.sections.tables.tables`
     raises : ValueError, with a message of one line

@@ -29,10 +29,11 @@ class SectionTable(Table):
     name : name of the section in the names of its motions
     beam : m, beam of the section
     draft : m, draft of the section
-    y : m, y of its middle
-    mass : kg/m, mass for each metre of length; by default that of the displaced water
+    y : m, y of the middle of the section
+    mass : kg/m, mass for each metre of length; by default the mass of the displaced water
     center_of_gravity : m, z of the centre of gravity, positive above still water
-    gyration : m, radius of gyration about the centre of gravity; by default that of a solid with the beam and the draft
+    gyration : m, radius of gyration about the centre of gravity; by default the radius of a solid rectangle of this
+        beam and draft
     fixed : whether the section scatters waves without moving
     """
 
@@ -60,7 +61,7 @@ class SectionHinge(Table):
 
 
 class SectionsStudy(Table):
-    """Sections side by side in beam waves towards +y
+    """Sections side by side in beam waves that travel towards +y
 
     omegas : rad/s, wave frequencies
     sections : rectangular sections side by side

@@ -48,13 +48,12 @@ def simplified(study, db):
     unknown, none = np.full(3, np.nan), np.zeros(0)
     alone = not (study.spreads or study.lines or study.at_berth)
     for there, words in (
-        (study.at_berth, "fenders and ropes"), (bool(study.hinges), "hinges"), (study.quay is not None, "quay"),
+        (study.at_berth, ""), (bool(study.hinges), "hinges"), (study.quay is not None, "quay"),
         (alone, "body without lines"),
     ):  # fmt: skip
-        if there:
-            return Beside(
-                none, none, unknown, unknown, (f"the simplified method does not cover {words} and was not run",)
-            )
+        if there:  # nobody expects it at a berth
+            said = f"the simplified method does not cover {words} and was not run"
+            return Beside(none, none, unknown, unknown, (said,) if words else ())
     hull = study.hulls_of(db)
     system = study.system_of(db, hull)
     try:

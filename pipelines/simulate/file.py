@@ -9,6 +9,7 @@ more seeds a wider file takes over the rows of the old file.  Statistics of all 
 
 import json
 import re
+import tomllib
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -270,6 +271,11 @@ def _decimals(line):
 def units_of(file):
     """Unit of each quantity"""
     return tuple(json.loads(file["quantity"].attrs["quantity_units"]))
+
+
+def ropes_of(file):
+    """Names of the ropes of a berth among the lines"""
+    return {rope["name"] for rope in tomllib.loads(file.attrs.get("study", "")).get("rope", ())}
 
 
 def bodies_of(file):

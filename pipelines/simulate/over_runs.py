@@ -15,7 +15,7 @@ from ..common.units import KN
 from ..moor.study import make_study
 from ..printing.number import significant
 from .beside import differ as differ_by
-from .file import STATISTICS, told, whole_rows
+from .file import STATISTICS, ropes_of, told, whole_rows
 
 OF_LINES = "left out: inertia and drag"  # start of the finding of `mooring.motion.simulation.trial` on static lines
 MOVE = (
@@ -76,17 +76,14 @@ def most_loaded(file):
         else "its utilisation is unknown, since no breaking load is given"
     )
     name = file["line"].asstr()[()][worst]
-    yield f"largest tension: {significant(most[worst] / KN)} kN in {name}, {share}"
+    weakest = json.loads(file.attrs.get("weakest_segments", "{}")).get(name) if known else None
+    part = f", that of its weakest segment, {weakest[0]}, {significant(weakest[1] / KN)} kN" if weakest else ""
+    yield f"largest tension: {significant(most[worst] / KN)} kN in {name}, {share}{part}"
 
 
 def _way_out(file, otherwise):
     """MOVE where lines were static that could move, else what is given"""
     return MOVE if any(line.startswith(OF_LINES) for line in told(file)) else otherwise
-
-
-def ropes_of(file):
-    """Names of the ropes of a berth among the lines"""
-    return {rope["name"] for rope in tomllib.loads(file.attrs.get("study", "")).get("rope", ())}
 
 
 def anchors_in_runs(file):

@@ -1,15 +1,16 @@
 """Pictures of a simulation: records, spectra, watch circle, tension against offset, exceedance."""
 
+import gc
+from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 
-from hakobune.mooring.motion.statistics import FEW, frequencies_in, slow_part
+from hakobune.mooring.motion.statistics import FEW, frequencies_in, in_plane, settled_from, slow_part
 
 from ..common.picture import save
 from ..common.units import KN
-from .file import STATISTICS, bodies_of, units_of, whole_rows
-from .over_runs import ropes_of
+from .file import STATISTICS, bodies_of, opened, ropes_of, units_of, whole_rows
 
 SHOWN = 600.0  # s of a record
 MOTIONS = (("surge", 1.0, "m"), ("sway", 1.0, "m"), ("heave", 1.0, "m"), ("roll", 180 / np.pi, "°"),
@@ -21,6 +22,20 @@ FINE, BEYOND = 0.15, 10.0  # a value's width and the end of spectra, at most, ov
 LAST = 2.0  # rad/s, end of spectra, or that of shorter waves
 PLANE = (0, 1, 5)  # motions without hydrostatic restoring
 MOST_POINTS = 20_000
+
+
+def prepare():
+    """Load matplotlib, for a process that will draw and has time before"""
+    import matplotlib.backends.backend_agg
+    import matplotlib.figure  # noqa: F401
+
+    gc.freeze()  # what is loaded stays: to search it for cycles took a fifth of the time of the pictures
+
+
+def draw_run(output):
+    """`draw` of the file at a path"""
+    with opened(output) as file:
+        return draw(file, Path(output))
 
 
 def draw(file, output):
@@ -179,7 +194,8 @@ def _records(file, kept, path, motions):
         motion = factor * motions.of(file, row)[:, j].astype(float)
         one.plot(time[part], motion[part], color="0.25", lw=0.9)
         if j in PLANE:
-            one.plot(time[part], slow_part(motion, step, split)[part], color="C3", lw=1.4)
+            there_and_back = np.concatenate([motion, motion[::-1]])  # a record whose ends differ would ring
+            one.plot(time[part], slow_part(there_and_back, step, split)[: len(time)][part], color="C3", lw=1.4)
         one.set_ylabel(f"{name}, {unit}")
     last.plot(time[part], worst.factor * record[part], color="C1", lw=0.9)
     _breaking(last, file, worst, record.max())
@@ -287,23 +303,27 @@ def _offsets(file, kept, path, motions):
     worst = motions.worst
     motion = motions.of(file, kept) * [name not in motions.still for name, _, _ in motions.named]
     x, y = motion[..., 0].ravel(), motion[..., 1].ravel()
+    lost, time = float(file.attrs.get("lost_at", np.inf)), file["time"][()]
+    late = np.concatenate([np.arange(len(time)) >= settled_from(time, in_plane(one), lost) for one in motion])
     step = max(1, len(x) // MOST_POINTS)
     figure, ((plan, curve),) = _figure(1, 2, (13, 6.2))
     plan.plot(x[::step], y[::step], ".", ms=1.5, color="C0", alpha=0.35)
     rest = file.attrs["place_at_rest"][6 * motions.body : 6 * motions.body + 2]
-    away = np.hypot(x - rest[0], y - rest[1])
+    centre = rest if late.all() else np.array([x[late].mean(), y[late].mean()])
+    away = np.where(late, np.hypot(x - centre[0], y - centre[1]), 0.0)
     farthest, radius = away.argmax(), away.max()
     angle = np.linspace(0, 2 * np.pi, 200)
-    plan.plot(rest[0] + radius * np.cos(angle), rest[1] + radius * np.sin(angle), color="C3", lw=1)
+    plan.plot(centre[0] + radius * np.cos(angle), centre[1] + radius * np.sin(angle), color="C3", lw=1)
     plan.plot(x[farthest], y[farthest], "x", ms=7, color="C3", label="farthest")
     plan.plot(*rest, "k+", ms=10, label="at rest")
-    plan.plot(x.mean(), y.mean(), "o", color="C3", ms=5, label="mean")
+    plan.plot(x[late].mean(), y[late].mean(), "o", color="C3", ms=5, label="mean")
     along, across = ("surge", "sway") if motions.before else ("x", "y")
     plan.set(
         xlabel=f"{motions.before}{along}, m",
         ylabel=f"{motions.before}{across}, m",
         aspect="equal",
-        title=f"watch circle of {_runs(kept)}, radius {radius:.3g} m about rest",
+        title=f"watch circle of {_runs(kept)}, radius {radius:.3g} m about "
+        + ("rest" if late.all() else "the mean at the new place"),
     )
     plan.legend(frameon=False, fontsize=8)
     if worst.kind == "tension" and not motions.before:

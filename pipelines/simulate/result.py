@@ -1,4 +1,4 @@
-"""`hakobune.simulate`: a mooring study in time, and the contents of the file of its runs."""
+"""`hakobune.simulate`: simulation of a mooring study in time, and the contents of the file of its runs."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ END = {
 
 
 class NoWholeRun(DatabaseError):
-    """Every seed failed; `args[1]` has the failures, one line each"""
+    """Every seed failed; `args[1]` contains the failures, one line each"""
 
     def __str__(self):
         return self.args[0]
@@ -93,16 +93,16 @@ def simulate(
     executor: str = "local",
     window: float | None = None,
     console: Console | None = None,
-    pictures: bool = False,
 ) -> Result:
-    """Motions of a moored body in time, or of several bodies moored to each other, seed by seed.
+    """Motions in time of a moored body, or of several bodies that are moored together, seed by seed.
 
     study : path of a mooring study, its tables as a dictionary, or a `pipelines.moor.study.Study`
     database : path of the body's database, or an open one
     output : path of the file of all runs, continued where it stopped; None to keep no file
-    seeds : number of seeds; duration : s of a run; both replace the study's; fresh : replace an existing file
-    executor : as in the command; window : s, of the windows reported for the first record; console : for the progress
-    pictures : whether the caller draws some afterwards; matplotlib then loads during the runs
+    seeds : number of seeds, in place of the study's; duration : duration of a run, s, in place of the study's
+    fresh : whether to replace an existing file
+    executor : executor as in the command; window : length of the windows reported for the first record, s
+    console : console for the progress
     returns : Result, in SI; records are in the file
     raises : ValueError, with a message of one line, before anything is written; KeyboardInterrupt, complete seeds
     are kept
@@ -113,8 +113,7 @@ def simulate(
                             executor=executor, window=window, console=console)  # fmt: skip
     workers = executor_of(executor)
     try:
-        outcome = fill(input_of(study), database_of(database), output, console, workers, seeds, duration, fresh, window,
-                       pictures)  # fmt: skip
+        outcome = fill(input_of(study), database_of(database), output, console, workers, seeds, duration, fresh, window)
     finally:
         workers.shutdown(wait=False, cancel_futures=True)
     if outcome.interrupted:
@@ -204,7 +203,8 @@ def _of_lines(file, rows):
         one = made[f"tension.{key}"]
         made[f"tension.{key}"] = Quantity(one.values, one.axes, "N", one.description, LINES)
     used, simplified = used_in_runs(file), np.asarray(file.attrs.get("simplified_tension", []), float)
-    made["tension.used"] = Quantity(used.max(axis=0), ("line",), "", "used", LINES, share=True)
+    of = "used of MBL" if "fender_height" in file.attrs else "used"
+    made["tension.used"] = Quantity(used.max(axis=0), ("line",), "", of, LINES, share=True)
     if len(simplified):
         pulled = made["tension.largest"].values
         made["tension.simplified"] = Quantity(simplified, ("line",), "N", "simplified", LINES)
@@ -216,7 +216,9 @@ def _of_lines(file, rows):
     word, table = ("MBL", LINES) if berth else ("breaking load", "")
     made["line.breaking_load"] = Quantity(breaking, ("line",), "N", word, table)
     if berth:
-        made["line.working_load"] = Quantity(allowable * breaking, ("line",), "N", "WLL", LINES)
+        made["line.working_load"] = Quantity(
+            allowable * breaking, ("line",), "N", f"WLL, {100 * allowable:g} % of MBL", LINES
+        )
         made["tension.used_of_working"] = Quantity(
             used.max(axis=0) / allowable, ("line",), "", "used of WLL", LINES, share=True
         )

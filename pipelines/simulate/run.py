@@ -21,7 +21,6 @@ from hakobune.mooring.motion.statistics import over_runs
 from ..common.bounds import LongWaves
 from ..common.interrupt import ctrl_c
 from ..common.outputs import DATABASE, check_output
-from ..common.picture import loaded_meanwhile
 from ..common.progress import duration as words_of
 from ..common.typed import differing
 from ..executors.choice import Here, in_order_until
@@ -46,7 +45,7 @@ from .file import (
 )
 from .stations import told_of_stations, units_of_shapes
 from .study import force_files, moving_lines, plan_of
-from .work import Task, on_bed, prepared, quantities_of, sample_times, simulate_seed
+from .work import Task, lost_at, on_bed, prepared, quantities_of, sample_times, simulate_seed
 
 IDENTITY = "3"  # first word of an identity; it changes when a default of a study changes the results of runs
 # keys of [simulation] that set the number of runs only
@@ -91,13 +90,12 @@ class Outcome:
     interrupted: bool
 
 
-def simulate(asked, database, output, console, executor, seeds=None, duration=None, fresh=False, windows=None,
-             pictures=False):  # fmt: skip
+def simulate(asked, database, output, console, executor, seeds=None, duration=None, fresh=False, windows=None):
     """Complete the file of a simulation; returns its Outcome.
 
     asked : Input of the study; database : open; console : for the progress, None for none
     seeds : number of seeds instead of the study's; duration : s, instead of the study's; fresh : replace existing runs
-    windows : s, length of windows of a record, which must then be stored; pictures : whether some are drawn afterwards
+    windows : s, length of windows of a record, which must then be stored
     raises : ValueError, with a message of one line, before anything is written
     """
     output, db, folder, (study, text) = Path(output), database, asked.folder, asked[:2]
@@ -131,7 +129,7 @@ def simulate(asked, database, output, console, executor, seeds=None, duration=No
         header = _header(task, text, db, body, identity, ready, beside, kept)
         _make_room(output, header, plan, fresh)
     with opened(output, "r+") as file:
-        outcome = _fill(file, task, plan, console, executor, pictures)
+        outcome = _fill(file, task, plan, console, executor)
         if outcome.made or (outcome.there and not summary_is_whole(file)):
             put_summary(file, summary(file))
     return outcome
@@ -280,6 +278,7 @@ def _attributes(task, db, body, plan, lines):
         "rotation_center": at_rest[:, :3] if db.bodies else np.asarray(db.rotation_center, float),
         "density": db.density, "gravity": db.gravity, "water_depth": db.water_depth,
         "hull": [hull.length, hull.beam, hull.draft, hull.freeboard], "memory_states": body.memory.states,
+        "lost_at": lost_at(plan.settings),
         "place_at_rest": body.start, "told": "\n".join(plan.told), "seeds_differ": differ(study),
     }  # fmt: skip
     if isinstance(plan.settings.dynamic_lines, tuple):
@@ -288,11 +287,23 @@ def _attributes(task, db, body, plan, lines):
         found["fibre_lines"] = "\n".join(fibre)
     if body.system is not None:
         found["on_bed_at_rest"] = [*on_bed(body, body.start), *(np.nan for _ in body.berth.ropes)]
+    weakest = {} if body.system is None else _weakest_segments(body.system)
+    if weakest:
+        found["weakest_segments"] = json.dumps(weakest)
     if study.anchors:
         found["anchors"] = json.dumps([*study.anchors_on(lines), *(None for _ in body.berth.ropes)])
     if db.bodies:
         found["heading"] = at_rest[:, 5]
     return found | (of_berth(study, db, body) if body.berth.names else {})
+
+
+def _weakest_segments(system):
+    """{line: (name, breaking load in N)} of the segment with the least breaking load of each line of several"""
+    lines = [
+        line for line in system.lines if len(getattr(line, "segments", ())) > 1 and np.isfinite(line.breaking_load)
+    ]
+    weakest = {line.name: min(line.segments, key=lambda one: one.breaking_load) for line in lines}
+    return {name: (one.name, one.breaking_load) for name, one in weakest.items()}
 
 
 def _make_room(output, header, plan, fresh):
@@ -307,12 +318,12 @@ def _make_room(output, header, plan, fresh):
             create(output, header, [*there, *more], max(plan.keep_series, len(old["kept_seed"])), old)
 
 
-def _fill(file, task, plan, console, executor, pictures):
+def _fill(file, task, plan, console, executor):
     whole = whole_rows(file)
     asked = np.isin(file["seed"][()], plan.seeds)
     rows = [int(row) for row in np.flatnonzero(asked & ~whole)]
     failures, made = [], 0
-    with ctrl_c() as stop, loaded_meanwhile(pictures and rows):
+    with ctrl_c() as stop:
         progress = _Progress(console, len(rows), plan, stop)
         try:
             for place, result in in_order_until(stop, executor, _calls(executor, task, file, rows, progress)):

@@ -41,13 +41,16 @@ MOST_MISSED = 0.25
 
 @dataclass(frozen=True)
 class Plan:
-    """weather, settings : see `mooring.motion.weather`; seeds : seeds of all runs; split : rad/s, of slow and wave part
+    """weather, settings : see `mooring.motion.weather`; seeds : seeds of all runs; split : frequency between slow
+    and wave part, rad/s
 
-    mean_period : s, of the waves, None in still water; findings : one line each
+    mean_period : mean period of the waves, s, None in still water; findings : one line each
     sides : `mooring.fenders.gaps.Side` of several bodies
-    shapes : units of the shapes of bodies that bend, after the motions; stations : `mooring.response.points.Station`
-    told : methods chosen and effects that are not included, one line each; pace : s of computing for a simulated second
-        on static and on moving lines, nan where it is not known: both once a body is prepared
+    shapes : units of the bending shapes of flexible bodies, which follow the motions; stations :
+        `mooring.response.points.Station`
+    told : chosen methods and neglected effects, one line each, once a body is prepared
+    pace : computing time for a simulated second on static and on moving lines, s; nan if unknown, and until a
+        body is prepared
     """
 
     weather: Weather
@@ -65,11 +68,11 @@ class Plan:
 
 
 def plan_of(study, omega, seeds=None, duration=None, folder=None, words=ONE_BODY, shapes=()):
-    """The Plan of a `Study` on a database with frequencies omega (n,) rad/s and motions called `words`.
+    """The Plan of a `Study` on a database with frequencies omega (n,) rad/s; `words` are the names of its motions.
 
     seeds : number of seeds, instead of the study's; duration : s, instead of the study's
-    folder : folder of the files of forces, None to omit such forces
-    shapes : units of the last of the motions, shapes of bodies that bend
+    folder : folder of the force files, None to omit the forces in files
+    shapes : units of the bending shapes of flexible bodies, which are the last motions
     raises : StudyError for a study that cannot be simulated
     """
     table = study.simulation
@@ -133,7 +136,8 @@ def _split(weather, omega):
 
 
 def level_of_pairs(study, seas, drift):
-    """Level of `mooring.response.pair_levels` that a study needs besides Newman's rule, "auto" where that may be more
+    """Level of `mooring.response.pair_levels` that a study needs besides Newman's rule; "auto" if it may need a
+    higher level
 
     seas : whether there are irregular waves; drift : slow_drift of the settings.  Raises StudyError.
     """
@@ -157,7 +161,7 @@ def check_names(settings, names):
 
 
 def check_run(study, omega, names, folder, words=ONE_BODY):
-    """Raises ValueError for a `Study` that cannot be run in time; as `plan_of` and `check_names`"""
+    """Raises ValueError for a `Study` that cannot be simulated, as `plan_of` and `check_names` do"""
     check_names(plan_of(study, omega, folder=folder, words=words).settings, names)
 
 
@@ -216,7 +220,7 @@ def _record(study, table, settings, omega, folder):
 
 
 def damping(study, body):
-    """Damping, SI, of the damping ratios and the linear damping of a study, for a Body; shape (n, n)
+    """Damping matrix of a Body, SI, shape (n, n), from a study's damping ratios and linear damping.
 
     The springs of the study count as restoring.
     """
@@ -278,7 +282,7 @@ def _start(key, values, words, shapes):
 
 
 def motion_units(words, shapes=()):
-    """Units of motions called `words`, the last of which are shapes of given units; shape (n,)"""
+    """Units of the motions named in `words`, shape (n,); the last motions are bending shapes, whose units are given"""
     return *MOTION_UNITS * ((len(words) - len(shapes)) // 6), *shapes
 
 
@@ -296,7 +300,7 @@ def _by_motion(key, values, words, least=0.0, unit=1e3):
 
 
 def check_forces(table):
-    """Raises StudyError or TableError for a file of a SimulationTable whose forces a run cannot take"""
+    """Raises StudyError or TableError for a force file of a SimulationTable that a run cannot use"""
     _forces(table, "", [one.body for one in table.force], _duration(table, None))
 
 
@@ -378,7 +382,7 @@ def _settings(table, duration, words, shapes):
 
 
 def moving_lines(table):
-    """dynamic_lines of a SimulationTable as settings have these: names, () for no line, "all" or "auto" """
+    """Value of dynamic_lines for the settings of a run: names, () for no line, "all" or "auto" """
     given = table.dynamic_lines
     return () if given == "none" else given if isinstance(given, str) else tuple(given)
 

@@ -10,7 +10,13 @@ import numpy as np
 from hakobune.bem.hinges import ALONE, told_of
 from hakobune.mooring.criteria.failing import fails
 from hakobune.mooring.fenders.gaps import gaps, pairs_of
-from hakobune.mooring.motion.statistics import statistics_of_records, stillness, without_rounding
+from hakobune.mooring.motion.statistics import (
+    in_plane,
+    settled_from,
+    statistics_of_records,
+    stillness,
+    without_rounding,
+)
 from hakobune.mooring.studies.conditions import afloat
 from hakobune.mooring.studies.places import check_floats, check_links, check_places, place_findings
 
@@ -269,7 +275,11 @@ def simulate_seed(task, seed, kept, progress=None):
     columns = np.column_stack(columns)[late]
     if not np.all(np.isfinite(columns)):
         raise ValueError("the run has values that are not finite")
-    found = statistics_of_records(columns.T, plan.settings.step, plan.split, extreme)
+    whole = statistics_of_records(columns.T, plan.settings.step, plan.split, extreme)
+    found, settled = whole, settled_from(run.time[late], in_plane(run.motion[late]), lost_at(plan.settings))
+    if settled:
+        found = statistics_of_records(columns[settled:].T, plan.settings.step, plan.split, extreme)
+        found = [own._replace(largest=of.largest, smallest=of.smallest) for own, of in zip(found, whole, strict=True)]
     names = run.tension.shape[1], run.deflection.shape[1]
     reader = body.reader
     beams = plan.shapes, told_of_stations(reader, plan.stations)
@@ -281,7 +291,7 @@ def simulate_seed(task, seed, kept, progress=None):
         "steps": float(run.steps),
         "used": largest_use(body, run.motion[late], run.tension[late]),
         "findings": np.bytes_(
-            "\n".join((*run.findings, *_of_gaps(plan.sides, apart[late])))
+            "\n".join((*run.findings, *_at_new_place(run.time[late], settled), *_of_gaps(plan.sides, apart[late])))
             .encode()[:LONGEST]
             .decode(errors="ignore")
             .encode()
@@ -305,6 +315,20 @@ def farthest(motion, body):
 def on_bed(body, motion):
     """m on the bed of each line with the bodies held in motion (n,), m, rad; shape (lines,)"""
     return _at_rest_in(body, motion).grounded_length
+
+
+def lost_at(settings):
+    """s, when the last line breaks in a run, inf if none does"""
+    return max((at for _, at in settings.lines_lost if at < settings.duration), default=math.inf)
+
+
+def _at_new_place(time, settled):
+    """A finding on a body that has found its new place after a loss"""
+    if settled:
+        yield (
+            f"after the loss the body is at its new place from {time[settled]:.0f} s on: means, σ, periods and the "
+            "watch circle are those from then on, smallest and largest those of the whole run"
+        )
 
 
 def largest_use(body, motion, tension):

@@ -1,5 +1,4 @@
-"""`hakobune.single_point`: a body on a buoy or turret, its headings of rest, whether the body slews, and a run in
-time."""
+"""`hakobune.single_point`: headings at rest of a body on a buoy or turret, its slewing, and a run in time."""
 
 from __future__ import annotations
 
@@ -36,10 +35,10 @@ PERIODS = 6  # of slewing, in a run that is to show it fully grown
 
 
 class Found(NamedTuple):
-    """study : Study; point : SinglePoint; rest : every Equilibrium; best : the chosen one; cycle : LimitCycle or None,
-    which is not computed where the run shows the slewing
+    """study : Study; point : SinglePoint; rest : every Equilibrium; best : the chosen Equilibrium; cycle :
+    LimitCycle, or None where the run shows the slewing
 
-    run : `mooring.single_point.in_time.Run` or None; maps : a Map each
+    run : `mooring.single_point.in_time.Run` or None; maps : [Map, …]
     """
 
     study: Study
@@ -52,10 +51,10 @@ class Found(NamedTuple):
 
 
 def single_point(study: File | Tables | Study, database: File | Database | None = None) -> Result:
-    """Headings of rest of a body on a buoy or turret, its slewing, tensions, and a run in time if requested.
+    """Headings at rest of a body on a buoy or turret, its slewing, its tensions, and on request a run in time.
 
     study : path of a study, its tables as a dictionary, or a `pipelines.single_point.tables.Study`
-    database : path of the body's database, or an open one, for its masses and the drift of the waves
+    database : path of the body's database, or an open one, for added masses and wave drift forces
     returns : Result, in SI; its `detail` is a Found
     raises : ValueError, with a message of one line
     """

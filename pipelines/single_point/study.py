@@ -26,7 +26,7 @@ SAME = 1e-6  # relative difference within which sizes of study and database are 
 
 
 class Made(NamedTuple):
-    """point : SinglePoint; draft_left : m of freeboard of a buoy that may sink, inf for a fixed height
+    """point : SinglePoint; draft_left : freeboard of a buoy that may sink, m; inf for a buoy at a fixed height
 
     findings : one line each
     """
@@ -39,7 +39,7 @@ class Made(NamedTuple):
 def make(study, db=None, is_round=None) -> Made:
     """The SinglePoint of a Study; db : an opened database, for masses and drift
 
-    is_round : whether the hull is a vertical cylinder; by default as in the database, else not
+    is_round : whether the hull is a vertical cylinder; by default as in the database, without a database False
 
     raises : StudyError or SinglePointError, one line
     """
@@ -77,7 +77,7 @@ def _check_hull(study, depth):
 
 
 def check_database(study, db):
-    """Raises StudyError if the database is of another hull or other water than the study"""
+    """Raises StudyError if the hull or the water of the database differs from that of the study"""
     hull, depth, waves = study.hull, study.water.depth, study.waves
     seen = waves is not None and waves.drift_tonf_per_m2 is None
     period = mean_wave(waves, sea_with_swell("waves", waves, depth).spectrum)[1] if seen else None
@@ -133,7 +133,7 @@ def _hawsers(study, center):
 
 
 def system_of(study, depth, density):
-    """System of the buoy on its lines, in `depth` m of water of `density` kg/m³, and its freeboard, m"""
+    """System of the buoy on its lines, and the freeboard of the buoy, m; depth : m; density : kg/m³"""
     b, m = study.buoy, study.mooring
     if not -depth < b.z <= 0:
         raise StudyError(f"buoy.z is {b.z:g} m; allowed: above the bed at {-depth:g} m, at most 0")
@@ -227,7 +227,7 @@ def mass_of(buoy, system):
 
 
 def check_buoy(made, equilibrium):
-    """Raises StudyError if lines pull the buoy under."""
+    """Raises StudyError if the lines pull the buoy under water."""
     lines = equilibrium.lines
     sunk = made.point.system.bodies[0].position[2] - lines.position[0, 2]
     if sunk > made.draft_left:

@@ -14,7 +14,8 @@ added_surge = 0.1         speed = 25.0        speed_knots = 1.5           [waves
 added_sway = 0.6          incidence_deg = 0   incidence_deg = 30          height = 1.5
 added_yaw = 0.4                               turning = {}                incidence_deg = 0
                                                                           drift_tonf_per_m2 = 4.99
-Angles are those of `moor`: direction_deg travelled to from +x, or incidence_deg, 0 from +x.  Headings are the bow's.
+Angles are as in `moor`: direction_deg, the direction of travel from +x, or incidence_deg, 0 from +x.
+Headings are the headings of the bow.
 Water and weather may come from the values of a site, [site] with file, state and level (`pipelines.site.link`).
 """
 
@@ -37,7 +38,7 @@ class HullTable(SuperstructureTable, kw_only=True):
     beam : m, beam of the hull
     draft : m, draft of the hull
     freeboard : m, height of the deck above still water; needed with wind unless wind.file is given
-    displacement : t, mass of the hull; by default that of a box of length, beam and draft
+    displacement : t, mass of the hull; by default the displaced mass of a box of this length, beam and draft
     center : m, distance of the centre of mass ahead of midship
     """
 
@@ -50,12 +51,12 @@ class HullTable(SuperstructureTable, kw_only=True):
 
 
 class MassTable(Table):
-    """Added mass of slow motion as shares of the body's own mass, in place of the database's
+    """Added mass of the slow motion over the mass of the body, in place of the added mass of the database
 
-    added_surge : added mass in surge over the mass
-    added_sway : added mass in sway over the mass
-    added_yaw : added moment of inertia in yaw over the moment of inertia
-    gyration : m, radius of gyration in yaw; by default that of a uniform box
+    added_surge : added mass in surge, over the mass of the body
+    added_sway : added mass in sway, over the mass of the body
+    added_yaw : added moment of inertia in yaw, over the body's moment of inertia
+    gyration : m, radius of gyration in yaw; by default the radius of a uniform box
     """
 
     added_surge: float
@@ -84,7 +85,7 @@ class HawserTable(Table):
     count : number of hawsers, 1 or 2
     spacing : m, distance between the two ends on the hull
     axial_stiffness : axial stiffness EA, for the scheme "full"
-    breaking_load : breaking load B in T = B (ε/strain)^exponent, for the scheme "full"
+    breaking_load : breaking load B in T = B (ε/strain)^exponent, needed for the scheme "full"
     strain : strain at the breaking load, 0.1 for 10 %
     exponent : exponent in T = B (ε/strain)^exponent
     """
@@ -101,14 +102,14 @@ class HawserTable(Table):
 
 
 class BuoyTable(Table):
-    """The buoy that the lines hold; with mass or draft, diameter and height it also rises and sinks
+    """The buoy that the lines hold; a buoy with mass or draft, diameter and height also rises and sinks
 
     z : m, height of the lines' upper ends above still water, below 0; with mass without the lines' weight, else at rest
     mass : t, mass of the buoy; or give draft
     draft : m, draft at rest with its lines and without the hull, in place of mass
     diameter : m, diameter of the buoy
     height : m, height of the buoy
-    hawser_z : m, height of the hawsers' ends above still water; the buoy then tilts under their pull in the scheme
+    hawser_z : m, height of the hawsers' ends above still water; if given, the hawsers tilt the buoy in the scheme
         "full"
     """
 
@@ -127,7 +128,7 @@ class MooringTable(LineTable, kw_only=True):
     count : number of lines, evenly spaced around the buoy; or give headings_deg
     first_deg : heading of the first line when count is given
     pretension : horizontal tension of each line at rest; or give top_tension
-    top_tension : tension of a uniform line along itself at the buoy, at rest; or give pretension
+    top_tension : tension at the upper end of a uniform line at rest; or give pretension
     """
 
     headings_deg: list[float] | None = None
@@ -153,11 +154,11 @@ class TurningTable(Table):
 
 
 class YawRateTable(Table):
-    """Linear force due to the yaw rate of a ship, for coefficients, a file or, given or not, a type of ship; by default
-    after Clarke et al. (1983)
+    """Linear force due to the yaw rate of a ship, where coefficients, a file or a type of ship give the current force;
+    by default after Clarke et al. (1983)
 
-    Y_r : coefficient Y'_r of the side force, over ½ρL³V
-    N_r : coefficient N'_r of the yaw moment, over ½ρL⁴V, at most 0
+    Y_r : coefficient Y'_r of the side force, referred to ½ρL³V
+    N_r : coefficient N'_r of the yaw moment, referred to ½ρL⁴V, at most 0
     """
 
     Y_r: float | None = None
@@ -167,8 +168,8 @@ class YawRateTable(Table):
 class CurrentTable(UniformTable):
     """Current on the hull: turning tests, coefficients, a file or a type of ship, one of the four
 
-    yaw_drag : kN m s², yaw moment N₂ over the square of the yaw rate; by default that of the cross flow on a box; not
-        with turning tests, which contain it
+    yaw_drag : kN m s², yaw moment N₂ over the square of the yaw rate; by default that of the cross flow on a box;
+        refused with turning tests, which include this moment
     sway_damping : kN s/m, linear damping of sway, only with coefficients or a file
     yaw_damping : kN m s, linear damping of yaw, only with coefficients or a file
     """
@@ -183,8 +184,8 @@ class CurrentTable(UniformTable):
 class WavesTable(SystemsTable):
     """The sea; its period may be left out where drift_tonf_per_m2 is given
 
-    drift_tonf_per_m2 : drift force over the square of the wave height, along the waves at every heading, in place of
-        the database's drift
+    drift_tonf_per_m2 : drift force over the square of the wave height; it acts in the wave direction at every
+        heading, in place of the database's drift
     """
 
     drift_tonf_per_m2: float | None = None
@@ -205,8 +206,8 @@ class AxisTable(Table):
 class MapTable(Table):
     """A map of the growth rate of slewing over one or two numbers of the study
 
-    x : the number along the horizontal axis
-    y : the number along the vertical axis; by default the map is a curve over x
+    x : number of the study along the horizontal axis
+    y : number of the study along the vertical axis; by default the map is a curve over x
     """
 
     x: AxisTable
@@ -219,10 +220,11 @@ class SlewingTable(Table):
     duration : s, length of the simulation
     step : s, sampling interval of the record; by default 1 s, with waves a thirtieth of their period
     offset_deg : initial heading relative to the heading at rest
-    waves_after : s, time at which the waves set in
-    scheme : "two_scale", slow motion and waves apart, for a study with waves; "slow", slow motion alone; or "full",
-        slow and wave motion in one equation, with slow drift, and on a hawser with the buoy as a body and an elastic
-        hawser; by default "two_scale" where there are waves and a database, otherwise "slow"
+    waves_after : s, time at which the waves begin
+    scheme : "two_scale", slow and wave motion in separate equations, for a study with waves; "slow", slow motion
+        alone; or "full", slow and wave motion in one equation with slow drift. With a hawser, "full" also moves the
+        buoy as a body on an elastic hawser. By default "two_scale" where there are waves and a database, otherwise
+        "slow"
     slow_step : s, step of the slow motion in the scheme "two_scale"
     tolerance : error of position and heading in the schemes "slow" and "full"
     components : number of wave components

@@ -18,7 +18,7 @@ from .study import SiteStudy, SiteValues, read_site, site_values
 
 
 class Site(NamedTuple):
-    """study : SiteStudy, its text, and its SiteValues"""
+    """study : SiteStudy; and the text of the study and its SiteValues"""
 
     study: SiteStudy
     text: str

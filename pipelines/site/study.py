@@ -49,7 +49,7 @@ class PlaceTable(Table):
 class MaximaTable(Table):
     """Yearly maxima
 
-    maxima : list of maxima, one a year; or give file
+    maxima : list of maxima, one for each year; or give file
     file : CSV file of maxima beside the site; or give maxima
     column : name of the column in the file; by default the last
     family : distribution that is fitted: gumbel, weibull or gev
@@ -62,13 +62,13 @@ class MaximaTable(Table):
 
 
 class SiteWindTable(MaximaTable, kw_only=True):
-    """Wind of the extreme state, given or from yearly maxima in m/s
+    """Wind of the extreme state: given, or computed from yearly maxima in m/s
 
-    speed : m/s, speed at the height, in place of maxima
+    speed : m/s, speed at `height`, in place of maxima
     averaging_s : s, averaging time of the maxima or of the speed
     height : m, height above the sea of the maxima or of the speed
     exponent : exponent of the wind profile; by default the table of the SR179 report
-    heights : m, heights of the profile in the page
+    heights : m, heights of the wind profile that is reported
     """
 
     speed: float | None = None
@@ -79,7 +79,7 @@ class SiteWindTable(MaximaTable, kw_only=True):
 
 
 class SiteWavesTable(MaximaTable, kw_only=True):
-    """Waves of the extreme state, given or from yearly maxima of the significant height in m
+    """Waves of the extreme state: given, or computed from yearly maxima of the significant height in m
 
     height : m, significant height, in place of maxima
     period : s, mean period at the extreme height; by default the median of [climate]
@@ -107,9 +107,11 @@ class SiteCurrentTable(Table):
 
     speed : m/s, surface speed of the tidal and ocean current
     wind_driven : whether a current of 0.01 times the wind speed is added
-    exponent : exponent of the profile (1 + z/h)^exponent of tidal and ocean current; the wind-driven current has 1
-    draft : m, draft over which studies get the uniform current of equal pressure; by default they get the surface speed
-    depths : m, depths below the surface of the profile in the page
+    exponent : exponent of the profile (1 + z/h)^exponent of tidal and ocean current; for the wind-driven current it
+        is 1
+    draft : m, draft of the hull: studies then use the uniform current with the same force over this draft; by
+        default they use the surface speed
+    depths : m, depths below the surface of the current profile that is reported
     """
 
     speed: float
@@ -125,8 +127,9 @@ class LevelsTable(Table):
     spring_high : m, mean high water of spring tides
     spring_low : m, mean low water of spring tides
     surge : m, largest storm surge
-    tsunami : m, largest deviation in a tsunami, up and down
-    tsunami_period : s, period of the tsunami; adds a state "tsunami" with the current of a long wave of that deviation
+    tsunami : m, largest rise and fall of the water level in a tsunami
+    tsunami_period : s, period of the tsunami; it adds a state "tsunami", with the current of a long wave of the
+        height `tsunami`
     """
 
     spring_high: float = 0.0
@@ -176,9 +179,10 @@ class SiteStudy(Table):
 
 
 class SiteValues(NamedTuple):
-    """years : return period; probability : not exceeded in the service life; wind : as measured; waves : height
-    climate : Climate, or None; wind_10 : m/s, ten minutes at 10 m; profile : `CurrentProfile` or None
-    levels : {name: m}; states : tables by name in the form of studies; seismic : coefficient or None
+    """years : return period; probability : that the extreme state is not exceeded in the service life
+    wind : wind as measured; waves : wave height
+    climate : Climate, or None; wind_10 : ten-minute mean wind speed at 10 m, m/s; profile : `CurrentProfile` or None
+    levels : {name: m}; states : {name: tables as in studies}; seismic : seismic coefficient or None
     findings : one line each
     """
 

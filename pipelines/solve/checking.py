@@ -9,6 +9,9 @@ from hakobune.bem.database import open_database
 from hakobune.bem.database.file import opened
 from hakobune.bem.database.integrity import DamagedError, repair
 from hakobune.bem.database.schema import LIMITS
+from hakobune.bem.database.widening import read_group
+from hakobune.bem.second_order.kinds import DIFFERENCE
+from hakobune.bem.second_order.stored import GROUPS, USABLE, failed_gap, read_forces
 from hakobune.bem.stored_laws import OF_MOTIONS, broken_laws, worst_damping
 from hakobune.meshing.hydrostatics import stands
 from hakobune.meshing.quality import Finding, findings
@@ -35,7 +38,7 @@ def check(path, console, repair=False):
             say(_repaired(path))
         db = open_database(path)
         found, checks = [*_findings(db), *_scene_findings(db)], checked(db) if len(db.omega) else []
-        broken, unknown = _broken(db), list(gaps_of(db).not_known())
+        broken, unknown = _broken(db), [*gaps_of(db).not_known(), *_of_pairs(db)]
     except DamagedError as damage:
         return tell([fails(str(damage))], console)
     if checks:
@@ -59,6 +62,12 @@ def check(path, console, repair=False):
             fails(f"{int(db.rows.sum())} of {len(db.rows)} frequencies are stored; run the command again to continue")
         )
     return tell(lines, console, "")
+
+
+def _of_pairs(db):
+    """What is wrong with the stored forces of wave pairs"""
+    if read_group(db, GROUPS[DIFFERENCE]) is not None and (failed := failed_gap(read_forces(db).forces)) is not None:
+        yield f'wave pairs: {failed[0]}; qtf = "auto" {"warns of them" if failed[1] <= USABLE else "leaves them out"}'
 
 
 def _unfit(one, db):

@@ -140,6 +140,24 @@ def gives_panels(scene):
     return scene.panels is not None or any(body.shape == "mesh" for body in scene.bodies)
 
 
+def given_panels(db):
+    """Whether the scene of a database gave panels, as a number or a mesh file, so that no tolerance applies"""
+    scene = tomllib.loads(str(db.attributes.get("scene", "")))
+    return "panels" in scene or any(body.get("shape") == "mesh" for body in scene.get("bodies", ()))
+
+
+def doubts(db):
+    """Lines on a database that is incomplete, or breaks laws of physics, for the studies that use it"""
+    if not db.complete:
+        yield (
+            f"{db.path} is incomplete: {len(db.omega)} of {len(db.rows)} frequencies are solved; repeat the command "
+            "that made it before you use these results"
+        )
+    failed = failed_laws(db, given_panels(db))
+    if failed:
+        yield f"{db.path}: {failed}; hakobune check {db.path} shows all of it"
+
+
 def failures(outcome, db, own_panels):
     """Failures of a run: frequencies without a result, laws, the requested tolerance, and drift of several bodies
 

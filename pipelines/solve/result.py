@@ -30,12 +30,12 @@ def solve(
     """Added mass, damping, wave forces, motions and mean drift of a floating body, frequency by frequency.
 
     scene : path of a scene, its tables as a dictionary, or a `pipelines.scene.scene.Scene`; angles in degrees
-    output : path of the database, continued where it stopped; fresh : replace an existing one
-    executor : as in the command; console : for the progress
+    output : path of the database, continued where it stopped; fresh : whether to replace an existing database
+    executor : executor as in the command; console : console for the progress
     returns : Database, open for reading, in SI, angles in rad
-    warns : with the remarks of the command, on violated laws and on a missed tolerance
-    raises : ValueError, with a message of one line, also for an unsolved frequency, while the others are kept;
-    KeyboardInterrupt
+    warns : with the remarks of the command: violated laws, a tolerance that was not reached
+    raises : ValueError, with a message of one line, also for a frequency that fails (solved frequencies are kept);
+        KeyboardInterrupt
     """
     from hakobune.bem.database import open_database
 

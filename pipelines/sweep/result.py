@@ -28,12 +28,13 @@ def sweep(
     fresh: bool = False,
     say: Callable[[str], None] | None = None,
 ) -> Result:
-    """Cases of a study over values of its keys, in the units of the study; the quantities of each, in SI, by name.
+    """Results of a study for many values of its keys, which are in the units of the study; the results are in SI.
 
     study : path of a sweep, or its tables as a dictionary; its `study` is the path of the varied study, or its tables
     output : path of the file of all cases, continued where it stopped; None for no file
-    executor : as in the command; fresh : replace an existing file; say : called with progress, line by line
-    returns : Result, in SI, with the axis "case", "keys.NAME" of what is varied, and "status", 0 where a case is well
+    executor : executor as in the command; fresh : whether to replace an existing file
+    say : function that is called with each line of progress
+    returns : Result, in SI, with the axis "case", "keys.NAME" of each varied key, and "status", 0 where a case passes
     raises : ValueError, with a message of one line, also after the loss of a worker; finished cases are kept
     """
     with tempfile.TemporaryDirectory() as folder, in_files(study, Path(folder)) as path:
@@ -46,7 +47,7 @@ def sweep(
 
 
 def filled(path: Path, output: Path, executor: str, fresh: bool, say) -> tuple[SweepTable, run.Outcome]:
-    """Run the pending cases of the sweep in a file: its table and the outcome.  Raises StudyError."""
+    """Run the pending cases of the sweep in a file; returns the SweepTable and the outcome.  Raises StudyError."""
     table, text = read_sweep(path)
     workers = executor_of(executor)
     try:
@@ -57,8 +58,9 @@ def filled(path: Path, output: Path, executor: str, fresh: bool, say) -> tuple[S
 
 @contextmanager
 def in_files(study: File | Tables, folder: Path):
-    """The path of a sweep: the given one, or in a folder to which the tables of the sweep and of the varied study are
-    written"""
+    """The path of a sweep: the given path, or a path in `folder`, to which the tables of sweep and study are
+    written
+    """
     if isinstance(study, str | os.PathLike):
         yield Path(study)
         return

@@ -9,7 +9,8 @@ sampling = "grid"                 values = [0.1, 0.15, 0.2]
                                   to = 5e4
                                   count = 4
 
-A grid has every combination; a Latin hypercube `samples` of them, evenly in each range (scipy.stats.qmc).
+A grid runs every combination of values. A Latin hypercube runs `samples` cases, evenly spread in each range
+(scipy.stats.qmc).
 """
 
 import copy
@@ -43,8 +44,8 @@ COMMANDS = (
 class VaryTable(Table):
     """A key that is varied, over values or a range
 
-    key : path of the key in the study, as "waves.height" or "lines[0].length"; "rope[*].hardening" is that of every
-        rope
+    key : path of the key in the study, as "waves.height" or "lines[0].length"; "rope[*].hardening" is the hardening
+        of every rope
     values : values of the key; or give from and to
     count : number of values of a grid, both ends included
     """
@@ -59,7 +60,7 @@ class VaryTable(Table):
 class SweepTable(Table):
     """Many cases of one study
 
-    command : command that is run: solve, with a scene as study, moor, response, lines, line-dynamics, single-point,
+    command : command that is run: solve (its study is a scene), moor, response, lines, line-dynamics, single-point,
         berth, breakwater or simulate
     study : file beside this one whose keys are varied
     arguments : arguments of the command after the study, as ["--database", "box.h5"]; paths are relative to the folder
@@ -67,8 +68,8 @@ class SweepTable(Table):
     sampling : "grid", every combination, or "latin-hypercube", samples spread evenly over ranges
     samples : number of samples of a Latin hypercube
     seed : random seed of a Latin hypercube
-    keep : names of the quantities kept for each case, as ["tension[*].largest", "surge.sigma"]; by default all that are
-        numbers or short lists
+    keep : names of the quantities kept for each case, as ["tension[*].largest", "surge.sigma"]; by default all
+        numbers and short lists
     """
 
     command: str
@@ -97,7 +98,7 @@ def read_sweep(path):
 
 
 def cases(sweep):
-    """[(value of each key), …] in the order of the runs.  Raises StudyError."""
+    """[(value of each varied key), …], one tuple for each case, in the order of the runs.  Raises StudyError."""
     if sweep.sampling == "grid":
         if sweep.samples is not None:
             raise StudyError('samples is given; it needs sampling = "latin-hypercube"')

@@ -37,8 +37,8 @@ def waves(
 ) -> Result:
     """Wave elevation around the body of a database in regular waves, or around several bodies.
 
-    database : its path, or an open one; period s, or omega rad/s; heading : rad that the waves travel to
-    fixed : for a fixed body; width : m, of the map; at : [(x, y) m], additional places
+    database : path of the database, or an open one; period : s, or omega : rad/s; heading : direction of travel, rad
+    fixed : whether the body is fixed; width : width of the map, m; at : additional places [(x, y)], m
     returns : Result, in SI; its `detail` is a `mooring.studies.waves_around.Map`
     raises : ValueError, with a message of one line
     """

@@ -361,6 +361,7 @@ def test_bound_waves_of_a_twentieth_of_newmans_force_count(ratio, level, monkeyp
     monkeypatch.setattr(pair_levels, "bound_to_newman", lambda body, sea: ratio)
     monkeypatch.setattr(pair_levels, "stored_pairs", lambda *asked: SimpleNamespace(level="full"))
     monkeypatch.setattr(pair_levels, "_surface_left_out", lambda *asked: ())
+    monkeypatch.setattr(pair_levels, "_failed", lambda *asked: ())
     found, (said,) = pair_levels.beside_newman(
         SimpleNamespace(reader=SimpleNamespace(floating=lambda: None)), None, "auto"
     )

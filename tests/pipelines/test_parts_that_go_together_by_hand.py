@@ -134,15 +134,11 @@ def test_runs_are_compared_with_other_methods_on_the_waves_of_their_study(monkey
 
     said, asked = [], []
 
-    @contextmanager
-    def opened(path):
-        yield f"open {path}"
-
     monkeypatch.setattr(console, "new_console", lambda: SimpleNamespace(print=lambda text, **_: said.append(text)))
     monkeypatch.setattr(simulate, "found", lambda *given, **more: asked.append((given, more)) or "result")
     monkeypatch.setattr(methods, "compared", lambda *given: asked.append(given) or "both")
-    monkeypatch.setattr(simulate, "opened", opened)
-    monkeypatch.setattr(simulate, "draw", lambda file, path: [f"picture of {file}"])
+    monkeypatch.setattr(simulate, "processors", lambda: 1)
+    monkeypatch.setattr(simulate, "draw_run", lambda path: [f"picture of {path}"])
     monkeypatch.setattr(simulate, "printed", lambda result, console: asked.append(result) or 3)
     more = {"seeds": 2, "duration": 60.0, "fresh": True, "executor": "here", "window": 30.0}
     call = {name: value for name, value in more.items()}
@@ -163,7 +159,7 @@ def test_runs_are_compared_with_other_methods_on_the_waves_of_their_study(monkey
     (first, words), second, shown = asked
     assert first == ("s", "d", output) and {name: words[name] for name in more} == more
     assert second == ("result", "s", "d", 60.0, "v") and shown == "both"
-    assert said == [f"written: {output}, picture of open {output}"]
+    assert said == [f"written: {output}, picture of {output}"]
     with pytest.raises(StudyError, match="--division is given without --methods; give both"):
         simulate.simulate(**{name: (given | {"methods": False})[name] for name in names})
     with pytest.raises(StudyError, match="--seeds is 0; allowed: a whole number from 1"):

@@ -454,7 +454,7 @@ def of_database(missed):
 
 def pairs(gap):
     def change(patch):
-        patch.setattr("hakobune.pipelines.qtf.report.diagonal_gap", lambda forces: gap)
+        patch.setattr("hakobune.bem.second_order.stored.diagonal_gap", lambda forces: gap)
         patch.setattr("hakobune.pipelines.qtf.result.diagonal_gap", lambda forces: gap)
         patch.setattr("hakobune.pipelines.qtf.result.notes", lambda *_: ())
         patch.setattr("hakobune.pipelines.qtf.result._rows", lambda *_: [])

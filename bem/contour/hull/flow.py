@@ -1,9 +1,8 @@
-"""First-order flow on a vertical-sided body, at points for integrals: on the side, and on the bottom of a cylinder.
+"""First-order flow on a vertical-sided body, at integration points on the side, and on the bottom of a cylinder.
 
-Points on the side are those of `bem.contour.side_flow` times the nodes of the contour; points on the bottom are those
-of `under_keel`. Both are graded towards the keel, where the flow is the flow around its edge.
-All frequencies of a body share
-these points. The contour and the functions are those of the shortest waves.
+Points on the side are the distances of `bem.contour.side_flow` at every node of the contour; points on the bottom are
+those of `under_keel`. All points are graded towards the keel's edge, around which the water flows.
+All frequencies of a body share these points, and use the contour and the functions of the shortest waves.
 """
 
 from dataclasses import dataclass
@@ -61,7 +60,7 @@ class HullPoints:
 
     @cached_property
     def under(self):
-        """`UnderKeel`, None of a box"""
+        """`UnderKeel` of a cylinder; None for a box"""
         return UnderKeel(self.body, self.degree, self.contour) if isinstance(self.body.plan, Circle) else None
 
     @property
@@ -70,7 +69,7 @@ class HullPoints:
         return self.under is not None
 
     def surfaces(self, freq):
-        """`HullSurfaces` of a `SharedFrequency`, the same for all frequencies"""
+        """`HullSurfaces` of a `SharedFrequency`; they are equal for all frequencies"""
         c, draft = self.contour, self.body.draft
         depth = depth_flow(freq, 1 / self.k)
         flat = np.stack([c.x, c.y, 0 * c.x], axis=1)
@@ -87,7 +86,8 @@ class HullPoints:
         return HullSurfaces(*(_imaged(*part) for part in ((points, normals, weights), (flat, normal, c.weights))))
 
     def flows(self, freq):
-        """{class: φ (columns, p), ∇φ along the surface (columns, p, 3), φ at z = 0 (columns, m)} on the meshed part
+        """{class: φ, (columns, p), ∇φ along the surface, (columns, p, 3), and φ at z = 0, (columns, m)} on the meshed
+        part
 
         Columns are those of `freq.flows`: motions of unit velocity, then headings; freq : `SharedFrequency`
         """
@@ -109,8 +109,8 @@ class HullPoints:
 
 
 def amplitudes(freq, values, cls):
-    """Amplitudes of `DepthSums` at the m nodes, and their slopes; shape (a, m, columns); columns: wave, table and rows,
-    speed and turn of the edge
+    """Amplitudes of `DepthSums` at the m nodes, and their slopes; shape (a, m, columns); amplitudes:
+    wave, table and rows, speed of the edge, turning rate of the edge
 
     values : `plan_values` of the class; columns : as in `freq.flows`
     """
@@ -130,7 +130,7 @@ def amplitudes(freq, values, cls):
 
 
 def wave_flow(freq, points, surfaces, motions):
-    """`HullFlow` in the waves of a `SharedFrequency`; motions : (m, 6) about the origin, m and rad"""
+    """`HullFlow` in the waves of a `SharedFrequency`; motions : motions about the origin, m and rad, (m, 6)"""
     return _flow(freq, points, surfaces, in_waves(freq, motions), motions)
 
 
@@ -140,13 +140,13 @@ def radiated_flow(freq, points, surfaces):
 
 
 def in_waves(freq, motions):
-    """{class: (m, columns)} factors of `freq.flows` for the flow in waves of a body with the motions (m, 6)"""
+    """Factors of `freq.flows` for the flow in waves of a body with the motions (m, 6); {class: (m, columns)}"""
     speed, waves = -1j * freq.omega * motions, np.eye(len(motions))
     return {cls: np.concatenate([speed[:, dofs], waves], axis=1) for cls, (dofs, *_) in freq.flows.items()}
 
 
 def of_motions(freq):
-    """{class: (6, columns)} factors of `freq.flows` for the six motions of unit velocity"""
+    """Factors of `freq.flows` for the six motions of unit velocity; {class: (6, columns)}"""
     waves = np.zeros((6, len(freq.headings)))
     return {cls: np.concatenate([np.eye(6)[:, dofs], waves], axis=1) for cls, (dofs, *_) in freq.flows.items()}
 

@@ -1,10 +1,12 @@
-"""Force of a wave whose wavenumber κ differs from the wavenumber of a free wave of its frequency, on a vertical-sided
-body, as an integral over the wall of its plan.
+"""Force of a bound wave on a vertical-sided body, as an integral over the vertical wall above and below the plan
+contour.
+
+A bound wave has a wavenumber κ that differs from the wavenumber of a free wave of its frequency. The force
 
     D = −ρg ∬ (p ψ_ν − ψ p_ν) dS,        p = cosh κζ / cosh κh exp(iκ·x),  over the whole depth 0 < ζ < h
 
 is `bem.second_order.long_wave_forces` with its integral over the bottom moved to the gap under the keel by Green's
-identity: p and ψ are harmonic below and at rest on the bed.  ψ and ψ_ν are sums of depth modes there, and
+identity: p and ψ are harmonic below and at rest on the bed.  In the gap ψ and ψ_ν are sums of depth modes, and
 
     ∫ cosh κζ / cosh κh f dζ = (κ tanh κh − K) f(h) / (κ² − k²)        of a mode f with f″ = k²f,  f′(h) = K f(h).
 """

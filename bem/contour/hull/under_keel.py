@@ -9,8 +9,7 @@ Nearer than START of the smallest of draft, gap and radius the flow is the flow 
 
     φ = c₀ − Uρ − (2b/3π) ρ² ln ρ + Σ cₚ ρ^(2p/3),        p = 1, 2, 3,
 
-U is the speed of the keel's edge outwards, and b the rate at which the edge turns, as on the side
-(`bem.contour.side_flow`).
+where U is the outward speed of the keel's edge, and b the rate at which the edge turns (see `bem.contour.side_flow`).
 """
 
 from functools import cached_property
@@ -29,7 +28,8 @@ POINTS = 10  # quadrature points on a panel of radii
 class UnderKeel:
     """Points (p, 3) on the quarter x > 0, y > 0 of the bottom, radius by radius, with weights (p,) m² and normals
 
-    body : `bem.contour.body.ContourBody` of a circle; degree : degree of its functions; contour : its directions
+    body : `bem.contour.body.ContourBody` of a circle; degree : highest degree of its functions; contour : `Contour`
+        with the directions of the radii
     """
 
     def __init__(self, body, degree, contour):
@@ -52,7 +52,7 @@ class UnderKeel:
         self.found = ((a + b) / 2 + (b - a) / 2 * np.cos(angles)) ** 1.5  # Chebyshev's points in ρ^(2/3)
 
     def flow(self, freq, cls):
-        """φ (columns, p) and ∇φ along the bottom (columns, p, 3) of a solved frequency with these functions"""
+        """φ, (columns, p), and ∇φ along the bottom, (columns, p, 3), of a solved frequency that has these functions"""
         value, slope = self._radial(freq, cls)
         plan, r = self.body.plan, self.radius - self.rho
         m = plan.orders(cls, self.degree)

@@ -1,1 +1,1 @@
-"""Plane problems on the contour of a waterplane, circle or rectangle, one for each depth mode."""
+"""Plane problems, one for each depth mode, on the contour of a waterplane that is a circle or a rectangle."""

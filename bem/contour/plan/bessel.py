@@ -3,10 +3,10 @@
     K₀(x), x K₁(x)                   of waves that decay
     J₀(x), Y₀(x), x J₁(x), x Y₁(x)   of waves that travel
 
-Near x = 0 they are p(x) + q(x) ln x with entire p and q (DLMF 10.8.2, 10.31.2); elsewhere they are p.  The polynomials
-are those through twelve Chebyshev points of cells of width ½: the logarithm of x = 0 is 18 half widths from the first
-cell where it is not separated, and 18⁻¹² = 1e-15.  One call for all functions of a pair of points takes a quarter, or
-less, of the time of one call for each function.
+Near x = 0 they are p(x) + q(x) ln x with entire p and q (DLMF 10.8.2, 10.31.2); elsewhere they are p.  The
+polynomials pass through twelve Chebyshev points of cells of width ½. The singularity at x = 0 is 18 half widths away
+from the first cell without a logarithm, and 18⁻¹² = 1e-15.  One call that gives all functions of a pair of points
+takes a quarter, or less, of the time of separate calls.
 """
 
 from functools import lru_cache
@@ -31,7 +31,7 @@ def decaying_pair(x):
 
 
 def radiating_pair(x):
-    """H₀(x) and x H₁(x) of finite x > 0, both of the first kind, (n,) each"""
+    """Hankel functions of the first kind, H₀(x) and x H₁(x), of finite x > 0, (n,) each"""
     cells = max(FEWEST, int(np.max(x, initial=0.0) / WIDTH) + 1)
     single, radial = np.empty((2, len(x)), complex)
     _radiating(x, _radiating_cells(2 ** int(np.ceil(np.log2(cells)))), WIDTH, LOGARITHMIC, single, radial)

@@ -1,7 +1,8 @@
 """Plane problems outside and inside a circle, for the depth modes of a vertical cylinder.
 
-A plan has the Neumann-to-Dirichlet maps of a body's plan contour, from normal velocity to potential. They are in real
-functions ψ (here cos mθ and sin mθ) that are orthonormal on the whole contour and have parity (sign in x, sign in y).
+A plan has the Neumann-to-Dirichlet maps of a body's plan contour, from normal velocity to potential. The maps are
+matrices in real functions ψ, here cos mθ and sin mθ, that are orthonormal on the whole contour and have parity (sign
+in x, sign in y).
 With r the
 distance from the axis the maps from ∂φ/∂r to φ are diagonal:
 
@@ -26,19 +27,19 @@ LOWEST = 3  # highest order of the rigid motions' velocities in the gap, and one
 
 @dataclass(frozen=True)
 class Circle:
-    """radius : m; lowest : order that functions on the circle reach at least"""
+    """radius : m; lowest : smallest value of the highest order of functions on the circle"""
 
     radius: float
     lowest: int = LOWEST
 
     @property
     def scale(self):
-        """Length, m; κN approaches its limit for waves short in comparison"""
+        """Length, m; κN approaches its limit for waves that are short compared with this length"""
         return self.radius
 
     @property
     def alphas(self):
-        """α of `rigid_motions` in heave, roll and pitch: ψ in one angular order"""
+        """α of `rigid_motions` in heave, roll and pitch, for which ψ has one angular order"""
         return 1 / 2, 1 / 4, 3 / 4
 
     @property
@@ -52,11 +53,11 @@ class Circle:
         return (self.radius,)
 
     def to(self, accuracy):
-        """The same plan for another `accuracy.Accuracy`; the maps of a circle are exact"""
+        """The plan for another `accuracy.Accuracy`: the same circle, because its maps are exact"""
         return self
 
     def degree(self, waves, tolerance):
-        """Highest order that velocities in the gap need; waves : rad/m, the largest wavenumber under the keel"""
+        """Highest order that velocities in the gap need; waves : largest wavenumber under the keel, rad/m"""
         return max(self.lowest, _last_order(waves * self.radius, tolerance))
 
     def table_wavenumber(self, waves):
@@ -72,7 +73,7 @@ class Circle:
         return (degree - LOWEST) / self.radius
 
     def contour(self, k, degree, tolerance):
-        """`Contour` that resolves waves of `k` rad/m and functions up to `degree`; the quarter 0 < θ < π/2."""
+        """`Contour` on the quarter 0 < θ < π/2 that resolves waves of `k` rad/m and functions up to `degree`."""
         orders = max(degree, _last_order(k * self.radius, tolerance))
         count = (orders + 4) // 2 + 4
         theta = (np.arange(count) + 0.5) * np.pi / 2 / count
@@ -97,13 +98,13 @@ class Circle:
         return wave / np.sqrt(np.pi * self.radius * np.where(m, 1, 2))
 
     def maps(self, degree, kappa):
-        """{class: κ times the maps outside and inside, two (c, n, n)} at `kappa` (c,) rad/m"""
+        """{class: κ times the maps outside and inside, two arrays (c, n, n)} at `kappa` (c,) rad/m"""
         outer, inner = _bessel_ratios(degree, kappa * self.radius)
         orders = {cls: self.orders(cls, degree) for cls in CLASSES}
         return {cls: tuple(r[m].T[:, :, None] * np.eye(len(m)) for r in (outer, inner)) for cls, m in orders.items()}
 
     def laplace(self, degree):
-        """{class: the maps outside and inside for κ = 0, two (n, n)}, zero where a constant is free"""
+        """{class: the maps outside and inside for κ = 0, two arrays (n, n)}, zero for the constant function"""
         orders = {cls: self.orders(cls, degree) for cls in CLASSES}
         inner = {cls: np.diag(np.where(m, self.radius / np.maximum(m, 1), 0.0)) for cls, m in orders.items()}
         return {cls: (-matrix, matrix) for cls, matrix in inner.items()}
@@ -129,7 +130,7 @@ class Circle:
         return out
 
     def incident_force(self, draft, depth, k, beta):
-        """Force of the undisturbed wave per unit amplitude and ρg, (b, 6)
+        """Force of the undisturbed wave per unit amplitude and ρg; shape (b, 6)
 
         ∮ n₁ exp(ikx) ds = 2πiR J₁(kR),  ∬ exp(ikx) dA = 2πR J₁(kR)/k,  ∬ x exp(ikx) dA = 2πiR² J₂(kR)/k
         """

@@ -1,11 +1,11 @@
-"""Single and double layers on a rectangle's contour, one matrix per symmetry class.
+"""Single and double layers on the contour of a rectangle, one matrix for each symmetry class.
 
     S = ∫ G ψ ds,   D = ∫ ∂G/∂n ψ ds,    n out of the body, ψ interpolated between the nodes of the panels
 
 with G = −ln R / 2π (Laplace), K₀(κR) / 2π (∇²φ = κ²φ) or (i/4) H₀(kR) (waves, exp(−iωt)).  The potential on the
 contour is φ/2 = Dφ − S ∂φ/∂n outside and φ/2 = S ∂φ/∂n − Dφ inside.
 
-The geometry is computed once; each wavenumber costs its Bessel functions and one accumulation.
+The geometry is computed once; each wavenumber then requires only Bessel functions and one weighted sum.
 """
 
 from typing import NamedTuple
@@ -46,8 +46,9 @@ def radiating(k):
 class Layers(NamedTuple):
     """Targets (i,) against the nodes (m,) of a contour and their images.
 
-    distance, along : (f,) of the far pairs as in `Points`, without weights; pair : (f,) flat (i, image, m) index
-    near : `Points`; shapes : (q, g) interpolation at the near points
+    distance, along : values of the far pairs as in `Points`, without weights, (f,); pair : flat index (i, image, m),
+        (f,)
+    near : `Points`; shapes : interpolation at the near points, (q, g)
     """
 
     targets: int
@@ -59,7 +60,7 @@ class Layers(NamedTuple):
     shapes: np.ndarray
 
     def matrices(self, kernels, classes):
-        """S and D of every class, two (classes, i, m)"""
+        """S and D of every class, two arrays (classes, i, m)"""
         signs = np.array([[c[0] if ix < 0 else 1] for c in classes for ix, _ in CLASSES], float)
         signs = signs.reshape(len(classes), -1) * [[c[1] if iy < 0 else 1 for _, iy in CLASSES] for c in classes]
         return _matrices(self, kernels, signs)

@@ -1,4 +1,4 @@
-"""Contour nodes and Neumann-to-Dirichlet maps of the plan of a vertical-sided body, as the depth modes use them."""
+"""Contour nodes and Neumann-to-Dirichlet maps of the plan of a vertical-sided body, for each depth mode."""
 
 from typing import NamedTuple
 
@@ -8,8 +8,8 @@ CLASSES = ((1, 1), (-1, 1), (1, -1), (-1, -1))
 
 
 class Contour(NamedTuple):
-    """Nodes (m,) on the quarter x > 0, y > 0 of a contour, their outward normals, and the length of contour that each
-    represents."""
+    """Nodes (m,) on the quarter x > 0, y > 0 of a contour, with the outward normal and the length of contour of each
+    node."""
 
     x: np.ndarray  # m
     y: np.ndarray  # m
@@ -19,7 +19,7 @@ class Contour(NamedTuple):
 
 
 class WaveMap(NamedTuple):
-    """Plane waves outside one plan, in one symmetry class of n functions ψ."""
+    """Map and plane waves outside one plan, in one symmetry class of n functions ψ."""
 
     weak: np.ndarray  # (n, n) complex, m: ∮ ψᵢ N ψⱼ ds, N from ∂φ/∂n to φ
     potential: np.ndarray  # (m, n) complex, m: N ψⱼ at the nodes
@@ -29,7 +29,7 @@ class WaveMap(NamedTuple):
 
     @classmethod
     def solved(cls, contour, basis, potential, wall):
-        """The WaveMap of potentials at the nodes (m,) of a contour, with `basis` (m, n) ψ at these nodes"""
+        """The WaveMap of potentials at the nodes (m,) of a contour; basis : functions ψ at these nodes, (m, n)"""
         weak = 4 * (basis * contour.weights[:, None]).T
         return cls(weak @ potential, potential, wall, weak @ wall, basis)
 
@@ -41,12 +41,13 @@ TURNS, RATIO = 8.0, 1.5
 
 
 def table_wavenumber(waves, half):
-    """Wavenumber, rad/m, at least `waves`, that a shared table resolves; half : m from the axis to the farther side"""
+    """Wavenumber that a shared table resolves, rad/m, at least `waves`; half : distance from the axis to the farther
+    side, m"""
     steps = np.ceil(np.log(max(waves * half / TURNS, 1.0)) / np.log(RATIO))
     return max(waves, TURNS / half * RATIO**steps)
 
 
 def area_moment(contour, a, b):
-    """∬ xᵃ yᵇ dA over the whole plan, a and b even, m^(2+a+b)"""
+    """∬ xᵃ yᵇ dA over the whole plan for even a and b, m^(2+a+b)"""
     c = contour
     return 4 * np.sum(c.weights * c.nx * c.x ** (a + 1) * c.y**b) / (a + 1)

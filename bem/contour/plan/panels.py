@@ -1,9 +1,9 @@
 """Panels on the quarter contour of a rectangle, and points on them for singular or nearly singular integrals.
 
 At the corner, where the water has an angle of 270°, potentials behave as r^(2/3), r^(4/3) … with r the distance from
-the corner.  The panel at
-the corner is therefore parametrised by r = c t³, which makes all of them smooth in t; the next ones are linear in t
-and grow away from it.  A density is given at the Gauss points in t of each panel.
+the corner.  The panel at the corner is therefore parametrised by r = c t³, in which all these powers are smooth in
+t. The next panels are linear in t, and their lengths grow with the distance from the corner.
+A density is given at the Gauss points in t of each panel.
 
 Integrals over panels that are near a target are split until every piece is as far from the target as it is long;
 the pieces that end at the target use t = t₀ + (t₁ − t₀) v⁴, which makes a logarithmic singularity smooth.
@@ -23,7 +23,7 @@ MOST_PIECES = 1200
 
 
 class Panels(NamedTuple):
-    """p panels, r the distance from the corner; a panel's point is (x, y) = corner + r · direction."""
+    """p panels; a point of a panel is (x, y) = corner + r · direction, with r its distance from the corner."""
 
     start: np.ndarray  # (p,) m, r at t = 0
     length: np.ndarray  # (p,) m
@@ -45,7 +45,7 @@ class Panels(NamedTuple):
 
 
 class Points(NamedTuple):
-    """q integration points of targets near panels."""
+    """q integration points for pairs of a target and a near panel."""
 
     target: np.ndarray  # (q,) index
     panel: np.ndarray  # (q,) index
@@ -59,7 +59,8 @@ class Points(NamedTuple):
 def quarter_panels(half_length, half_beam, corner_length, longest, gauss):
     """Panels of the end x = half_length, then of the side y = half_beam.
 
-    corner_length, longest : (2,) m for end and side; gauss : nodes per panel
+    corner_length : length of the panel at the corner on end and side, m, (2,)
+    longest : length of the longest panel on end and side, m, (2,); gauss : nodes per panel
     """
     start, length, power, direction, normal = [], [], [], [], []
     for side, extent in enumerate((half_beam, half_length)):
@@ -111,7 +112,8 @@ def interpolation(nodes, t):
 
 
 def is_far(panels, x, y):
-    """Whether the image of a panel is at least its own length away from the target; shape (targets, images, p)"""
+    """Whether the distance from a target to the image of a panel is at least the panel's length; shape (targets,
+    images, p)"""
     far = np.empty((len(x), len(IMAGES), len(panels.start)), bool)
     _is_far(x, y, _flat(panels), IMAGES, far)
     return far
@@ -120,8 +122,9 @@ def is_far(panels, x, y):
 def near_points(panels, x, y, own, far, count, smallest):
     """`Points` of targets (x, y) on all panels that are not far.
 
-    own : node number of each target, −1 for a target that is no node; far : from `is_far`
-    count : Gauss points per piece; smallest : m, pieces that end at the target are halved down to this length
+    own : index of the node at each target, −1 for a target that is no node; far : from `is_far`; count : Gauss points
+        per piece
+    smallest : length down to which pieces that end at the target are halved, m
     """
     v, w = gauss_rule(2 * count)
     rules = np.array(gauss_rule(count)), np.array([v**4, 4 * v**3 * w])

@@ -2,7 +2,7 @@
 
     exp(ik(x cosβ + y sinβ)) = Σ over classes of A(kx cosβ) B(ky sinβ),    A, B = cos or i sin
 
-in products, so that no class is the small difference of others in long waves.
+as products of A and B, so that no class is a small difference of large numbers in long waves.
 """
 
 from typing import NamedTuple
@@ -17,7 +17,8 @@ IMAGES = np.array([[1, 1], [-1, 1], [1, -1], [-1, -1]])
 
 
 class PlaneWaves(NamedTuple):
-    """One symmetry class of plane waves at the nodes of a contour, (m, b) each; `turn…` is the β-derivative."""
+    """One symmetry class of plane waves at the nodes of a contour, arrays (m, b); names with `turn` are
+    β-derivatives."""
 
     value: np.ndarray
     flux: np.ndarray  # 1/m, along the outward normal
@@ -51,9 +52,9 @@ def plane_wave_values(cls, contour, k, beta):
 
 
 def far_field(cls, contour, k, theta, potential, velocity):
-    """∮ (φ ∂ē/∂n − ē ∂φ/∂n) ds with ē = exp(−ik(x cosθ + y sinθ)) and its θ-derivative, (2, columns, t).
+    """∮ (φ ∂ē/∂n − ē ∂φ/∂n) ds, ē = exp(−ik(x cosθ + y sinθ)), and the θ-derivative; shape (2, columns, t).
 
-    potential, velocity : (m, columns) of the propagating mode at the nodes of the contour
+    potential, velocity : φ and ∂φ/∂n of the propagating mode at the nodes of the contour, (m, columns)
     """
     directions = folded(theta, IMAGES)
     parts = plane_waves(cls, contour, k, directions.angles)

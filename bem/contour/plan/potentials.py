@@ -1,9 +1,9 @@
 """Potentials at the nodes of a plan contour and their derivatives along it, for the pressure on a side.
 
-`bem.contour.matching` needs only potentials projected onto the functions ψ of the plan.  Here κN(κ)ψ itself is computed
-at the nodes of one frequency's contour, at the nodes of the body's table in κ.  On a circle it is ψ times a number. On
-a rectangle it is solved on the panels of the table, where it is a polynomial on each panel. It is then interpolated to
-the panels of the frequency, which resolve its waves.
+`bem.contour.matching` needs only potentials projected onto the functions ψ of the plan.  The pressure needs κN(κ)ψ
+itself, at the nodes of one frequency's contour, for every κ of the body's table. On a circle κN(κ)ψ is ψ times a
+number. On a rectangle κN(κ)ψ is a polynomial on each panel of the table, and is interpolated to the panels that
+resolve the waves of the frequency.
 
 Slopes ∂/∂s run counterclockwise, along (−n₂, n₁), on the quarter x > 0, y > 0.
 """
@@ -21,7 +21,7 @@ from .panels import interpolation
 class Values(NamedTuple):
     """One symmetry class: m nodes of a contour, n functions, a table of c values of κ.
 
-    maps : (c + 1, m, n) κN ψ outside, the last for κ → ∞; slope : (m, m) from values to their slopes, 1/m
+    maps : κN ψ outside, the last for κ → ∞, (c + 1, m, n); slope : matrix from values to their slopes, 1/m, (m, m)
     """
 
     maps: np.ndarray

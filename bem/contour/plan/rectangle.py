@@ -1,14 +1,15 @@
-"""Plane problems outside and inside a rectangle, for the depth modes of a box; see `circle` for the maps.
+"""Plane problems outside and inside a rectangle, for the depth modes of a box; `circle` defines the maps.
 
 Velocity is expanded in Legendre polynomials over each side, P_m(2y/B) on the ends and P_m(2x/L) on the sides. In the
-gap under the keel it is smooth along a side up to the corner of the box.  The resulting potentials are not smooth
+gap under the keel the velocity is smooth along a side up to the corner of the box.
+The resulting potentials are not smooth
 (r^(2/3) at the corner). They are found at the nodes of `panels` by integral equations of the direct kind,
 
     outside  (½ − D) φ = −S ∂φ/∂n        inside  (½ + D) φ = S ∂φ/∂n        wall  (½ − D) φ = exp(ik·x)
 
 Outside, the equation of waves is singular where k is an eigenvalue of the interior (φ = 0 on the contour, for instance
-k² = π²(1/L² + 1/B²)).  The exterior representation vanishes inside: this is required at some interior points in
-addition, by least squares (Schenck 1968).
+k² = π²(1/L² + 1/B²)).  The exterior representation of the potential vanishes inside the contour. This condition, at
+some interior points, is added by least squares (Schenck 1968).
 """
 
 from dataclasses import dataclass, replace
@@ -35,9 +36,9 @@ FEWEST, PER_NODE = 5, 64
 class Rectangle:
     """A rectangle `length` along x, `beam` along y, m.
 
-    nodes : Gauss nodes per panel; count : nodes of a piece of a panel near a target
+    nodes : Gauss nodes per panel; count : Gauss nodes on a piece of a panel near a target
     extra : polynomials per side and class beyond those needed for waves
-    further : the same number more on the shorter side, and proportionally on the longer one, after rounding
+    further : further polynomials on the shorter side, added after rounding, and in proportion on the longer side
     """
 
     length: float
@@ -59,19 +60,20 @@ class Rectangle:
         return self.length, self.beam
 
     def to(self, accuracy):
-        """The same plan for a `accuracy.Accuracy`"""
+        """The same plan resolved for an `accuracy.Accuracy`"""
         return replace(
             Rectangle.to_digits(self.length, self.beam, accuracy.plan), extra=accuracy.extra, further=accuracy.further
         )
 
     def for_degree(self, degree):
-        """The same with panels fine enough for polynomials up to `degree`, since errors accumulate along a side"""
+        """The same plan with panels fine enough for polynomials up to `degree`, because errors accumulate along a
+        side"""
         least = FEWEST + int(np.ceil(max(degree) / PER_NODE))
         return replace(self, nodes=max(self.nodes, least), count=max(self.count, least))
 
     @property
     def alphas(self):
-        """α of `rigid_motions` in heave, roll and pitch; it makes ψ curved across the body rather than along it"""
+        """α of `rigid_motions` in heave, roll and pitch, for which ψ is curved across the body rather than along it"""
         return (self.beam**2 / (self.length**2 + self.beam**2),) * 3
 
     @property
@@ -81,15 +83,15 @@ class Rectangle:
 
     @property
     def scale(self):
-        """Length, m; κN approaches its limit for waves short in comparison"""
+        """Length, m; κN approaches its limit for waves that are short compared with this length"""
         return min(self.length, self.beam) / 2
 
     def degree(self, waves, tolerance):
         """Highest polynomial degrees (end, side); `waves`, rad/m, is the largest wavenumber under the keel.
 
         The flow near a corner extends over the shorter side. To resolve a length δ at the end of a side, polynomials
-        need a degree like δ^(−1/2).  The Legendre series of a wave turns from oscillation to decay at x = half
-        the side in radians, over a stretch like x^(1/3).
+        need a degree like δ^(−1/2).  The coefficients of the Legendre series of a wave begin to decay at the degree
+        x, the phase of the wave along half the side in rad, within a number of degrees proportional to x^(1/3).
         """
         sides = np.array([self.beam, self.length])
         reach = np.sqrt(sides / sides.min())
@@ -148,7 +150,8 @@ class Rectangle:
         return quarter_panels(self.length / 2, self.beam / 2, corner, longest, self.nodes)
 
     def wave_layout(self, k, degree):
-        """`Layout` for waves of k rad/m; all k between neighbouring powers of 1.2 share one, as do all long waves."""
+        """`Layout` for waves of k rad/m; all k between neighbouring powers of 1.2 share a layout, and so do all long
+        waves."""
         return _wave_layout(*self._wave_arguments(k, degree))
 
     def _wave_arguments(self, k, degree):
@@ -167,7 +170,7 @@ class Rectangle:
         return layers(panels, c.x, c.y, np.arange(len(c.x)), self.count, smallest)
 
     def maps(self, degree, kappa):
-        """{class: κ times the maps outside and inside, two (c, n, n)} at `kappa` (c,) rad/m"""
+        """{class: κ times the maps outside and inside, two arrays (c, n, n)} at `kappa` (c,) rad/m"""
         fine = self.for_degree(degree)
         panels = fine.panels(0.0, degree)
         on_contour = fine.layers(panels, 3 / kappa[-1])
@@ -183,7 +186,8 @@ class Rectangle:
         return {cls: tuple(np.array(m) for m in pair) for cls, pair in out.items()}
 
     def laplace(self, degree):
-        """{class: the maps outside and inside for κ = 0, two (n, n)}, of zero mean where a constant is free"""
+        """{class: the maps outside and inside for κ = 0, two arrays (n, n)}, with zero mean where a constant is
+        arbitrary"""
         fine = self.for_degree(degree)
         fine = replace(fine, nodes=fine.nodes + FURTHER, count=fine.count + FURTHER)
         panels = fine.panels(0.0, degree)
@@ -217,12 +221,13 @@ class Rectangle:
         return out
 
     def incident_force(self, draft, depth, k, beta):
-        """Force of the undisturbed wave per unit amplitude and ρg, (b, 6)"""
+        """Force of the undisturbed wave per unit amplitude and ρg; shape (b, 6)"""
         return box_incident_force(self.length, self.beam, draft, depth, k, beta)
 
 
 class WaveLayout(NamedTuple):
-    """Panels, their nodes on the contour, interior points, and the `Layers` with either as targets."""
+    """Panels, their nodes on the contour, interior points, and `Layers` whose targets are the nodes and the interior
+    points."""
 
     panels: Panels
     contour: Contour

@@ -1,1 +1,1 @@
-"""Several vertical-sided bodies: one plane problem around all plans for each depth mode."""
+"""Several vertical-sided bodies by the contour method: each depth mode has one plane problem around all plans."""

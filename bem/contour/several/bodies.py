@@ -1,8 +1,10 @@
-"""Boxes and vertical cylinders side by side by domain decomposition: each body's own gap, one plane problem around all.
+"""Boxes and vertical cylinders side by side by domain decomposition: a gap under each body, and water around all
+bodies.
 
-Under each body and in its gap the equations are those of `body.ContourBody`.  The maps outside become those of all
-plans together (`exterior`). The functions ψ, the nodes and the table in κ are as fine as the water between the bodies
-requires.  Errors are estimated from finer bodies, as for one body.
+Under each body and in its gap the equations are those of `body.ContourBody`. The maps outside are replaced by maps of
+all plans together (`exterior`).
+The functions ψ, the nodes and the table in κ are as fine as the water between the bodies requires. Errors are
+estimated from finer bodies, as for one body.
 """
 
 from dataclasses import dataclass, field, replace
@@ -37,8 +39,8 @@ def prepare_several(shapes, places, depth, tolerance=1e-3):
     """`SeveralBodies`.
 
     shapes : [("box", (length, beam, draft)) or ("buoy", (radius, draft))], m
-    places : [`exterior.Place`] of the middle of each; depth : m, finite
-    Raises ValueError as `solver.prepare_box`, for bodies that touch, and for gaps below `NARROWEST`.
+    places : [`exterior.Place`] of the middle of each body; depth : m, finite
+    Raises ValueError for the reasons of `solver.prepare_box`, for bodies that touch, and for gaps below `NARROWEST`.
     """
     makers = {"box": prepare_box, "buoy": prepare_cylinder}
     bodies = [makers[shape](*sizes, depth, tolerance) for shape, sizes in shapes]
@@ -70,10 +72,10 @@ def coupling(body):
 
 
 def near(body, gap):
-    """The plan of a body with functions for flows of the length of the gap (m) to the next body
+    """The plan of a body with functions for flows whose length is the gap, m, to the next body
 
-    On a circle the orders of flows at that distance decay like those of the circle's image. A side of a rectangle needs
-    more polynomials at its ends, in proportion to plan width over gap.
+    On a circle the orders of flows at that distance decay like those of the circle's image. A side of a rectangle
+    needs more polynomials, in proportion to the width of the plan over the gap, to resolve its ends.
     """
     plan, digits = body.plan, body.accuracy.digits
     if isinstance(plan, Circle):
@@ -84,7 +86,7 @@ def near(body, gap):
 
 
 def nearest(plans, places):
-    """[m] from each plan to the nearest other plan"""
+    """[Distance from each plan to the nearest other plan, m]"""
     outlines = [place.in_scene(_outline(plan)) for plan, place in zip(plans, places, strict=True)]
     out = []
     for a, one in enumerate(outlines):
@@ -131,9 +133,9 @@ def _distance(one, other):
 
 @dataclass(frozen=True, eq=False)
 class SeveralBodies:
-    """Several `body.ContourBody` in one water.
+    """Several `body.ContourBody` in common water.
 
-    places : `exterior.Place` of the middle of each; gaps : m, from each body to the nearest other body
+    places : `exterior.Place` of the middle of each body; gaps : distance from each body to the nearest other body, m
     """
 
     bodies: tuple
@@ -148,18 +150,18 @@ class SeveralBodies:
 
     @property
     def tolerance(self):
-        """Relative error of the parts"""
+        """Relative error for which the parts are made"""
         return max(body.tolerance for body in self.bodies)
 
     @property
     def digits(self):
-        """The digits of the parts"""
+        """Number of digits for which the parts are made"""
         return max(body.accuracy.digits for body in self.bodies)
 
     def first_order(self, omega, headings=(), theta=(), dofs=None, density=1025.0, gravity=9.80665):
-        """`FirstOrder` at one frequency, motions (6N,) about the origin, body by body; as `ContourBody.first_order`
+        """`FirstOrder` at one frequency, motions (6N,) about the origin, body by body
 
-        dofs : ignored, all motions are solved
+        dofs : ignored, because all motions are solved; other arguments as in `ContourBody.first_order`
         """
         if not 0 < omega < np.inf:
             raise ValueError(
@@ -179,18 +181,18 @@ class SeveralBodies:
         return np.hstack(each) @ self.to_scene.T
 
     def added_mass_limit(self, which, density=1025.0):
-        """Added mass for `which` "zero" or "infinity" of the frequency, about the origin; shape (6N, 6N)
+        """Added mass about the origin at the frequency `which`, "zero" or "infinity"; shape (6N, 6N)
 
-        At zero frequency it is infinite between motions with a net flux, as in `frequency_limits`.
+        At zero frequency the added mass between motions with a net flux is infinite, as in `frequency_limits`.
         """
         finite, flux = self.limit(which)
         return with_net_flux(density * finite, flux, np.abs(flux).max() or 1.0)
 
     def limit(self, which):
-        """Limit of added mass for unit density, shape (6N, 6N), and the flux of each motion, a source in plan, m²,
-        shape (6N,); both about the origin
+        """Limit of added mass for unit density, shape (6N, 6N), and net flux of each motion (a source in plan), m²,
+        shape (6N,)
 
-        Infinite values between two of these are omitted.
+        Motions are about the origin. Infinite values between two motions with a net flux are omitted.
         """
         if which not in ("zero", "infinity"):
             raise ValueError(f"limit is {which!r}; allowed: 'zero', 'infinity'")
@@ -221,12 +223,12 @@ class SeveralBodies:
 
     @cached_property
     def finer(self):
-        """The same bodies with one more digit, for the error estimate of the bodies themselves"""
+        """The same bodies with one more digit, from which the error of these bodies is estimated"""
         return self._by(lambda body: body.finer)
 
     @cached_property
     def sharper(self):
-        """The same bodies for a tenth of the tolerance; None at the last"""
+        """The same bodies for a tenth of the tolerance; None at the smallest tolerance"""
         return None if any(body.sharper is None for body in self.bodies) else self._by(lambda body: body.sharper)
 
     def _by(self, better):
@@ -245,7 +247,7 @@ class SeveralBodies:
 
     @cached_property
     def of_kinds(self):
-        """[(body, number of its kind)]: bodies of one kind share draft and functions of the gap"""
+        """[(body, index of its kind)]; bodies of one kind have the same draft and functions of the gap"""
         kinds, out = [], []
         for body in self.bodies:
             kind = body.draft, body.accuracy.terms, body.profiles.smallest
@@ -260,28 +262,29 @@ class SeveralBodies:
         return [self.bodies[kinds.index(one)] for one in range(max(kinds) + 1)]
 
     def mode_count(self, k):
-        """Evanescent modes outside, k = ω²/g"""
+        """Number of evanescent modes outside the bodies; k = ω²/g"""
         return max(
             max(body.mode_count(k), body.profiles.gap.mode_count(k, body.accuracy.modes, gap))
             for body, gap in zip(self.bodies, self.gaps, strict=True)
         )
 
     def outer_modes(self, omega, gravity):
-        """[`OuterModes`] of every kind, all of equally many modes"""
+        """[`OuterModes`] of every kind, all with the same number of modes"""
         count = self.mode_count(omega**2 / gravity)
         return [body.profiles.gap.outer_modes(omega, count, gravity) for body in self._first_of_kinds]
 
     def resolution(self, omega, gravity=9.80665):
-        """As of `body.ContourBody`"""
+        """Resolution of the equations at a frequency, as of `body.ContourBody`"""
         k = float(wavenumber(omega, self.depth, gravity))
         return (*self.degrees(k), self.exterior(k, self.degrees(k)[0]).size)
 
     def degrees(self, k):
-        """Degrees of the functions on each plan, and of its tables"""
+        """Degrees of the functions on each plan, and degrees of the tables of each plan"""
         return tuple(zip(*(degrees(body, k) for body in self.bodies), strict=True))
 
     def exterior(self, k, degrees_):
-        """`Exterior` that resolves waves of k rad/m; all k between neighbouring powers of 1.2 have the same one"""
+        """`Exterior` that resolves waves of k rad/m; all k between neighbouring powers of 1.2 have the same
+        `Exterior`"""
         longest = max(body.plan.reach for body in self.bodies)
         step = 1.2 ** np.ceil(np.log(max(k * longest, 1.0)) / np.log(1.2))
         return self._exterior(float(step / longest) if k else 0.0, degrees_)
@@ -303,12 +306,12 @@ class SeveralBodies:
         return ChebyshevNodes(first, last, int(np.ceil(dense * np.log(last / first))) + 2)
 
     def coupled(self, tops):
-        """Number of κ of the table at which the plans interact"""
+        """Number of values of κ in the table at which the plans interact"""
         return int(np.sum(self.nodes(tops).kappa * min(self.gaps) <= REACH))
 
     @memoised
     def maps(self, tops):
-        """κN outside at the nodes, with its limit −1 at the end, shape (c + 1, n, n); and N for κ = 0"""
+        """κN outside at the nodes, followed by its limit −1, shape (c + 1, n, n), and N for κ = 0"""
         nodes, exterior = self.nodes(tops), self._exterior(0.0, tops)
         apart = nodes.kappa * min(self.gaps) > REACH
         size = exterior.basis.shape[1]
@@ -327,7 +330,7 @@ class SeveralBodies:
 
     @memoised
     def outer_maps(self, degrees_, tops):
-        """κN of functions up to degrees among those up to `tops`; shape (c + 1, n, n)"""
+        """κN of functions up to `degrees_`, taken from those up to `tops`; shape (c + 1, n, n)"""
         own = self._chosen(degrees_, tops)
         return np.ascontiguousarray(self.maps(tops)[:, own[:, None], own])
 
@@ -340,7 +343,7 @@ class SeveralBodies:
         return np.concatenate(chosen)
 
     def weights(self, kinds, tops):
-        """{(a, b): (r_a, r_b, c + 1)} weight of each node of the table in sums over the `OuterModes` of all kinds"""
+        """Weight of each node of the table in sums over the `OuterModes` of all kinds, {(a, b): (r_a, r_b, c + 1)}"""
         return self._weights([one.rows for one in kinds], kinds[0].wavenumbers, kinds[0].norms, tops)
 
     def _weights(self, rows, k, norms, tops):

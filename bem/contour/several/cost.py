@@ -1,8 +1,8 @@
 """Cost of several bodies by the contour method: seconds of one thread, and memory.
 
-The cost is within a factor of two on two boxes 1 and 4 m apart, with 430 to 1 300 nodes. N and N' are the nodes around
-all plans for the table and for the waves, n the functions, and c the values of κ in the table at which the plans
-interact
+The formulas are right within a factor of two on two boxes 1 and 4 m apart, with 430 to 1 300 nodes. N and N' are the
+numbers of nodes around all plans for the table and for the waves, n is the number of functions, and c the number of
+values of κ in the table at which the plans interact
 
     table        c (1.1e-7 N² + 3e-11 N³) s,  16 c n² bytes      frequency    4e-7 N'² + 4e-10 N'³ s,  150 N'² bytes
 """

@@ -1,12 +1,12 @@
-"""One plane problem outside several plans: from velocities on the contours of the plans to potentials on these
-contours, and plane waves.
+"""One plane problem outside several plans: potentials on the contours from velocities on the contours and plane
+waves.
 
     (½ − D_aa) φ_a − Σ D_ab φ_b = −Σ S_ab v_b + φ_I        on contour a, b ≠ a in the first sum
     Σ D_b φ_b − S_b v_b + φ_I = 0                            waves, at points inside (Schenck 1968, `plan.rectangle`)
 
-Each plan has the nodes of its quarter contour in its own axes and four symmetry classes of densities there. All classes
-of all plans are coupled.  Waves that decay over the depth hardly reach the next plan: beyond `REACH` their coupling is
-zero.
+Each plan has nodes on its quarter contour, in its own axes, and densities of four symmetry classes at these nodes.
+All classes of all plans are coupled. Evanescent waves hardly reach the next plan: beyond `REACH` their coupling is
+set to zero.
 """
 
 from functools import cached_property
@@ -24,7 +24,7 @@ SIGNS = np.array([[(c[0] if x < 0 else 1) * (c[1] if y < 0 else 1) for x, y in I
 
 
 class Place(NamedTuple):
-    """The middle of a plan: x, y m; heading : rad of its axes"""
+    """The middle of a plan, x, y, m; heading : angle of the axes of the plan, rad"""
 
     x: float
     y: float
@@ -40,7 +40,7 @@ class Place(NamedTuple):
 
 
 class Exterior:
-    """senders : from `senders`, one for each plan; places : `Place` of each"""
+    """senders : an object of `senders` for each plan; places : `Place` of each plan"""
 
     def __init__(self, senders, places):
         self.senders, self.places = senders, places
@@ -106,12 +106,12 @@ class Exterior:
         return 4 * (self.basis * weights[:, None]).T
 
     def map(self, kernel):
-        """∮ ψᵢ N ψⱼ ds, (n, n), of local waves"""
+        """∮ ψᵢ N ψⱼ ds of evanescent waves; shape (n, n)"""
         left, single = self._equations(kernel)
         return -self.weak @ np.linalg.solve(left, single @ self.basis)
 
     def waves(self, k, beta):
-        """N ψ (size, n) at the nodes and the waves towards beta (b,) rad in front of rigid walls (size, b)"""
+        """N ψ, (size, n), and the waves towards beta (b,) rad in front of rigid walls, (size, b), at the nodes"""
         kernel = Kernel("radiating", k)
         left, single = self._equations(kernel)
         left_in, single_in = self._inside(kernel)
@@ -121,7 +121,7 @@ class Exterior:
         return np.split(found, [self.basis.shape[1]], axis=1)
 
     def incident(self, k, beta):
-        """exp(ik·x) at the nodes of all plans, then at the points inside, (·, b)"""
+        """exp(ik·x) at the nodes of all plans, then at the points inside; shape (·, b)"""
         rows = []
         for where in ("contour", "inside"):
             for one, place in zip(self.senders, self.places, strict=True):

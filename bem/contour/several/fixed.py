@@ -1,4 +1,4 @@
-"""Galerkin equations of several bodies: `matching.FixedTerms` of all bodies and classes in one system."""
+"""Galerkin equations of several bodies: the `matching.FixedTerms` of all bodies and symmetry classes in one system."""
 
 from itertools import pairwise, product
 
@@ -9,10 +9,10 @@ from ..plan.maps import CLASSES
 
 
 class Fixed:
-    """Frequency-independent terms of `bodies.SeveralBodies`, about the middle of each body in its own axes.
+    """Terms of `bodies.SeveralBodies` that do not depend on frequency, about the middle of each body, along its axes.
 
     layout : slices of the unknowns in the gap of each body, and of the velocities on its side
-    functions : slices of the functions ψ of each; side : (6N, sides); the rest as in `matching.FixedTerms`
+    functions : slices of the functions ψ of each body; side : (6N, sides); the other fields as in `matching.FixedTerms`
     """
 
     def __init__(self, bodies, degrees, tops):
@@ -28,9 +28,9 @@ class Fixed:
         )
 
     def outside(self, weights, maps, rows, single):
-        """Sum over the evanescent modes, and one separate mode, tested with all functions; shape (size, size)
+        """Sum over the evanescent modes and one separate mode, tested with all functions; shape (size, size)
 
-        weights : {(a, b): (r_a, r_b, c)}; maps : (c, n, n); rows : [(r,)] and single : (n, n) of the one mode
+        weights : {(a, b): (r_a, r_b, c)}; maps : (c, n, n); rows, single : [(r,)] and (n, n) of the separate mode
         """
         gaps, sides = self.layout
         out = np.empty((self.size,) * 2, np.result_type(single, float))
@@ -45,7 +45,7 @@ class Fixed:
         return out
 
     def solved(self, outside, incident):
-        """Like `matching.solved`, for the motions and then for potentials of waves"""
+        """Solutions as in `matching.solved`, for the motions and then for the potentials of waves"""
         m, B = self.gaps, self.net.shape[1]
         matrix = np.block([[self.beneath - outside[:m, :m], self.net], [self.net.T, np.zeros((B, B))]])
         right = np.hstack([self.driven + outside[:m, m:] @ self.side.T, incident[:m]])
@@ -55,7 +55,7 @@ class Fixed:
         return x[:m], x[m:], float(np.max(np.abs(matrix @ x - right) / scale, initial=0.0))
 
     def loads(self, outside, velocity, constant, incident):
-        """∬ φ n dS along the motions, (6N, columns)"""
+        """∬ φ n dS along the motions; shape (6N, columns)"""
         m, d = self.driven.shape
         out = (self.side @ outside[m:, :m] + self.carried) @ velocity + self.volume @ constant
         out[:, :d] += self.side @ outside[m:, m:] @ self.side.T + self.own

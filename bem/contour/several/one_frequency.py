@@ -1,7 +1,7 @@
-"""One frequency of several vertical-sided bodies: the equations of `matching`, for all bodies and classes at once.
+"""One frequency of several vertical-sided bodies: the equations of `matching` for all bodies and symmetry classes.
 
-Unknowns are the velocities in all gaps, body by body, the e profiles of one times its n functions, and a constant for
-each body.  Results are in coordinates of the scene, motions about its origin, body by body.
+Unknowns are a constant for each body and the velocities in the gaps, body by body: for each body its e profiles times
+its n functions.  Results are in coordinates of the scene, with motions about the origin of the scene, body by body.
 """
 
 from functools import cached_property
@@ -29,17 +29,18 @@ class SeveralFrequency:
 
     @property
     def amplitude(self):
-        """−ig/ω, potential of a wave of unit amplitude at z = 0, m²/s per m"""
+        """Potential −ig/ω of a wave of unit amplitude at z = 0, m²/s per m"""
         return -1j * self.gravity / self.omega
 
     @cached_property
     def wave_rows(self):
-        """[(r,)] of each body, ⟨·, Z₀⟩ of the profiles and of 1 and z on the side"""
+        """⟨·, Z₀⟩ of the profiles and of 1 and z on the side, [(r,)] of each body"""
         return [body.profiles.combinations @ self.kinds[kind].wave_rows for body, kind in self.bodies.of_kinds]
 
     @cached_property
     def plane(self):
-        """N ψ of the wave mode and the waves in front of rigid walls, at the nodes: `exterior.Exterior.waves`"""
+        """N ψ of the propagating mode, and waves in front of rigid walls, at the nodes, from
+        `exterior.Exterior.waves`"""
         return self.exterior.waves(self.k, self.headings)
 
     @cached_property
@@ -62,12 +63,12 @@ class SeveralFrequency:
 
     @cached_property
     def flow(self):
-        """Velocities in the gaps (gaps, d + b), constants (bodies, d + b) and the residual of the equations"""
+        """Velocities in the gaps, (gaps, d + b), constants, (bodies, d + b), and the residual of the equations"""
         return self.fixed.solved(self.outside, self.incident)
 
     @cached_property
     def on_contours(self):
-        """⟨u + v, Z₀⟩ of motions and waves on all plans; shape (n, d + b)"""
+        """Velocity ⟨u + v, Z₀⟩ of motions and waves on all plans; shape (n, d + b)"""
         velocity, out = self.flow[0], []
         d = self.fixed.side.shape[0]
         for rows, gap, side in zip(self.wave_rows, *self.fixed.layout, strict=True):

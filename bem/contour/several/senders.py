@@ -1,8 +1,7 @@
-"""Waves sent by a plan to points outside the plan: single and double layers at these points, one matrix for each
-symmetry class.
+"""Waves from a plan at points outside the plan: single and double layers, one matrix for each symmetry class.
 
 Densities are given at the m nodes of the plan's quarter contour, in each class.  On a rectangle the layers are
-integrated (`plan.layers`).  On a circle they are closed forms of the m orders that the nodes distinguish,
+integrated (`plan.layers`).  On a circle the layers are closed forms for the m orders that the nodes distinguish,
 
                        S at r ≥ R                      D at r ≥ R                        ½ − D on the circle
     decaying           R Iₘ(κR) Kₘ(κr)                 κR Iₘ'(κR) Kₘ(κr)                 1 − D
@@ -29,7 +28,7 @@ FALLEN = 100.0  # κ(r − R) beyond which a decaying wave is zero; e^(−100) =
 
 
 class Kernel(NamedTuple):
-    """kind : "laplace", "decaying" or "radiating"; k : rad/m"""
+    """kind : "laplace", "decaying" or "radiating"; k : wavenumber, rad/m"""
 
     kind: str
     k: float = 0.0
@@ -43,7 +42,7 @@ class Kernel(NamedTuple):
 def sender(plan, degree, k, gap, digits, shortest):
     """`OnCircle` or `OnRectangle` for functions up to `degree` and waves of k rad/m
 
-    gap : m, to the nearest other plan; digits : accuracy; shortest : m, 1/κ of the fastest decay
+    gap : distance to the nearest other plan, m; digits : digits of accuracy; shortest : 1/κ of the fastest decay, m
     """
     if not isinstance(plan, Circle):
         return OnRectangle(plan, degree, k, gap, shortest)
@@ -117,7 +116,7 @@ class OnCircle:
         return out
 
     def at(self, x, y):
-        """Function of a `Kernel` that gives S and D at points (p,) off the circle, {class: two (p, m)}"""
+        """Function of a `Kernel` that gives S and D at points (p,) off the circle, {class: two arrays (p, m)}"""
         r, theta = np.hypot(x, y), np.arctan2(y, x)
 
         def sent(kernel):

@@ -1,4 +1,4 @@
-"""Faults of an imported set, found by hakobune's solution of the hull, or by laws between the numbers of the set."""
+"""Faults of an imported set of results, found by hakobune's solution of the hull or by laws between the results."""
 
 from ..values import FormatError
 from . import laws
@@ -9,11 +9,11 @@ WAY_OUT = "import with --correct to store the set so corrected"
 
 
 def believed(values, mesh, correct=False):
-    """Values, messages on agreement, and messages on uncorrected contradictions.
+    """The Values, messages on agreement, and messages on contradictions that are not corrected.
 
-    correct : whether to correct a recognised error of the files, such as a wrong unit or reference point; a factor or
-        a depth that fits, but is no unit, sign or convention, is never corrected
-    raises : FormatError naming a recognised error, unless it is corrected
+    correct : whether to correct a recognised error of the files, such as a wrong unit or reference point. A fitted
+        factor or depth that is no unit, sign or convention is never applied
+    raises : FormatError that names a recognised error which is not corrected
     """
     doubts, tested = laws.doubts(values)
     own = own_of(values, mesh)

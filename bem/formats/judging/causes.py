@@ -1,10 +1,10 @@
-"""Cause of the difference between the results of another program and hakobune's solution of the same hull. Each cause
-is tried, and the cause that fits is reported.
+"""Cause of the difference between the results of another program and hakobune's solution of the same hull. Every
+cause is tried, and the cause that fits is reported.
 
     corrected = cause(set),    best = argmin over causes of the largest of `gaps`(corrected)
 
 A cause with a number (a length, a factor or a point) first fits this number to both solutions by least squares.  If no
-single cause fits, all pairs of causes are tried. A unit and a point, or a sign and a unit, are then both reported.
+single cause fits, all pairs of causes are tried. The report can thus name a unit and a point, or a sign and a unit.
 """
 
 import itertools
@@ -33,7 +33,8 @@ FACTORS = {
     1 / 9806.65: "tonnes-force as N", 1e-6: "mega as the unit", 4.4482: "pounds-force", 4448.22: "kilopounds-force",
     1 / 4448.22: "kips as N", 1 / 4.4482: "pounds-force as N", 0.3048: "feet", 1 / 0.3048: "feet",
     1025.0: "the factor ρ", 1 / 1025.0: "without the factor ρ", 1025 * 9.80665: "the factor ρ g",
-    1 / (1025 * 9.80665): "without the factor ρ g", np.pi / 180: "per degree", 180 / np.pi: "radians as degrees",
+    1 / (1025 * 9.80665): "without the factor ρ g", 1.025 * 9.80665: "the factor ρ g in kN",
+    np.pi / 180: "per degree", 180 / np.pi: "radians as degrees",
     14.5939: "slugs", 0.453592: "pounds", 1 / 0.453592: "pounds", 1 / 14.5939: "slugs", -1.0: "the opposite sign",
 }  # fmt: skip
 LENGTHS = (1e-3, 1e-2, 0.1, 0.3048, 1 / 0.3048, 10.0, 100.0, 1e3)
@@ -46,7 +47,7 @@ MATRICES = ("added_mass", "radiation_damping", "added_mass_zero", "added_mass_in
 class Cause(NamedTuple):
     """text : description; correct : Values → Values; way_out : remedy besides `--correct`
 
-    fitted : whether its number is no unit, sign or convention, so that a set is not corrected by it
+    fitted : whether the cause has a fitted number that is no unit, sign or convention; such a cause corrects nothing
     """
 
     text: str
@@ -56,8 +57,8 @@ class Cause(NamedTuple):
 
 
 class Finding(NamedTuple):
-    """gap : the largest difference, found in `quantity`; cause : the cause, or None; left : difference that remains
-    with the cause, or with the best cause that was tried"""
+    """gap : the largest difference, found in `quantity`; cause : the cause, or None
+    left : difference that remains after correction for the cause, or for the best cause that was tried"""
 
     gap: float
     quantity: str
@@ -67,21 +68,27 @@ class Finding(NamedTuple):
 
 
 def finding(values, own):
-    """`Finding` on a `sample` of Values against `Own`; None if the set agrees within `AGREED` with hakobune's solution
-    on flat panels with one node, as in most programs, or with four nodes, which is close to the limit of many panels
+    """`Finding` on a `sample` of Values against `Own`; None if the set agrees with hakobune's solution within `AGREED`
+
+    Agreement is tested on flat panels with one node, as in most programs, and with four nodes, which is close to the
+    limit of many panels.
     """
     flat, found = own, _finding(values, own)
     if found is not None and found.gap <= MESH:  # may be of panels
+        off = f"{found.quantity.replace('_', ' ')} differs by {100 * found.gap:.3g} %"
+        report_progress(
+            CAUSE, f"{off} from our own solution on flat panels; it is solved again with four nodes on each"
+        )
         sharp = _finding(values, own.sharper())
         if sharp is None or sharp.gap < found.gap:
             found, own = sharp, own.sharper()
     if found is None or (found.cause is not None and not found.cause.fitted and found.left <= AGREED):
         return found
-    report_progress(CAUSE, "none found; depths are tried, at most 12, each solved at two frequencies")
+    report_progress(CAUSE, "another depth is tried as the cause, at most 12, each solved at two frequencies")
     depth, left = _of_depth(values, flat)
     if _explains(left, found.gap) and (left <= AGREED or left < 0.8 * found.left):
         return found._replace(cause=depth, left=left)
-    report_progress(CAUSE, "no depth; pairs of causes are tried")
+    report_progress(CAUSE, "pairs of causes are tried")
     pair, left = _two(values, own)
     most = AGREED if found.cause is None else min(AGREED, CLEARLY * found.left)
     return found._replace(cause=pair, left=left) if left <= min(most, FITS * found.gap) else found
@@ -92,11 +99,6 @@ def _finding(values, own):
     quantity = max(off, key=off.get)
     if off[quantity] <= AGREED:
         return None
-    words = "" if own.nodes == 1 else f" with {own.nodes} nodes on each panel"
-    named = quantity.replace("_", " ")
-    report_progress(
-        CAUSE, f"{named} differs by {100 * off[quantity]:.3g} % from our solution{words}; its cause is sought"
-    )
     best, left = None, np.inf
     for cause in _causes(values, own):
         now = max(gaps(cause.correct(values), own).values())
@@ -166,7 +168,7 @@ def _causes(values, own):
 
 
 def corrected(values, cause):
-    """Values corrected for a cause; motions and drift, which depend on the change, are removed"""
+    """Values corrected for a cause, without motions and drift, which depend on the correction"""
     kept = {name: data for name, data in values.quantities.items() if name not in NOT_CORRECTED}
     return cause.correct(replace(values, quantities=kept))
 
@@ -178,8 +180,8 @@ def changed(values, names, function):
 
 
 def scaled(values, names, factor, rows=None):
-    """Values with some quantities divided by a factor; the row i of a quantity is divided by its power `rows`[i]
-    (6,)"""
+    """Values with the quantities `names` divided by a factor; row i of a quantity is divided by factor to the power
+    rows[i]"""
 
     def over(data):
         size = factor if rows is None else float(factor) ** np.asarray(rows, float)
@@ -220,8 +222,11 @@ def _apart(numbers, known=FACTORS):
 
 
 def _said(factor):
+    """Words on a factor, with another known one that panels cannot tell from it (g, and ρ g in kN)"""
     words = FACTORS.get(factor)
-    return f"{factor:.4g} times as large" + (f": {words}" if words else "")
+    near = [f"{one:.4g}, {FACTORS[one]}" for one in FACTORS if one != factor and abs(one / factor - 1) < NEARLY]
+    other = f" (or {'; or '.join(near)})" if words and near else ""
+    return f"{factor:.4g} times as large" + (f": {words}" if words else "") + other
 
 
 def _owns(values, own):
@@ -319,7 +324,7 @@ def _about_length(straight):
 
 
 def of_length(values, L):
-    """Values divided by the powers of a length in WAMIT's quantities"""
+    """Values in which each quantity is divided by L to the power of the length unit in WAMIT's normalisation"""
     matrix, force = L ** (3.0 + ROTATION + ROTATION[:, None]), L ** (2.0 + ROTATION)
     out = changed(values, MATRICES, lambda data: data / matrix)
     return changed(out, FORCES, lambda data: data / force)
@@ -411,7 +416,9 @@ def _about_points(values, own):
 
 
 def point_of_moments(file, true):
-    """Arm r from our point to the file's, m, from moments M_file = M − r × F (…, 6) by least squares; shape (3,)"""
+    """Arm r, m, from the reference point of moments here to that of the file, by least squares; shape (3,)
+
+    file, true : forces of the file and forces here, (…, 6), whose moments satisfy M_file = M − r × F"""
     F, M = true[..., :3].reshape(-1, 3), (true - file)[..., 3:].reshape(-1, 3)
     zero = np.zeros(len(F))
     cross = np.stack([  # r × F = [F]ᵀ r, rows of the system

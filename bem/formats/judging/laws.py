@@ -1,4 +1,4 @@
-"""Checks of the numbers of a set against each other, without its hull.
+"""Laws that the numbers of a result set obey, checked without the hull.
 
     Z = Zᵀ,  B ≥ 0,  ω²A₃₃ ≪ C₃₃ in long waves                             reciprocity, energy, waterplane
     B_ii = k/(8π ρ g C_g) ∫₀²π |X_i(β)|² dβ                                            Haskind and Newman
@@ -6,9 +6,10 @@
     A(ω) − A(∞) = (2/π) ⨍ B(s)/(s² − ω²) ds                                            causality
 
 The second row needs headings over the full circle, or from 0 to 180° or 90° for a body whose added mass is symmetric.
-Otherwise heave and surge in long waves replace it: |X₃| is equal for all headings, and X₁ is proportional to cosβ.
-For surge the sign is tested. Conjugates and opposite headings both reverse it; conjugates also reverse the imaginary
-part of X₃, −ωB₃₃.
+Otherwise heave and surge in long waves replace the second row: |X₃| is equal for all headings, and X₁ is proportional
+to cosβ.
+Surge shows a wrong sign. Conjugate numbers reverse the sign of X₁ and that of the imaginary part of X₃, −ωB₃₃;
+opposite headings reverse the sign of X₁ alone.
 """
 
 from dataclasses import replace
@@ -43,7 +44,7 @@ SURGE, SWAY, HEAVE = 0, 1, 2
 
 
 def doubts(values):
-    """Messages on the laws that Values violate; names of the laws that could be tested"""
+    """Messages on the laws that the Values violate, and names of the laws that could be tested"""
     values, (found, tested) = _finite(values), ([], [])
     if not len(values.omega):
         return [], []
@@ -66,8 +67,8 @@ def _finite(values):
 
 
 def size_of(values):
-    """Length of the body, m: the length of the waterplane or, if larger, twice the arm of added mass in yaw. Without
-    either value it follows from A₃₃"""
+    """Length of the body, m: the length of the waterplane or, if larger, twice the arm of added mass in yaw. If both
+    are unknown, the length follows from A₃₃"""
     C, A = values.get("hydrostatic_stiffness"), values.get("added_mass")
     plane = 0.0
     if C is not None and C[2, 2] > 0:
@@ -144,7 +145,8 @@ def _circle(values):
 
 
 def haskind_ratios(values):
-    """{mode: (q,) B over the B that follows from the far field}, and the frequencies (q,); None without excitation"""
+    """Ratios {mode: (q,)} of damping to the damping that follows from the far field, and frequencies (q,); None without
+    excitation"""
     X, B = values.get("excitation_force"), np.einsum("nii->ni", values.get("radiation_damping"))
     if X is None or not X.size:
         return None
@@ -185,8 +187,9 @@ def haskind_ratios(values):
 def energy_defects(values):
     """Largest |B_ii − k/(8πρgC_g) ∮ |X_i|² dβ| over ω|A_ii + iB_ii/ω| of six motions; shape (n,)
 
-    It is the energy of the radiated waves by Haskind's relation. NaN without excitation, without headings all round or
-    their mirror images, and where headings are too far apart for the waves.
+    The integral is the energy of the radiated waves by Haskind's relation.  The defect is NaN without excitation,
+    without headings all round (or their mirror images), and where headings are too far apart for the length of the
+    waves.
     """
     X, out = values.get("excitation_force"), np.full(len(values.omega), np.nan)
     circle = _circle(values) if X is not None and X.size else None
@@ -241,7 +244,8 @@ def _slope(omega, ratio):
 
 
 def depth_of(values):
-    """Depth of water in m, possibly inf, at which damping and excitation agree in every mode; else None"""
+    """Depth of water, m, possibly inf, at which damping and excitation agree in every mode; None if there is no such
+    depth"""
     fits = {}
     for depth in (np.inf, *np.geomspace(1000, 5, 60)):
         found = haskind_ratios(replace(values, water_depth=depth)) or {}

@@ -1,10 +1,10 @@
-"""The hull of imported results solved by hakobune on the panels of the hull, at two of the imported frequencies.
+"""The hull of imported results, solved by hakobune on the panels of this hull at two of the imported frequencies.
 
     Frequencies with k √A_w ≈ 0.4 and 1.2, A_w the waterplane area, or V^(2/3) of a submerged hull
 
-long waves, without irregular frequencies and with few panels, and waves five hulls long, in which damping is
-significant.  The sizes of rows are taken from the solution: √(AᵢᵢAⱼⱼ), √(BᵢᵢBⱼⱼ), and the largest force of a mode over
-all headings.
+The lower frequency has long waves, which need few panels and have no irregular frequencies; at the other frequency
+the waves are five hulls long, and damping is significant.  The scale of each row is taken from the solution:
+√(AᵢᵢAⱼⱼ), √(BᵢᵢBⱼⱼ), and the largest force of a mode over all headings.
 """
 
 from dataclasses import dataclass, field, replace
@@ -30,7 +30,7 @@ WANT = ("added_mass", "radiation_damping", "excitation_force")
 
 @dataclass(frozen=True, eq=False)
 class Own:
-    """The hull (PanelMesh in its water), solved about `center` (3,) m on request"""
+    """The hull (PanelMesh in its water), solved about `center` (3,) m when results are asked for"""
 
     mesh: object
     depth: float
@@ -41,7 +41,7 @@ class Own:
     solved: dict = field(default_factory=dict)
 
     def at(self, omega, headings):
-        """Return A (6, 6), B (6, 6) and X (m, 6) in SI units"""
+        """Added mass A (6, 6), damping B (6, 6) and excitation X (m, 6) in SI units"""
         turned = np.round(np.mod(headings, 2 * np.pi), 6)
         key = round(float(omega), 9)
         known = self.solved.get(key)
@@ -62,7 +62,7 @@ class Own:
         return self.solved["prepared"]
 
     def in_water(self, depth):
-        """The same hull in other water"""
+        """The same hull in water of another depth"""
         return self.solved.setdefault(("water", depth), replace(self, depth=depth, solved={}))
 
     @cached_property
@@ -71,17 +71,17 @@ class Own:
         return -float(self.mesh.points[:, 2].min())
 
     def sharper(self):
-        """The same with four nodes a panel"""
+        """The same hull with four nodes in each panel"""
         return self.solved.setdefault("sharper", replace(self, nodes=4, solved={}))
 
     @cached_property
     def moves(self):
-        """Whether a mode displaces water; shape (6,)"""
+        """Whether each mode displaces water; shape (6,)"""
         return displacing(self.mesh)
 
     @cached_property
     def arm(self):
-        """m, half the size of the hull"""
+        """Half the size of the hull, m"""
         return 0.5 * float(np.linalg.norm(np.ptp(self.mesh.whole().points, axis=0)))
 
 
@@ -97,7 +97,7 @@ def _images(headings):
 
 
 def own_of(values, mesh):
-    """`Own` of Values on their hull; None beside other bodies, with too many panels, or without a long wave"""
+    """`Own` of Values on their hull; None if there are other bodies, too many panels, or no long wave"""
     if values.others or len(mesh) > MOST_PANELS or any(values.get(name) is None for name in WANT[:2]):
         return None
     if not np.any(_sizes_of_waves(values, mesh) < READABLE):
@@ -127,8 +127,7 @@ def sample(values, mesh):
 
 
 def gaps(values, own):
-    """{quantity: largest difference of a `sample` from hakobune's own solution, over the size of the rows of the
-    quantity}"""
+    """{quantity: largest difference of a `sample` from hakobune's own solution, relative to the scale of the row}"""
     found = dict.fromkeys((name for name in WANT if name in values.quantities), 0.0)
     moves = own.moves
     for n, omega in enumerate(values.omega):
@@ -145,9 +144,10 @@ def gaps(values, own):
 
 
 def sizes_of_forces(X, own):
-    """Scale of each of six forces (m, 6): the largest of a mode, or a tenth of the largest of all translations or
-    rotations. Moments that nearly cancel about a point are compared with the largest force at `CANCELS` of the arm of
-    the hull"""
+    """Scale of each of six forces X (m, 6): the largest force of the mode, or a tenth of the largest of all
+    translations
+        or rotations. A moment that nearly cancels about a point is compared with the largest force times `CANCELS`
+        times the arm of the hull"""
     size = np.abs(X).max(axis=0)
     for part in (slice(0, 3), slice(3, 6)):
         size[part] = np.maximum(size[part], SMALL * np.max(size[part]))

@@ -1,1 +1,2 @@
-"""Frequencies of a band that share the work on one body: equations, low-rank wave matrices, error test, cost."""
+"""Frequencies of a band that share the work on one body: their equations, low-rank wave matrices, error test and
+cost."""

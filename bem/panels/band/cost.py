@@ -28,14 +28,15 @@ RANK = 600  # assumed rank of the wave matrices, on the high side (`bem.panels.b
 
 
 class Cost(NamedTuple):
-    """memory : bytes at the peak; stages : {stage of `bem.kernels.progress`: (count, seconds for each)}"""
+    """memory : peak memory, bytes; stages : {stage of `bem.kernels.progress`: (number of items, seconds for each
+    item)}"""
 
     memory: float
     stages: dict
 
     @property
     def seconds(self):
-        """s, before the first frequency"""
+        """Time before the first frequency, s"""
         return sum(count * seconds for count, seconds in self.stages.values())
 
 
@@ -59,7 +60,7 @@ def cost(geometry, band, gravity):
 
 
 def memory_alone(prepared):
-    """Bytes at the peak of frequencies without shared work (`bem.panels.one_frequency`, `bem.panels.compressed`,
+    """Peak memory, bytes, of frequencies without shared work (`bem.panels.one_frequency`, `bem.panels.compressed`,
     `bem.panels.zero_draft`, `bem.panels.axisymmetric_frequency`)
     """
     if prepared.compressed and not prepared.axisymmetric_geometry.sectors:
@@ -75,7 +76,7 @@ def memory_alone(prepared):
 
 
 def seconds_alone(prepared, omega):
-    """s of a frequency (rad/s) without shared work (`bem.panels.one_frequency`, `bem.panels.compressed`)
+    """Time, s, of the frequency omega (rad/s) without shared work (`bem.panels.one_frequency`, `bem.panels.compressed`)
 
     NaN for axisymmetric bodies, whose sectors take far less (`bem.panels.axisymmetric_frequency`), and for plates
     (`bem.panels.zero_draft`)

@@ -1,4 +1,4 @@
-"""Integral equations of a band of frequencies: a frequency-independent Rankine part and low-rank wave matrices.
+"""Integral equations of a band of frequencies, with a Rankine part common to all and low-rank wave matrices.
 
 The equations are those of `bem.panels.influence`, with the equations of the lid multiplied by −1. S₀ and D₀ are the
 Rankine part of S and D; W, S_w are the wave part in the low-rank form of `bem.panels.band.low_rank_waves`. With f on
@@ -29,7 +29,7 @@ ROWS = 128
 
 
 class BandEquations(NamedTuple):
-    """Frequency-independent solutions of the equations, for unit right-hand sides.
+    """Solutions of the equations for unit right-hand sides, which do not depend on frequency.
 
     c classes, n hull nodes, l lid nodes, r points, q sources, v normal velocities, e samples on the hull; u = r + v + l
     unit columns: of m, of −v and of Kφ'
@@ -79,9 +79,9 @@ class BandEquations(NamedTuple):
 def band_equations(geometry, band, gravity, accuracy):
     """Tuple of `BandEquations` of a `bem.panels.influence.Geometry` for frequencies band = (low, high) rad/s.
 
-    accuracy : relative, of the low-rank wave matrices
-    returns : one, or two: of the frequencies solved without and with the lid, which share the Rankine matrices
-    raises : FloatingPointError if those are singular
+    accuracy : relative accuracy of the low-rank wave matrices
+    returns : one element, or two for the frequencies without and with the lid, which share the Rankine matrices
+    raises : FloatingPointError if the Rankine matrices are singular
     """
     parts = split_by_lid(geometry, band, gravity)
     bases = [low_rank_waves(g, part, gravity, accuracy) for g, part in parts]

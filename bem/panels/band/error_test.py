@@ -1,8 +1,8 @@
-"""A-posteriori error of the low-rank wave matrices at a frequency, at few test points.
+"""Error of the low-rank wave matrices at a solved frequency, estimated at a few test points.
 
-If the basis of `bem.panels.band.low_rank_waves` does not represent a frequency, it is wrong nearly everywhere. A few
-test points are therefore enough.  At a test point the error is a sum over all nodes. This sum is estimated from random
-samples of the nodes, each weighted with the inverse of its probability.
+If the basis of `bem.panels.band.low_rank_waves` does not represent a frequency, the matrices are wrong nearly
+everywhere. A few test points are therefore enough. At a test point the error is a sum over all nodes. This sum is
+estimated from random samples of the nodes; each sample is weighted with the inverse of its probability.
 """
 
 from typing import NamedTuple
@@ -29,15 +29,15 @@ class Samples(NamedTuple):
 
 
 class ErrorTest(NamedTuple):
-    """w test points on the hull, s samples, e of them on the hull; other letters as in
+    """Error test with w test points on the hull and s samples, e of them on the hull; other letters as in
     `bem.panels.band.low_rank_waves.LowRankWaves`.
 
     The error of the wave potentials at the test points is
 
         [W − X W Y] φ − [S_w − X S_w N] V v
 
-    with W and S_w to the right of X at the interpolation nodes, and N for the columns of all nodes corresponding to M =
-    N V for V.
+    with the second W and S_w, to the right of X, at the interpolation nodes. N has the columns of all nodes, so that
+    M = N V.
     """
 
     points: np.ndarray  # (w,)
@@ -51,13 +51,15 @@ class ErrorTest(NamedTuple):
 
     @classmethod
     def of(cls, points, samples, X, Y, V, N, root):
-        """X (n, r), Y (q, n), V (c, hull nodes, v) of all nodes, N of the samples; root (hull nodes,) m, of areas"""
+        """X (n, r), Y (q, n) and V (c, hull nodes, v) are those of all nodes, N is that of the samples
+
+        root : square roots of the areas of the hull nodes, m, (hull nodes,)"""
         sizes, on_hull = root / np.sqrt(np.mean(root**2)), samples.on_hull
         Y = np.ascontiguousarray(Y[:, samples.nodes])
         return cls(points, samples, X[points], Y, V[:, on_hull], N, sizes[points], sizes[on_hull])
 
     def wave_error(self, exact, low_rank, potentials, velocity, classes=slice(None)):
-        """Largest error of the wave potentials at the test points relative to 2πφ, a number; NaN of NaN
+        """Largest error of the wave potentials at the test points relative to 2πφ; NaN if a potential is NaN
 
         Arguments as in `errors`.
         """
@@ -70,8 +72,8 @@ class ErrorTest(NamedTuple):
 
         exact : W (c, w, s) and S_w (c, w, e) from the samples to the test points
         low_rank : W (c, r, q) and S_w (c, r, h) between the interpolation nodes
-        potentials : (c, s, columns) φ, and φ' of the lid; velocity : (c, v, columns) v; columns may be zero
-        classes : indices of these c among all classes
+        potentials : φ, and φ' on the lid, (c, s, columns); velocity : v, (c, v, columns); columns may be zero
+        classes : indices of these c classes among all classes
         """
         e, weights = self.samples.hull, self.samples.weights
         W, S = (real_times_complex(self.X, part) for part in low_rank)
@@ -83,7 +85,7 @@ class ErrorTest(NamedTuple):
     def flux_error(self, flux, at_flux_nodes):
         """Largest error of ∂φ_I/∂n at the samples, relative to the largest |∂φ_I/∂n| of the same wave
 
-        flux : (m, e) at the samples on the hull; at_flux_nodes : (m, t) at the interpolation nodes
+        flux : ∂φ_I/∂n at the samples on the hull, (m, e); at_flux_nodes : ∂φ_I/∂n at the interpolation nodes, (m, t)
         """
         if not len(flux):
             return 0.0

@@ -1,15 +1,15 @@
 """Low-rank basis of the wave matrices of a frequency band, by interpolative decomposition.
 
 The wave part of G (all but 1/r and its image in the bed) is smooth on hull and lid, except within a strip below the
-waterline.  Let W = [D_w, K S_w] be its influence matrix as it acts on the unknowns, with the columns of the hull nodes
-and of the lid nodes.  Over all frequencies of a band and all symmetry classes, with far fewer rows than nodes,
+waterline.  Let W = [D_w, K S_w] be the influence matrix of the wave part, acting on the unknowns of the hull nodes
+and of the lid nodes. For all frequencies of a band and all symmetry classes, with far fewer rows than nodes,
 
     W ≈ X W[points, sources] Y,    S_w V ≈ X S_w[points, monopoles] M,    ∂φ_I/∂n ≈ Z ∂φ_I/∂n[flux_nodes]
 
-where V holds normal velocities: those of the motions and the columns of Z. `points`, `sources`, `monopoles` and
+where V contains the normal velocities of the motions and the columns of Z. `points`, `sources`, `monopoles` and
 `flux_nodes` are interpolation nodes among the nodes of the mesh. X, Y, M, Z are interpolation matrices, which do not
-depend on frequency.  These matrices are computed from snapshots, the matrices themselves at a few frequencies, rows
-and columns weighted as in the L² norm (`bem.algebra.interpolative_decomposition`).
+depend on frequency.  These four matrices are computed from snapshots: the wave matrices at a few frequencies, with
+rows and columns weighted as in the L² norm (`bem.algebra.interpolative_decomposition`).
 """
 
 from typing import NamedTuple
@@ -42,11 +42,11 @@ LID = 0.1  # weight of φ' on the lid relative to φ on the hull: φ' is zero ex
 
 
 class LowRankWaves(NamedTuple):
-    """Interpolation nodes and matrices of one band, c symmetry classes, n nodes: first the nodes of the hull, then the
-    nodes of the lid.
+    """Interpolation nodes and matrices of one band, for c symmetry classes and n nodes, those of the hull before
+    those of the lid.
 
-    r points, q sources, t flux nodes; the first h sources, which lie on the hull, are also the monopoles; v normal
-    velocities of each class.
+    The letters are r points, q sources, t flux nodes, and v normal velocities of each class. The first h sources, which
+    lie on the hull, are also the monopoles.
     """
 
     points: np.ndarray  # (r,) node numbers
@@ -62,7 +62,7 @@ class LowRankWaves(NamedTuple):
 def low_rank_waves(geometry, band, gravity, accuracy):
     """`LowRankWaves` of a `bem.panels.influence.Geometry` for frequencies band = (low, high) rad/s.
 
-    accuracy : largest error of W relative to 2π, of S_w and ∂φ_I/∂n relative to their norms
+    accuracy : largest allowed error, for W relative to 2π, for S_w and ∂φ_I/∂n relative to their norms
     """
     g, snapshots = geometry, Snapshots(geometry, band, gravity)
     # tolerance of one row; errors of different rows add up like the root of their number
@@ -123,7 +123,7 @@ class Snapshots:
         self.column_scale = self.root / np.where(np.arange(len(self.root)) < geometry.hull, 1.0, LID)
 
     def blocks(self, points, sources, start=0, step=1):
-        """K, and S and D (c, points, sources), of each frequency or every `step`th"""
+        """K, and S and D (c, points, sources), of every frequency, or of every `step`th frequency"""
         g = self.geometry
         for k in self.wavenumbers[start::step]:
             omega = float(np.sqrt(self.gravity * k * np.tanh(k * g.depth)))
@@ -139,11 +139,11 @@ class Snapshots:
         return Samples(nodes, 1 / probabilities[nodes], int(np.count_nonzero(nodes < self.geometry.hull)))
 
     def probabilities(self, deep, most):
-        """Probability of each node to be a sample; shape (n,): about `deep` samples of the hull at any depth, in
-        addition
+        """Probability that each node is a sample; shape (n,)
 
-        those of the strip below the surface, where waves vary with the distance from it, and of the lid: all of them,
-        or on average `most` if there are more; and the test points.
+        Samples are about `deep` nodes of the hull at any depth, the nodes of the lid and of the strip below the
+        surface, where waves vary with depth (all of these nodes, or on average `most` if there are more), and the
+        test points.
         """
         g, n = self.geometry, self.geometry.hull
         sizes = np.repeat(g.elements.sizes, g.elements.inverse.shape[2])[:n]
@@ -154,14 +154,14 @@ class Snapshots:
         return np.concatenate([hull, np.full(lid, min(1.0, most / max(lid, 1)))])
 
     def test_points(self):
-        """Nodes of the hull at which errors are tested; shape (w,): `TEST_POINTS` random nodes and the highest node"""
+        """Nodes of the hull at which errors are tested, `TEST_POINTS` random nodes and the highest node; shape (w,)"""
         n, generator = self.geometry.hull, np.random.default_rng(SEED + 1)
         areas = self.root[:n] ** 2
         chosen = generator.choice(n, size=min(TEST_POINTS, n), replace=False, p=areas / areas.sum())
         return np.union1d(chosen, np.argmax(self.geometry.elements.nodes[:n, 2]))
 
     def add_sample_columns(self, sketch):
-        """Add the columns of W that belong to random samples, at all nodes, and of S over the hull's length"""
+        """Add the columns of W for random samples at all nodes, and those of S, divided by the hull's length"""
         (samples, sample_weights, _), hull = self.samples(), self.geometry.hull
         length = np.linalg.norm(self.root[:hull]) * np.sqrt(self.geometry.copies)
         for start in range(STRIDE):
@@ -177,7 +177,7 @@ class Snapshots:
     def add_point_rows(self, sketch, points, weights, velocities, samples, single_layers):
         """Add the rows of W at `points` (r,) times `weights` (r,), as columns
 
-        For each frequency and class one array (r, v + e), S V beside S of the `samples` (e,) on the hull, is appended
+        For each frequency and class, an array (r, v + e) of S V and S of the `samples` (e,) on the hull is appended
         to the list of the class in `single_layers`.
         """
         scale, hull = weights[:, None], self.geometry.hull
@@ -226,5 +226,5 @@ def _real_rows(blocks):
 
 
 def wave_operator(S, D, hull, K):
-    """W (…, r, m) = [D, K S]: D of the first `hull` sources, K S of the other sources, which lie on the lid"""
+    """W = [D, K S], (…, r, m): D of the first `hull` sources and K S of the other sources, which lie on the lid"""
     return np.concatenate([D[..., :hull], K * S[..., hull:]], axis=-1)

@@ -20,7 +20,7 @@ LARGEST_FULL_SYSTEM = 8000  # nodes of the hull: a gigabyte for each symmetry cl
 
 
 class BandRun(CompressedRun):
-    """Like `PanelRun`, at a cost nearly independent of the number of panels.
+    """A `PanelRun` whose cost is nearly independent of the number of panels.
 
     Forces follow from integrals stored in `bem.panels.band.equations`; potentials are computed on demand.  If the error
     test fails, the full equations are solved, as in `PanelRun`.
@@ -41,7 +41,7 @@ class BandRun(CompressedRun):
     def solution(self):
         """`ReducedSolution` of the wanted classes; None if the low-rank basis is not accurate enough
 
-        raises : FloatingPointError if it is not finite, or if the full equations would be too large
+        raises : FloatingPointError if the solution is not finite, or if the full equations would be too large
         """
         start = time.perf_counter()
         _ = self.columns
@@ -71,7 +71,7 @@ class BandRun(CompressedRun):
         return solution if error < ALLOWED * equations.accuracy else self.rejected(error)  # a NaN is rejected too
 
     def checked(self, solve):
-        """The result of `solve`, a `ReducedSolution`.  Raises FloatingPointError if it is not finite"""
+        """The result of `solve`, a `ReducedSolution`.  Raises FloatingPointError if the result is not finite"""
         try:
             solution = solve()
         except np.linalg.LinAlgError as error:
@@ -81,9 +81,9 @@ class BandRun(CompressedRun):
         return solution
 
     def rejected(self, error):
-        """None if the full equations are to be solved, or the compressed equations if the full ones are too large.
+        """None: the full equations are solved instead, or the compressed equations if the full equations are too large.
 
-        raises : FloatingPointError where neither can be
+        raises : FloatingPointError if neither the full nor the compressed equations can be solved
         """
         if self.geometry.hull > LARGEST_FULL_SYSTEM and self.problem.nodes_per_panel != 4:
             raise FloatingPointError(
@@ -106,8 +106,8 @@ class BandRun(CompressedRun):
 
     @cached_property
     def velocity(self):
-        """Coefficients v of the wanted motions and waves; shape (c, v, columns); zeros where a class has fewer than v
-        coefficients"""
+        """Coefficients v of the wanted motions and waves; shape (c, v, columns); a class with fewer than v
+        coefficients has zeros"""
         v, nodes = self.equations_of_band.integrals.shape[1], self.equations_of_band.low_rank.flux_nodes
         flux, done = self.flux[1], 0
         out = np.zeros((len(self.columns), v, max(len(m) + len(w) for m, w in self.columns.values())), complex)
@@ -120,7 +120,7 @@ class BandRun(CompressedRun):
 
     @cached_property
     def flux(self):
-        """∂φ_I/∂n of all waves of all classes, two (m, …): at the samples on the hull and at the flux nodes"""
+        """∂φ_I/∂n of all waves of all classes at the samples on the hull and at the flux nodes, two arrays (m, …)"""
         basis = self.equations_of_band.low_rank
         samples = basis.error_test.samples.on_hull
         nodes = np.concatenate([samples, basis.flux_nodes])
@@ -155,7 +155,8 @@ class BandRun(CompressedRun):
 
     @cached_property
     def integrals(self):
-        """{class: ∬ φ V dS (columns, v) over the whole hull}, V its motions and the basis of incident waves"""
+        """{class: ∬ φ V dS (columns, v) over the whole hull}, where V are the motions of the class and the basis of
+        incident waves"""
         found = zip(self.columns.items(), self.solution.integrals, strict=True)
         return {cls: values[:, : sum(map(len, columns))].T for (cls, columns), values in found}
 
@@ -170,7 +171,7 @@ class BandRun(CompressedRun):
     def haskind_integrals(self):
         """{class: ∬ φⱼ ∂φ_I/∂n dS (m, its radiating dofs)} over the whole hull
 
-        With ∂φ_I/∂n as interpolated between the flux nodes, whose error `ErrorTest.flux_error` is.
+        ∂φ_I/∂n is interpolated between the flux nodes, with the error `ErrorTest.flux_error`.
         """
         if self.solution is None:
             return super().haskind_integrals
@@ -182,7 +183,8 @@ class BandRun(CompressedRun):
 
 
 class ReducedSolution(NamedTuple):
-    """c symmetry classes; u = r + v + l unit columns, as in `bem.panels.band.equations.BandEquations`."""
+    """Solution of c symmetry classes, with u = r + v + l unit columns as in
+    `bem.panels.band.equations.BandEquations`."""
 
     coefficients: np.ndarray  # (c, u, columns) m, −v and Kφ' of the lid, of the unit columns
     lid: np.ndarray  # (c, l, columns) φ'
@@ -191,10 +193,10 @@ class ReducedSolution(NamedTuple):
 
 
 def solved(equations, classes, W, S, K, velocity):
-    """`ReducedSolution` of some classes.  Raises LinAlgError if their equations are singular.
+    """`ReducedSolution` of the symmetry classes `classes`.  Raises LinAlgError if their equations are singular.
 
-    equations : `bem.panels.band.equations.BandEquations`, of which `classes` are solved; K : ω²/g, 1/m
-    W (c, r, q), S (c, r, h) : wave part between the interpolation nodes; velocity : (c, v, columns) v
+    equations : `bem.panels.band.equations.BandEquations`; K : ω²/g, 1/m
+    W, S : wave part between the interpolation nodes, (c, r, q) and (c, r, h); velocity : v, (c, v, columns)
     """
     at_sources, on_lid, M = equations.at_sources[classes], equations.on_lid[classes], equations.low_rank.M[classes]
     r, v, lid = W.shape[1], velocity.shape[1], on_lid.shape[1]

@@ -1,1 +1,1 @@
-"""Influence matrices of very many panels in blocks of low rank: cost n log n instead of n², solved by iteration."""
+"""Influence matrices of very many panels in blocks of low rank, solved by iteration at a cost n log n instead of n²."""

@@ -16,10 +16,10 @@ SEPARATION = 0.7
 class Clusters:
     """Binary trees over the panels of a hull and its lid; the panels of a cluster are consecutive in `order`.
 
-    Of c clusters, parents before their children.  The lid has its own root, and so have the hull panels that face ±x,
-    ±y, ±z. Parts of a cluster that extends around an edge see each other edge-on, which cross approximation does not
-    detect.  Each body has its own roots for the same reason: with one root for all bodies two boxes of 1 000 panels had
-    errors of 1 %.
+    Of the c clusters, parents come before their children.  The lid has its own root, and so have the hull panels that
+    face each of ±x, ±y, ±z: parts of a cluster that extends around an edge see each other edge-on, which cross
+    approximation does not detect.  Each body has its own roots for this reason too: with one root for all bodies, two
+    boxes of 1 000 panels had errors of 1 %.
     """
 
     order: np.ndarray  # (panels,) number in the mesh, by place in the tree
@@ -33,8 +33,9 @@ class Clusters:
 
     @classmethod
     def of(cls, corners, normals, sizes, hull, body=None):
-        """corners : (panels, 4, 3) m; normals : (panels, 3); sizes : (panels,) m; hull : number of panels of the hull,
-        which come first; body : (hull,) number of the body of each, None for one body
+        """corners : (panels, 4, 3) m; normals : (panels, 3); sizes : (panels,) m
+        hull : number of panels of the hull, which come first; body : index of the body of each of these panels,
+            (hull,); None for one body
         """
         middles, rows, roots, low = corners.mean(axis=1), [], [], 0
         axis = np.abs(normals).argmax(axis=1)
@@ -60,9 +61,10 @@ class Clusters:
         return found[np.argsort(self.first[found])]
 
     def pairs(self, images):
-        """Return (far, near) pairs of blocks, each (·, 3) of target, source and image, which cover all pairs of panels
+        """Return (far, near): far blocks and near blocks, which together cover all pairs of panels
 
-        Target and source of a near block are leaves.  images : (i, 2) ±1 of the sources
+        Each is an array (·, 3) of target, source and image. Target and source of a near block are leaves.
+        images : signs of x and y of the images of the sources, ±1, (i, 2)
         """
         far, near = [], []
         left = np.array([(t, s, m) for t in self.roots for s in self.roots for m in range(len(images))])

@@ -1,4 +1,4 @@
-"""Solutions of the compressed equations, and the possible errors by the compression."""
+"""Solutions of the compressed equations, and bounds of the errors by the compression."""
 
 from functools import lru_cache
 from typing import NamedTuple
@@ -19,10 +19,10 @@ SEED = 1_982
 
 class Solution(NamedTuple):
     """potentials : {class: (columns, n)} in the order of the mesh, φ on the hull and φ' on the lid
-    residual : residual of the compressed equations, the largest, relative to the right-hand sides
-    compression : root mean square of the residual of the full equations, relative to their right-hand sides: the error
-        of the potentials where the equations damp it least; at least the tolerance of the blocks, since few rows may
-        miss a block with larger errors
+    residual : largest residual of the compressed equations, relative to the right-hand sides
+    compression : root mean square of the residual of the full equations, relative to their right-hand sides. It
+        bounds the error of the potentials. It is at least the tolerance of the blocks, because the few tested rows
+        may miss a block with larger errors
     """
 
     potentials: dict
@@ -32,16 +32,16 @@ class Solution(NamedTuple):
 
 @lru_cache(maxsize=4)
 def tree_of(geometry):
-    """`Tree` of a `bem.panels.influence.Geometry`, kept for its other frequencies"""
+    """`Tree` of a `bem.panels.influence.Geometry`, kept for later frequencies of this geometry"""
     return Tree(geometry)
 
 
 def solved(geometry, velocities, mirror, table, depth_values, tolerance):
     """`Solution` of the equations of `bem.panels.influence`.
 
-    velocities : {class: (columns, hull nodes)}; tolerance : relative error of the matrices; others as in
+    velocities : {class: (columns, hull nodes)}; tolerance : relative error of the matrices; other arguments as in
     `bem.panels.influence.assembled`
-    raises : FloatingPointError if the iteration does not end, or the compression is more than `ALLOWED` off
+    raises : FloatingPointError if the iteration does not end, or if the error of the compression exceeds `ALLOWED`
     """
     tree, given = tree_of(geometry), {cls: v for cls, v in velocities.items() if len(v)}
     signs = [geometry.signs(cls) for cls, v in given.items() for _ in v]

@@ -1,10 +1,10 @@
-"""Blocks of low rank by adaptive cross approximation: A ≈ Σ uᵢ vᵢ from some of its rows and columns.
+"""Blocks of low rank by adaptive cross approximation: a block A ≈ Σ uᵢ vᵢ is found from some of its rows and columns.
 
-Rows and columns are those of the residual with the largest entries (Bebendorf, Numerische Mathematik 86, 2000).  The
-single and the double layer of a block lie side by side, [S D] ≈ U [V_S V_D]: both come from one evaluation of the Green
-function.  The blocks are real parts; the imaginary parts are in `bem.panels.standing_waves`.  If the last term is
-small, a few other rows are checked. The rows used so far may miss parts of the block, since a panel has no influence on
-panels in its own plane.
+The rows and columns are those in which the residual has its largest entries (Bebendorf, Numerische Mathematik 86,
+2000). The single and the double layer of a block lie side by side, [S D] ≈ U [V_S V_D], because one evaluation of the
+Green function gives both layers.  The blocks are real parts; the imaginary parts are in `bem.panels.standing_waves`.
+If the last term is small, a few other rows are checked: the rows used so far may miss parts of the block, because a
+panel has no influence on panels in its own plane.
 """
 
 import math
@@ -24,7 +24,7 @@ ROOM = 64  # terms of the largest block that they hold to begin with: all that i
 
 
 class Sources(NamedTuple):
-    """n nodes of panels, replaced by q point sources; the sources of node j are first[j] to first[j + 1]"""
+    """q point sources that replace n nodes of panels; the sources of node j are first[j] to first[j + 1]"""
 
     first: np.ndarray  # (n + 1,)
     points: np.ndarray  # (q, 3) m
@@ -35,7 +35,7 @@ class Sources(NamedTuple):
 
 
 class Water(NamedTuple):
-    """Data of Green function and depth for the kernels"""
+    """Data of the Green function and the depth for the kernels"""
 
     table: object  # `bem.green.tables.Table`
     mirror: float  # factor of 1/r₁
@@ -44,7 +44,8 @@ class Water(NamedTuple):
 
 
 class LowRank(NamedTuple):
-    """Block of the double layer, with K times the single one in the columns of the lid, ≈ U V; S ≈ U V_S"""
+    """A block ≈ U V of the double layer, with K times the single layer in the columns of the lid; the single layer S
+    is ≈ U V_S"""
 
     U: np.ndarray  # (targets, rank)
     V: np.ndarray  # (rank, sources)
@@ -54,9 +55,9 @@ class LowRank(NamedTuple):
 def low_rank_blocks(blocks, nodes, at_depth, sources, water, single, double):
     """Yield `LowRank` of each block, in order.
 
-    blocks : (b, 6) first and end node of target and source, image ±1, ±1; nodes : (n, 3) m and at_depth : (n,) Z of the
-    targets
-    single, double : mean error of an entry of both layers, root mean square
+    blocks : first and end node of the target, first and end node of the source, image ±1, ±1, (b, 6)
+    nodes, at_depth : places of the targets, m, (n, 3), and Z at these places, (n,)
+    single, double : allowed root mean square error of an entry of the single and of the double layer
     """
     if not len(blocks):
         return

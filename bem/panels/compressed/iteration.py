@@ -1,4 +1,4 @@
-"""GMRES for several right-hand sides at once, each in its own space (Saad & Schultz 1986)."""
+"""GMRES for several right-hand sides at once, each with its own Krylov space (Saad & Schultz 1986)."""
 
 import numpy as np
 
@@ -10,9 +10,9 @@ def gmres(equations, precondition, columns, tolerance, most):
     """Solve A x = b by iteration; return (x, the largest residual relative to the largest entry of its right-hand
     side).
 
-    equations : `bem.panels.compressed.operator.CompressedEquations`; columns : `Columns`, whose signs count
-    precondition : function of (n, p) and of those signs, about A⁻¹ times the first
-    tolerance : tolerance of the residual; most : iterations
+    equations : `bem.panels.compressed.operator.CompressedEquations`; columns : right-hand sides b as `Columns`
+    precondition : function of an array (n, p) and of the signs of the `Columns` that returns about A⁻¹ times the array
+    tolerance : tolerance of the residual; most : largest number of iterations
     """
     sides, done = equations.sides, 0
     x, scale = np.zeros_like(sides), np.maximum(np.abs(sides).max(axis=0), 1e-300)

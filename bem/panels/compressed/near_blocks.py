@@ -1,10 +1,10 @@
-"""Wave part of near blocks: both layers, and both directions of a pair of leaves, from one evaluation of G.
+"""Wave part of near blocks: one evaluation of G gives single and double layer in both directions of a pair of leaves.
 
-A block and its transpose belong to two leaves and one mirror image.  The first leaf of a pair evaluates both
+A block and its transpose belong to a pair of leaves and a mirror image. The first leaf of the pair evaluates both
 directions. A block whose transpose is a far block, and the block of a leaf with itself, are evaluated in one direction
-only.  Integrals are those of `bem.panels.wave_influence`, real parts alone: at the nodes, and with the fine points on
-panels whose surface image is close.  Two ships of 12 000 nodes take 0.4 s; with each direction separately, and with
-imaginary parts, 0.95 s.
+only.  Integrals are those of `bem.panels.wave_influence`, real parts alone: with the nodes, or with finer points on
+panels whose surface image is close.  Two ships of 12 000 nodes take 0.4 s; with separate directions and with
+imaginary parts they take 0.95 s.
 """
 
 import math
@@ -19,8 +19,8 @@ from ..wave_influence import COARSE, close_up_to
 
 
 class Share(NamedTuple):
-    """Blocks that one leaf evaluates, side by side: m nodes of other leaves; the first `both` nodes in both
-    directions"""
+    """Blocks that one leaf evaluates, side by side, with m nodes of other leaves; the first `both` of these nodes in
+    both directions"""
 
     nodes: np.ndarray  # (m,)
     images: np.ndarray  # (m,)
@@ -29,7 +29,7 @@ class Share(NamedTuple):
 
 
 class Panels(NamedTuple):
-    """s panels with 4 s nodes, for the kernels; f fine points on each"""
+    """Data of s panels with 4 s nodes, and f fine points on each panel, for the kernels"""
 
     nodes: np.ndarray  # (4 s, 3) m
     weights: np.ndarray  # (4 s,) m²
@@ -45,7 +45,7 @@ class Panels(NamedTuple):
 
     @classmethod
     def of(cls, elements, quadrature, hull, table, depth, depth_values):
-        """hull : (4 s,) whether a node is of the hull; other arguments as in `bem.panels.wave_influence`"""
+        """hull : whether each node is on the hull, (4 s,); other arguments as in `bem.panels.wave_influence`"""
         e, (points, *others) = elements, (np.ascontiguousarray(part[:, COARSE**2 :]) for part in quadrature)
         close = close_up_to(e.sizes, table.k, depth)
         return cls(
@@ -57,7 +57,8 @@ class Panels(NamedTuple):
 def shares(spans, near):
     """`Share` of each leaf.
 
-    spans : {leaf: slice of its nodes}, in the order of the leaves; near : (·, 3) target, source and image
+    spans : {leaf: slice of its nodes}, in the order of the leaves; near : target, source and image of near blocks,
+        (·, 3)
     """
     number = {leaf: i for i, leaf in enumerate(spans)}
     places, own = {}, {leaf: [] for leaf in spans}
@@ -86,8 +87,8 @@ def _count(span):
 
 
 def near_waves(span, share, images, panels, table):
-    """S, D (k, m) at the k nodes of a leaf from the m nodes of its `Share`; and transposed, from the leaf to the first
-    `both` of these nodes
+    """S and D (k, m) at the k nodes of a leaf from the m nodes of its `Share`, and the transposed S and D from the
+    leaf to the first `both` of the m nodes
 
     span : slice of the nodes of the leaf; images : (i, 2) ±1; panels : `Panels`; table : `bem.green.tables.Table`
     """

@@ -33,7 +33,7 @@ class CompressedRun(PanelRun):
 
     @property
     def compression(self):
-        """Error of the potentials by compression, relative"""
+        """Relative error of the potentials by the compression"""
         _ = self.potentials
         return self._compression
 
@@ -60,7 +60,7 @@ class CompressedRun(PanelRun):
 
 
 def added_mass_limit(prepared, which):
-    """Like `bem.panels.frequency_limits.added_mass_limit`"""
+    """Added mass as from `bem.panels.frequency_limits.added_mass_limit`, by compressed equations"""
     g, velocities, table, mirror = given_at_limit(prepared, which)
     of_class = {cls: v.T for cls, v in zip(g.classes, velocities, strict=True)}
     found = solved(g, of_class, mirror, table, unit_depth_values, sufficient_accuracy(g.mesh.total))

@@ -1,9 +1,9 @@
 """The equations of `bem.panels.influence` at one frequency, as an operator on the nodes, for all symmetry classes.
 
-Blocks are real, since the imaginary part is a sum over few standing waves (`bem.panels.standing_waves`). Products take
-half the operations and the memory of complex ones.  Blocks belong to a mirror image of the sources, not to a class. An
-image lies farther from the targets than the panels themselves; all classes use the same blocks, with columns multiplied
-by the signs of the class.
+Blocks are real, because the imaginary part is a sum over few standing waves (`bem.panels.standing_waves`). Real
+blocks need half the operations and memory of complex blocks.  Each block belongs to a mirror image of the sources,
+not to a class: images lie farther from the targets than the panels themselves. All classes use the same blocks, with
+columns multiplied by the signs of the class.
 """
 
 from functools import cached_property
@@ -26,10 +26,10 @@ PARTS = 16  # groups of blocks whose sums are added in a fixed order, for any nu
 
 
 class Tree:
-    """Frequency-independent data of compressed equations from a `bem.panels.influence.Geometry`: its panels in the
-    order of their clusters.
+    """Data of compressed equations that do not depend on frequency, with the panels of a
+    `bem.panels.influence.Geometry` in the order of their clusters.
 
-    n nodes, those of panel p (in that order) from 4 p on
+    There are n nodes; in the order of the clusters the nodes of panel p begin at 4 p.
     """
 
     def __init__(self, geometry):
@@ -49,7 +49,7 @@ class Tree:
         self.kept = [None] * len(self.clusters.leaves) if few else None
 
     def span(self, cluster):
-        """slice of the nodes of a cluster"""
+        """Slice of the nodes of a cluster"""
         c = self.clusters
         return slice(self.per_panel * c.first[cluster], self.per_panel * c.end[cluster])
 
@@ -103,18 +103,19 @@ class Tree:
         return self.kept[number]
 
     def rankine(self, at, m, panels):
-        """`bem.panels.influence.Geometry.rankine_rows` of one image of some panels, (points, nodes)"""
+        """Rankine integrals, as `bem.panels.influence.Geometry.rankine_rows`, of image `m` of the given panels;
+        (points, nodes)"""
         g = self.geometry
         image, one = g.images[m : m + 1], np.ones((1, 1))
         return tuple(a[0] for a in rankine_of_panels(at, self.elements_of(panels), image, one, g.depth))
 
     def elements_of(self, panels):
-        """`Elements` of some panels, in their order"""
+        """`Elements` of the given panels, in the given order"""
         nodes = self.nodes_of(panels)
         return Elements(*(a[panels if len(a) == len(self.clusters.order) else nodes] for a in self.elements))
 
     def nodes_of(self, panels):
-        """Numbers of the nodes in the tree; shape (nodes,)"""
+        """Indices, in the tree, of the nodes of the given panels; shape (nodes,)"""
         return (panels[:, None] * self.per_panel + np.arange(self.per_panel)).ravel()
 
 
@@ -131,7 +132,7 @@ class Columns(NamedTuple):
 
 
 class LowRankPart(NamedTuple):
-    """All far blocks: T = V x of the sources, cluster by cluster and image by image, y = U T of the targets"""
+    """All far blocks: T = V x at the sources, cluster by cluster and image by image, then y = U T at the targets"""
 
     sources: list  # (image, slice of nodes, V (rank, nodes)) each, in the order of their ranks in T
     targets: list  # (slice of nodes, U (nodes, rank), places (rank,) in T) each
@@ -139,8 +140,7 @@ class LowRankPart(NamedTuple):
 
     @classmethod
     def of(cls, blocks, tree):
-        """blocks : [(target, source, image, U, V)], a list that is emptied, since the list may hold most of the
-        memory"""
+        """blocks : list of (target, source, image, U, V), emptied here because it may hold most of the memory"""
         lefts, rights = [U for *_, U, _ in blocks], [V for *_, V in blocks]
         keys = [key for *key, _, _ in blocks]
         blocks.clear()
@@ -173,7 +173,7 @@ def _stacked(arrays, group, axis):
 
 
 class CompressedEquations:
-    """A x = b of one frequency for all classes at once; n nodes in the order of the tree.
+    """The equations A x = b of one frequency for all classes at once, with n nodes in the order of the tree.
 
     x contains φ on the hull and φ' on the lid, as in `bem.panels.influence`
     """
@@ -344,7 +344,9 @@ class CompressedEquations:
         return Sources(first, points, e.normals[node].copy(), weights, depth_values(points[:, 2]), tree.hull)
 
     def apply(self, columns, exactly=False):
-        """A x of `Columns`, (n, p); exactly : in double precision, otherwise in the precision of the stored blocks"""
+        """A x for x in `Columns`; shape (n, p)
+
+        exactly : whether products are in double precision; False: in the precision of the stored blocks"""
         kind, part = (complex, float) if exactly else (np.complex64, np.float32)
         values = np.ascontiguousarray(columns.values, kind)
         # real and imaginary parts side by side: the blocks are real

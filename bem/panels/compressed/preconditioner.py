@@ -1,13 +1,14 @@
-"""An approximate inverse of the compressed equations: the variation from cell to cell is solved directly, and the
-remainder leaf by leaf.
+"""An approximate inverse of the compressed equations: a direct solution from cell to cell, the remainder leaf by
+leaf.
 
-With P the functions 1, x, y, z on each cell, orthonormal by area, and R their integrals (R P = 1), B the inverse of the
-real diagonal blocks of the leaves and Â = R A P for each symmetry class
+Let P be the functions 1, x, y, z on each cell, orthonormal by area, R their integrals (R P = 1), and B the inverse
+of the real diagonal blocks of the leaves. With Â = R A P for each symmetry class
 
     A⁻¹ ≈ P Â⁻¹ R + B (1 − P R)
 
-(cf. two-grid iteration of equations of the second kind, Atkinson 1997, section 6.2).  Such a coarse solution helps
-where many iterations are needed: waves, and the flow through a gap above the bed, vary over more than a cell.
+(cf. two-grid iteration of equations of the second kind, Atkinson 1997, section 6.2).  The solution from cell to cell
+helps where many iterations are needed: waves, and the flow through a gap above the bed, vary over lengths of more
+than a cell.
 """
 
 from itertools import pairwise

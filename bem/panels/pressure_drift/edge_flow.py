@@ -1,20 +1,20 @@
 """Flow around a sharp edge, and the collocation error of panels with linear potential next to the edge.
 
-Between the faces of an edge, γ = 2π − π/μ apart, φ is r^μ on the one and −r^μ on the other, and
+The two faces of an edge enclose the angle γ = 2π − π/μ; φ is r^μ on one face and −r^μ on the other, and
 
     φ(r) = −(1/π) ∫ K φ(ρ) dρ,    K = r sin γ / (r² + ρ² − 2rρ cos γ).
 
-Collocation with φ linear on every panel of both faces gives values that are 6 % too large at the first node, if the
-panels of both faces have equal size. They are 1 % too large at the second node and less beyond; a finer mesh has the
-same relative errors.
+If the panels of both faces have equal size, collocation with φ linear on every panel gives values that are 6 % too
+large at the first node, 1 % too large at the second node, and less wrong beyond. A finer mesh has the same relative
+errors.
 
 If a side stands on a flat bottom with a gap of height s above the bed, and the panels are not small relative to the
 gap, the flow at the edge is the flow out of the gap, by a conformal map,
 
     φ = a ln(1 + q²)  on the side,  q − arctan q = πr/2s,        φ = −2a ln cosh u  below,  u − tanh u = πr/2s,
 
-a = (2s/3π)^(2/3), which tends to ±r^(2/3) at the edge, ln r far up the side and uniform flow far inside the gap.  The
-bed has images of both faces.
+with a = (2s/3π)^(2/3). This φ tends to ±r^(2/3) at the edge, to ln r far up the side, and to uniform flow far inside
+the gap.  The images of both faces in the bed are included.
 """
 
 from typing import NamedTuple
@@ -25,7 +25,7 @@ NEAR, FAR = (1 - 1 / np.sqrt(3)) / 2, (1 + 1 / np.sqrt(3)) / 2  # nodes of a pan
 
 
 def at_nodes(lengths):
-    """Distances of nodes from an edge, two nodes on each of m panels of `lengths` (n, m); shape (n, 2 m)"""
+    """Distances of nodes from an edge, with two nodes on each of m panels of `lengths` (n, m); shape (n, 2 m)"""
     start = np.cumsum(lengths, axis=1) - lengths
     return (start[..., None] + lengths[..., None] * [NEAR, FAR]).reshape(len(lengths), 2 * lengths.shape[1])
 
@@ -34,9 +34,10 @@ def nodal_errors(lengths, across, mu, gap=np.inf):
     """Relative collocation errors of φ = r^μ at the nodes of m panels, `lengths` (n, m), m, from the edge; shape (n, 2
     m).
 
-    across : (n, m) m, lengths of the panels on the other face; mu : (n,)
-    gap : (n,) m of water between the other face and the bed, the edge one of 270° with a side above it; or infinite.
-        Below a tenth of the first panel the quadrature does not resolve it; `mean_drift` warns long before
+    across : lengths of the panels on the other face, m, (n, m); mu : exponents μ, (n,)
+    gap : height of water between the other face and the bed, m, (n,), for an edge of 270° with a side above it; or
+        infinite. The quadrature does not resolve gaps below a tenth of the first panel; `mean_drift` warns at larger
+        gaps
     """
     flow = EdgeFlow(mu[:, None, None, None], np.broadcast_to(gap, mu.shape)[:, None, None, None])
     here, there = (at_nodes(face)[:, :, None, None] for face in (lengths, across))
@@ -72,9 +73,9 @@ def _interpolated_integral(kernel, at, flow, nodes, lengths):
 
 
 class EdgeFlow(NamedTuple):
-    """|φ| on the two faces of edges, and the kernels K(r, ρ) of each face on the other, images in the bed included.
+    """|φ| on the two faces of edges, and the kernels K(r, ρ) of each face on the other, including images in the bed.
 
-    mu, gap : arrays that broadcast with those of distances; r of the point, ρ of the source, m
+    mu, gap : arrays that broadcast with the distances; r : distance of the point, m; rho : distance of the source, m
     """
 
     mu: np.ndarray

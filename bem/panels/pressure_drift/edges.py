@@ -1,7 +1,7 @@
 """Sharp edges of a hull, and interpolation stencils: panels in a row, up to an edge or across mirror planes.
 
-At an edge where the hull turns by α the water fills the angle π + α; at a distance r from it the potential is a series
-of powers of r^μ, μ = π / (π + α): 2/3 at the edges of a box.
+At an edge where the hull turns by α the water fills the angle π + α; at a distance r from the edge the potential is a
+series of powers of r^μ, μ = π / (π + α): 2/3 at the edges of a box.
 """
 
 from typing import NamedTuple
@@ -13,7 +13,7 @@ SIDES = (3, 1), (0, 2)  # indices of the sides of a panel where s is −1 and 1,
 
 
 def sharp_sides(mesh):
-    """Exponent μ of the flow at the side from corner i to i + 1 of every panel, 1 where the side is not a sharp edge;
+    """Exponent μ of the flow at the side from corner i to i + 1 of every panel; 1 for a side that is no sharp edge;
     shape (n, 4)"""
     hull = mesh.whole()
     out, (one, other) = np.ones(4 * len(hull)), _neighbours(hull)
@@ -25,11 +25,12 @@ def sharp_sides(mesh):
 
 
 class Stencils(NamedTuple):
-    """Up to three panels in a row for each of n panels, in one of the two directions of the panel: φ is interpolated
-    between their nodes.
+    """Up to three panels in a row for each of n panels, in one direction of the panel; φ is interpolated between
+    their nodes.
 
     For a panel at an edge, and for its neighbour, these are the first three panels from the edge. Elsewhere they are
-    the panel and its two neighbours, mirror images included.  Distances are measured from the outer end of the first.
+    the panel and its two neighbours, including mirror images. Distances are measured from the outer end of the first
+    panel.
     """
 
     at_edge: np.ndarray  # (n,) whether the row begins at an edge
@@ -47,24 +48,25 @@ class Stencils(NamedTuple):
 
     @property
     def first(self):
-        """The panel at the edge; shape (n,); without an edge the panel itself"""
+        """The panel at the edge, or the panel itself if there is no edge; shape (n,)"""
         return np.where(self.at_edge, self.panels[:, 0], np.arange(len(self.at_edge)))
 
     def replaced(self, where, others):
-        """A copy with the stencils of `others` where `where` (n,) is true"""
+        """A copy in which the stencils of `others` replace those where `where` (n,) is true"""
         return Stencils(
             *(np.where(where.reshape(-1, *[1] * (a.ndim - 1)), b, a) for a, b in zip(self, others, strict=True))
         )
 
     def where(self, used, alone):
-        """A copy with these stencils where `used` (n,) is true; elsewhere the stencils `alone` of single panels, at the
-        same edges"""
+        """A copy that keeps the stencils where `used` (n,) is true, and elsewhere has the stencils `alone` of single
+        panels at
+            the same edges"""
         first = self.at_edge & (self.own == 0)
         across = np.where(first[:, None], self.across, alone.across), np.where(first, self.gap, alone.gap)
         return self.replaced(~used, alone._replace(across=across[0], gap=across[1]))._replace(row=self.row)
 
     def same_layout(self, panel):
-        """Whether stencils of other panels (n,) have the same layout; shape (n,); their panels, lengths and angles may
+        """Whether the stencils of `panel` (n,) have the same layout; shape (n,); panels, lengths and angles may
         differ"""
         measured = dict.fromkeys(("panels", "mu", "lengths", "across", "gap", "row"), self.at_edge)
         parts = self._replace(**measured)
@@ -74,8 +76,8 @@ class Stencils(NamedTuple):
 def stencils(mesh, exponents, depth=np.inf, steady=lambda stencil: True):
     """`Stencils` along s and along t; exponents : (n, 4) as in `sharp_sides`; depth : m
 
-    The two directions form a product stencil. The stencil is the panel alone if the panels of one direction have a
-    different layout in the other, or if `steady` (n,) of a stencil is false.
+    The two directions form a product stencil. The stencil is the panel alone if the panels of one direction have
+    different layouts in the other direction, or if `steady` (n,) of a stencil is false.
     """
     adjacency = _Adjacency(_continuations(mesh), _planes(mesh))
     (s, single_s), (t, single_t) = (_in_direction(mesh, exponents, adjacency, *sides) for sides in SIDES)
@@ -85,10 +87,9 @@ def stencils(mesh, exponents, depth=np.inf, steady=lambda stencil: True):
 
 
 def coarsest_at_gap(mesh, depth):
-    """Length of a panel next to the keel and the gap under the panel, where the ratio of the two is largest; shape (m,
-    m)
+    """Length of a panel next to the keel, m, and gap under this panel, m, where length over gap is largest
 
-    0 and infinite for a hull without such panels.
+    Returns 0 and infinity for a hull without panels next to the keel.
     """
     length, gap = 0.0, np.inf
     for stencil in stencils(mesh, sharp_sides(mesh), depth):

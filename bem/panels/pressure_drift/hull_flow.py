@@ -1,4 +1,4 @@
-"""First-order flow at quadrature points of a hull and of its waterline, mirror images included, wave by wave.
+"""First-order flow in each wave at quadrature points of a hull and of its waterline, including mirror images.
 
 The disturbance is interpolated between the nodes. Near an edge, where the interpolation has only powers of r^μ, it is
 interpolated together with the uniform flow of the incident waves relative to the moving edge.
@@ -19,8 +19,10 @@ from .hull_interpolation import hull_quadrature, side_quadrature
 class Points:
     """Quadrature points of a hull or of its waterline, and of their images: p points, ordered image by image.
 
-    images : (i, 2) ±1; signs : (c, i) of each symmetry class on them; members : [degrees of freedom] of each
-    points, normals, weights : of the meshed part, then of all: (p, 3) m, 1; (p,) m², or m along the waterline
+    images : signs of x and y, ±1, (i, 2); signs : sign of each symmetry class on each image, (c, i)
+    members : [degrees of freedom of each class]
+    points, normals, weights : m, (p, 3), unit normals, (p, 3), and m², (p,), or m along the waterline; those of the
+        meshed part come first
     """
 
     def __init__(self, images, signs, members, points, normals, weights):
@@ -33,7 +35,7 @@ class Points:
         return (vectors * self.mirrors[:, None]).reshape(-1, 3)
 
     def by_class(self, vectors):
-        """Parts of vectors (f, p, 3) of each symmetry class, at the points of the meshed part; shape (c, f, 3q)"""
+        """Part of vectors (f, p, 3) in each symmetry class, at the points of the meshed part; shape (c, f, 3q)"""
         f = len(vectors)
         seen = vectors.reshape(f, self.copies, -1, 3) * (self.mirrors / self.copies)[:, None]
         return np.einsum("ci,fipd->cfpd", self.signs, seen).reshape(len(self.signs), f, -1)
@@ -63,9 +65,9 @@ class Surface(Points):
     def value(self, run, phi, waves, motion, headings, bent=None):
         """Potential (f, p) of f flows, and its gradient (f, p, 3) along the surface.
 
-        phi : (f, images, nodes) disturbance; waves : (f,) amplitude of the incident wave; motion : (f, 6) about the
-        origin; headings : (f,) rad; run : run of the frequency
-        bent : function of points (…, 3) that returns (f, …, 3) m, additional displacement of a flexible body, or None
+        phi : potential of the disturbance, (f, images, nodes); waves : amplitude of the incident wave, (f,)
+        motion : motions about the origin, (f, 6); headings : rad, (f,); run : run of the frequency
+        bent : function from points (…, 3) to the additional displacement of a flexible body, m, (f, …, 3), or None
         """
         f, flow, count = len(phi), self.flow, len(self.flow.weights)
         shape = f, self.copies, count
@@ -120,15 +122,15 @@ class HullSurfaces:
 
     @cached_property
     def weighted_modes(self):
-        """Generalised normals times area on the meshed part and its images, thrice, for three velocities, m²; shape (6,
-        3q)"""
+        """Generalised normals times area on the meshed part and its images, m²; shape (6, 3q), repeated for three
+        velocities"""
         part = slice(len(self.hull.weights) // self.hull.copies)
         return np.repeat((self.hull_modes[part] * self.hull.weights[part, None]).T * self.hull.copies, 3, axis=1)
 
     @cached_property
     def carried(self):
-        """[(pairs, 3q)] m² of each symmetry class: e_m n_c dS on the meshed part and its images, displacement of unit
-        motion m times generalised normal c, of its `products` of modes"""
+        """e_m n_c dS, the displacement of unit motion m times generalised normal c times area, on the meshed part and
+        its images, m²; [(pairs, 3q)] for the `products` of modes of each symmetry class"""
         displacement = unit_displacements(self.hull.points).reshape(6, -1)[:, : self.weighted_modes.shape[1]]
         return [displacement[m] * self.weighted_modes[c] for m, c in self.hull.products]
 
@@ -167,10 +169,10 @@ def hull_surfaces(geometry):
 
 @dataclass(frozen=True, eq=False)
 class HullFlow:
-    """First-order flow of f waves of unit amplitude, or of f motions of unit velocity.
+    """First-order flow in f waves of unit amplitude, or due to f motions of unit velocity.
 
-    omega : (f,) rad/s; motion : (f, 6) m, rad about the origin; velocity : (f, p, 3) ∇φ on the hull
-    potential : (f, l) along the waterline, m²/s; on_hull : (f, p) the same on the hull; hull : its `Points`
+    omega : rad/s, (f,); motion : motions about the origin, m and rad, (f, 6); velocity : ∇φ on the hull, m/s, (f, p, 3)
+    potential : φ along the waterline, m²/s, (f, l); on_hull : φ on the hull, m²/s, (f, p); hull : `Points` of the hull
     """
 
     omega: np.ndarray
@@ -182,36 +184,37 @@ class HullFlow:
 
     @cached_property
     def parts(self):
-        """Real and imaginary part of the velocity of each symmetry class, `Points.by_class`; shape (c, 2, f, 3q)"""
+        """Real and imaginary part of the velocity in each symmetry class, by `Points.by_class`; shape (c, 2, f, 3q)"""
         velocity = self.hull.by_class(self.velocity)
         return np.stack([velocity.real, velocity.imag], axis=1)
 
     @classmethod
     def joined(cls, flows):
-        """The flows of several, one after another"""
+        """The `HullFlow` that contains several `flows`, one after another"""
         *names, _ = cls.__dataclass_fields__
         return cls(*(np.concatenate([getattr(flow, name) for flow in flows]) for name in names), flows[0].hull)
 
 
 def wave_flow(run, surfaces, motions):
-    """`HullFlow` in the waves of a `bem.panels.one_frequency.PanelRun`; motions : (m, 6) about the origin, m and rad"""
+    """`HullFlow` in the waves of a `bem.panels.one_frequency.PanelRun`
+
+    motions : motions about the origin, m and rad, (m, 6)"""
     return disturbed_flow(run, surfaces, motions, motions)
 
 
 def disturbed_flow(run, surfaces, motions, own, bent=None):
-    """Like `wave_flow` on the hull of one of several bodies; motions : (m, 6N) of all bodies; own : (m, 6) of the body
-    itself
+    """`HullFlow` in waves, as `wave_flow`, on the hull of one of several bodies
 
-    bent : as in `Surface.value`
+    motions : motions of all bodies, (m, 6N); own : motions of the body itself, (m, 6); bent : as in `Surface.value`
     """
     phi = [_on_images(run, run.disturbance(j, motion)) for j, motion in enumerate(motions)]
     return _flow(run, surfaces, np.array(phi), np.ones(len(phi)), own, run.headings, bent)
 
 
 def radiated_flow(run, surfaces, body=0, moves=True):
-    """`HullFlow` of the six motions of unit velocity of a `PanelRun` that has solved for all
+    """`HullFlow` of the six motions of unit velocity, from a `PanelRun` that has solved all motions
 
-    body : number of the body that moves, of several; moves : whether the surfaces are of that body
+    body : index of the moving body among several; moves : whether the surfaces belong to the moving body
     """
     phi, first = np.zeros((6, len(run.geometry.images), run.geometry.hull), complex), 6 * body
     for cls, (moving, _) in run.columns.items():

@@ -1,14 +1,14 @@
-"""Second-order loads by products of first-order quantities, from the pressure on the panels of a hull.
+"""Second-order loads from products of first-order quantities, by integration of the pressure on the panels of a hull.
 
-    T_ij = −¼ρg ∮ ζᵢζ̄ⱼ n dl + ¼ρ ∬ {∇φᵢ·∇φ̄ⱼ + Xᵢ·∇∂φ̄ⱼ/∂t + X̄ⱼ·∇∂φᵢ/∂t} n dS,        moments alike with x × n
+    T_ij = −¼ρg ∮ ζᵢζ̄ⱼ n dl + ¼ρ ∬ {∇φᵢ·∇φ̄ⱼ + Xᵢ·∇∂φ̄ⱼ/∂t + X̄ⱼ·∇∂φᵢ/∂t} n dS,        moments with x × n in place of n
 
-of two waves of unit amplitude: Re Σ Σ aᵢāⱼ T_ij exp{−i(ωᵢ − ωⱼ)t} is the load at difference frequencies, and T_ii is
+for two waves of unit amplitude: Re Σ Σ aᵢāⱼ T_ij exp{−i(ωᵢ − ωⱼ)t} is the load at difference frequencies, and T_ii is
 the mean drift (`bem.methods.near_field`).
-T_ji is the conjugate of T_ij.  Without the conjugates it is T⁺ of the load at sum
-frequencies, Re Σ Σ aᵢaⱼ T⁺_ij exp{−i(ωᵢ + ωⱼ)t}.
+T_ji is the conjugate of T_ij. The formula without conjugates gives T⁺ for the load at sum frequencies, Re Σ Σ aᵢaⱼ
+T⁺_ij exp{−i(ωᵢ + ωⱼ)t}.
 
 The singularity at edges is integrated by `hull_interpolation`; the remaining error is the discretisation error of the
-potentials, mainly of the motions.
+potentials, mainly through the motions.
 """
 
 import warnings
@@ -27,7 +27,7 @@ LONGEST_PER_GAP = 1.5
 def pressure_drift(run, motions):
     """Mean surge, sway and yaw of the pressure on the hull, about the rotation centre; shape (m, 3); N/m², N m/m².
 
-    run : `bem.panels.one_frequency.PanelRun` of a mesh with four nodes a panel; motions : (m, 6) about the origin
+    run : `bem.panels.one_frequency.PanelRun` with four nodes on each panel; motions : motions about the origin, (m, 6)
     raises : ValueError for constant panels and for zero draft
     """
     check_panels(run.problem, run.geometry.mesh)
@@ -41,7 +41,8 @@ def pressure_pairs(surfaces, flow, problem, second=np.conj):
     """Complex transfer functions T of all pairs of the f waves of a `hull_flow.HullFlow`, about the origin; shape (f,
     f, 6); N/m², N m/m²
 
-    second : function of the second wave's amplitudes: their conjugates, or for sum frequencies the amplitudes
+    second : function of the second wave's amplitudes that returns their conjugates, or, for sum frequencies, the
+        amplitudes
     """
     hull, line, rho = surfaces.hull, surfaces.waterline, problem.density
     u, n = flow.velocity.reshape(len(flow.omega), -1), surfaces.hull_modes * hull.weights[:, None]
@@ -66,7 +67,7 @@ def carried_flow(surfaces, flow):
 
 
 def pressure_error(run):
-    """Relative error of the pressures, a number, estimated like the error of coefficients and forces
+    """Relative error of the pressures, estimated like the error of coefficients and forces
 
     raises : ValueError as `pressure_drift`
     """
@@ -75,7 +76,8 @@ def pressure_error(run):
 
 
 def check_panels(problem, mesh):
-    """Raises ValueError for constant panels and zero draft; warns of panels long relative to the gap under the keel"""
+    """Raise ValueError for constant panels and zero draft, and warn of panels that are long relative to the gap under
+    the keel"""
     if problem.nodes_per_panel != 4:
         raise ValueError(f"nodes_per_panel is {problem.nodes_per_panel}; near-field drift needs 4")
     if problem.zero_draft:

@@ -1,12 +1,12 @@
-"""Mean drift of each of several bodies, from the pressure on its own hull.
+"""Mean drift of each of several bodies, from the pressure on the hull of the body.
 
-As `bem.methods.near_field`, body by body: the far field gives only the sum over all bodies.  Forces between bodies
-cancel in this sum; its agreement with the far field checks both.
+The formula is that of `bem.methods.near_field`, applied body by body, because the far field gives only the sum over
+all bodies. Forces between bodies cancel in this sum, which must agree with the far field.
 
-For a flexible body, X = u(x), the area vector of a piece of the hull changes too, by n ∇·u − (∇u)ᵀn, which is α × n for
-a rotation.  With the dynamic pressure p = −ρφ_t alone, whose hydrostatic remainder is vertical,
+For a flexible body, X = u(x), the area vector of a piece of the hull also changes, by n ∇·u − (∇u)ᵀn, which is α × n
+for a rotation.  With the dynamic pressure p = −ρφ_t alone, because the hydrostatic part gives only vertical force,
 
-    F = −½ρg ∮ (ζ² − 2ζ u_z) n dl + ½ρ ∬ |∇φ|² n dS − ∬ (u·∇p) n + p {n ∇·u − (∇u)ᵀn} dS,        M likewise and −u × pn
+    F = −½ρg ∮ (ζ² − 2ζ u_z) n dl + ½ρ ∬ |∇φ|² n dS − ∬ (u·∇p) n + p {n ∇·u − (∇u)ᵀn} dS,        M likewise, and −u × pn
 """
 
 from copy import copy
@@ -23,8 +23,8 @@ MEAN = [0, 1, 5]  # surge, sway and yaw
 
 
 def drift_of_each(run, moving):
-    """Mean surge, sway and yaw drift of each body, about the point of the body in its own axes, N/m², N m/m²; shape (m,
-    bodies, 3).
+    """Mean surge, sway and yaw drift of each body, about its rotation centre and along its axes, N/m², N m/m²; shape
+    (m, bodies, 3).
 
     run : `bem.panels.one_frequency.PanelRun` of several bodies; moving : whether bodies that are not fixed float freely
     """
@@ -78,8 +78,9 @@ def _bent_load(run, surface, motions, own, number):
 
 
 def own_motions(run, moving):
-    """Motions of all bodies in the waves of a run, each about its own point in its own axes; shape (m, 6N); 0 for
-    motions that are fixed"""
+    """Motions of all bodies in the waves of a run, about the rotation centre and along the axes of each body; shape
+    (m, 6N);
+    0 for fixed bodies"""
     out = np.zeros((len(run.headings), run.count), complex)
     if moving:
         out[:, run.problem.moving] = run.rao
@@ -87,8 +88,8 @@ def own_motions(run, moving):
 
 
 def first_order_loads(run, motions):
-    """First-order load of water and weight on all bodies, each about the point of the body in its own axes; shape (m,
-    6N)"""
+    """First-order load of water and weight on all bodies, about the rotation centre and along the axes of each body;
+    shape (m, 6N)"""
     T, own = run.problem.transform, run.problem.moving
     load = run.excitation @ T.T + motions @ (run.omega**2 * T @ run.radiation @ T.T).T
     if np.any(motions):
@@ -97,8 +98,8 @@ def first_order_loads(run, motions):
 
 
 def surfaces_of_each(whole, mesh):
-    """[`hull_flow.HullSurfaces`] of each body of a mesh: the points of the whole mesh, with weights on the points of
-    the body alone"""
+    """[`hull_flow.HullSurfaces`] of each body of a mesh: the points of the whole mesh, with weights that are zero
+    except on the body"""
     parts = whole.hull, whole.waterline
     return [HullSurfaces(*(_of_body(part, mesh.body, i) for part in parts)) for i in range(mesh.bodies)]
 

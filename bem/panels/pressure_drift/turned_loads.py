@@ -9,15 +9,15 @@ import numpy as np
 def products(one, two, second=np.conj):
     """Transfer function T of the product of two quantities (f, a) and (f, b), ¼(aᵢ b̄ⱼ + āⱼ bᵢ); shape (f, f, a, b)
 
-    second : as in `bem.panels.pressure_drift.mean_drift.pressure_pairs`, here and below
+    second : as in `bem.panels.pressure_drift.mean_drift.pressure_pairs`
     """
     first = np.einsum("ia,jb->ijab", one, second(two))
     return 0.25 * (first + np.einsum("ja,ib->ijab", second(one), two))
 
 
 def rotated_pairs(load, motion, second=np.conj):
-    """Transfer function T of loads (f, 6) that turn with the motions (f, 6), both about the rotation centre; shape (f,
-    f, 6)"""
+    """Transfer function T of loads (f, 6) that turn with the motions (f, 6); shape (f, f, 6). Loads and motions are
+    about the rotation centre"""
     turned = products(motion, load, second)
     force = _cross(turned[..., 3:, :3])
     moment = _cross(turned[..., 3:, 3:]) + _cross(turned[..., :3, :3])

@@ -1,8 +1,8 @@
 """A uniform line lighter than water: a heavy line upside down, with the sea surface as its bed.
 
 Measured downwards from the surface, its weight is −w and its ends are at the depths a (anchor) and b (fairlead) over a
-flat bed without friction: parts that would rise out of the sea float in its surface.  `flat_bed` solves the line;
-downward pulls there are upward pulls here.
+flat bed without friction: parts that would rise out of the sea float in its surface.  `flat_bed` solves the line; a
+downward pull in `flat_bed` is an upward pull here.
 """
 
 import numpy as np
@@ -25,10 +25,11 @@ def solve_rows(rows, x, a, b, length, lift, flexibility):
 def solve_buoyant_lines(x, z, length, weight, axial_stiffness, surface):
     """Forces and stiffness of lines lighter than water from anchor (0, 0) to fairlead (x, z), both under water.
 
-    x : m ≥ 0; z : m; length : unstretched, m; weight : submerged, N/m, below 0; axial_stiffness : EA in N, may be inf
-    surface : m above the anchor.  All broadcast.
+    x : span, m, ≥ 0; z : height, m; length : unstretched length, m; weight : submerged weight, N/m, below 0
+    axial_stiffness : EA, N, may be inf
+    surface : height of the sea surface above the anchor, m. All arguments broadcast.
     returns : LineSolution, whose grounded length floats in the surface
-    raises : LineError for a line that is too short; ValueError for impossible input
+    raises : LineError if a line is too short; ValueError if the input is impossible
     """
     x, z, length, weight, EA, surface = np.broadcast_arrays(
         *(np.asarray(v, float) for v in (x, z, length, weight, axial_stiffness, surface))

@@ -36,7 +36,7 @@ def asinh_ratio_less_one(u):
 
 @kernel(inline=True)
 def put_suspended(row, t, sine, cosine, length, weight, flexibility):
-    """Forces and derivatives of a free line; v_a + v_b is its weight, and only the difference of heights matters."""
+    """Forces and derivatives of a free line. Its weight is v_a + v_b; only the difference of heights matters."""
     half, root = 0.5 * weight * length, np.sqrt(1.0 + t * t)
     xx, xz, zz = suspended_stiffness(t, sine, cosine, length, weight, flexibility)
     row[0] = SUSPENDED
@@ -60,8 +60,9 @@ def free_length(horizontal, height, weight, flexibility):
 
 @kernel(inline=True)
 def bed_stretch(horizontal, lying, weight, flexibility, friction):
-    """Stretch of the part on the bed, its derivatives to H and to its length, and the tension that remains at its far
-    end."""
+    """Stretch of the part on the bed, the derivatives of the stretch by H and by length, and the tension left at the
+    far end.
+    """
     rate = weight * friction
     pulled = lying if horizontal >= rate * lying else horizontal / rate
     held = horizontal - rate * lying if pulled >= lying else 0.0
@@ -152,8 +153,10 @@ def put_slack(row, Va, Vb, length, weight, flexibility):
 
 @kernel(inline=True)
 def leaves_bed(x, h, length, weight, flexibility):
-    """Whether a line from an anchor on the bed hangs free all over: its span exceeds the span of a line that just
-    grazes the bed."""
+    """Whether a line from an anchor on the bed hangs free over its whole length.
+
+    Its span then exceeds the span of a line that just grazes the bed.
+    """
     load = weight * length
     c = weight * h - 0.5 * flexibility * load * load
     if c <= 0.0:
@@ -213,7 +216,7 @@ def solve_line(row, x, a, b, length, weight, flexibility, friction, with_bed):
 
 @kernel(inline=True)
 def mirror(row):
-    """Convert results for heights measured downwards, and an upward-pulling line, to the normal orientation."""
+    """Convert results of a line upside down (heights measured downwards, upward pull) to the normal orientation."""
     row[3], row[4] = -row[3], -row[4]
     for k in (7, 8, 10, 11, 12, 15):
         row[k] = -row[k]

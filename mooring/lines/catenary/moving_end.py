@@ -1,11 +1,10 @@
-"""The pull of a uniform line on a moving end, from its solution a moment before: for bodies in time.
+"""The pull of a uniform line on a moving end, starting from its solution a moment earlier; for simulations in time.
 
-The equations are those of `flat_bed` and `suspended`.  The unknown of these equations (H of a line on the bed, or the
-parameter t of a free line) is kept between calls, with the tangent of H.  Newton's method then starts with an error of
-the square of the change in a step, and squares this error. After a change of 3e-6 of H the error is 1e-11.
-With T = H +
-rise at the fairlead and asinh(wS/H) = ln[(wS + T)/H] an iteration on the bed takes one logarithm and two roots; where
-it does not converge, the safe search of `flat_bed` is used.
+The equations are those of `flat_bed` and `suspended`.  The unknown of these equations is H of a line on the bed, or
+the parameter t of a free line. It is kept between calls, with the tangent of H. The error at the start of Newton's
+method is the square of the change in a step, and each iteration squares the error. After a relative change of H by
+3e-6 the error is 1e-11. With T = H + rise at the fairlead and asinh(wS/H) = ln[(wS + T)/H] an iteration on the bed
+takes one logarithm and two roots; where it does not converge, the safe search of `flat_bed` is used.
 
 Lines that were on the bed at the previous moment are solved eight at a time, in vectors, by three iterations. A line
 whose last change exceeds CLOSE is then solved alone, like lines in other states.
@@ -41,10 +40,10 @@ KEPT = 6  # numbers kept of each line: its State, H or t, and for a line on the 
 
 @kernel(inline=True)
 def tension_near(kept, x, height, length, weight, flexibility, friction):
-    """Return (H, wS) of a line that lies partly on the bed, from the tangent kept of a nearby position, which is
-    updated.
+    """Return (H, wS) of a line that lies partly on the bed, from the kept tangent at a nearby position, and update
+    this tangent.
 
-    nan if Newton's method does not converge within these iterations
+    nan if Newton's method does not converge within its fixed number of iterations
 
     x = (H/w) asinh(wS/H) + H S/EA + (L − S) + stretch of the part on the bed
     """
@@ -96,8 +95,8 @@ def tensions_near(kept, lines, ends, n):
     """`pull` of lines n … n + 7 that lie partly on the bed, from the tangents kept of nearby positions
 
     kept : (KEPT, m) of `workspace`, updated for the lines that are solved here
-    lines : (4, m) length, weight, 1/EA, friction; ends : (4, m) x and height, given, and H and V, found, nan for a line
-    to be solved alone
+    lines : (4, m) length, weight, 1/EA, friction
+    ends : (4, m) given x and height, and computed H and V, which are nan for a line that must be solved alone
     """
     k, of, at, m = address(kept), address(lines), address(ends), ends.shape[1]
     length, weight, flexibility = load_vector(of, n), load_vector(of, m + n), load_vector(of, 2 * m + n)
@@ -141,7 +140,9 @@ def tensions_near(kept, lines, ends, n):
 
 @kernel(inline=True)
 def pull_anew(before, near, x, height, length, weight, flexibility, friction):
-    """Return (State, H, V, H or t) of a line that is not slack: partly on the bed, or free with `near`, its t or 0"""
+    """Return (State, H, V, H or t) of a line that is not slack: partly on the bed, or free; near : earlier t of a
+    free line, or 0
+    """
     if before == GROUNDED or not leaves_bed(x, height, length, weight, flexibility):
         H = grounded_tension(x, 0.0, height, length, weight, flexibility, friction)
         hanging = free_length(H, height, weight, flexibility)
@@ -161,8 +162,9 @@ def pull_anew(before, near, x, height, length, weight, flexibility, friction):
 def pull(kept, x, height, length, weight, flexibility, friction):
     """Forces (H, V), N, towards the anchor and down, on an end `height` above the anchor on the bed and x away from it.
 
-    kept : (KEPT,) from an earlier call for this line, zeros before the first; updated for the next
-    nan beyond the reach of the line, or with the end below the bed
+    kept : (KEPT,) from an earlier call for this line, zeros before the first; updated for the next call
+
+    The forces are nan if the end is beyond the reach of the line or below the bed.
     """
     H = V = math.nan
     before, state = kept[0], BEYOND_REACH
@@ -186,7 +188,7 @@ def pull(kept, x, height, length, weight, flexibility, friction):
 def pull_of_any(kept, row, x, low, high, bed, length, weight, flexibility, friction):
     """Forces (H, V) on the end at z = `high` of a line whose other end, at z = `low`, is fixed on the bed or above it.
 
-    row : (ROW,) room for results; `pull` applies where the fixed end is an anchor on the bed of a line that sinks
+    row : (ROW,) memory for results. `pull` solves a line heavier than water with its anchor on the bed
     """
     if weight > 0.0 and low == bed:
         H, V = pull(kept, x, high - bed, length, weight, flexibility, friction)

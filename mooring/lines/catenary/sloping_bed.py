@@ -1,14 +1,14 @@
 """A line that lies on a straight bed from its anchor to a lift-off point and hangs free from there.
 
 At lift-off the line has the slope of the bed, β (positive: rising towards the fairlead), so V = H tan β + w S with S
-the free length, unstretched.  On the bed dT/ds = w (sin β + μ cos β), T ≥ 0: where friction has reduced the tension to
-zero the rest of the line is at rest.  SR179 report (1982), section 3.1.1 and appendix 3.1.A, with elasticity added;
-only T is propagated along the bed, H = T cos β and V = T sin β follow from it.
+the free length, unstretched.  On the bed dT/ds = w (sin β + μ cos β), T ≥ 0: the line beyond the place where
+friction has reduced the tension to zero is at rest.  SR179 report (1982), section 3.1.1 and appendix 3.1.A, with
+elasticity added; only T is propagated along the bed, H = T cos β and V = T sin β follow from it.
 
-Friction holds a line without tension where tan |β| ≤ μ.  On a steeper bed it slides down: line in excess of the tension
-at lift-off hangs in a bight below the anchor, with T = 0 at its lowest point, and pulls the anchor down the slope with
-w (sin β − μ cos β) times its leg there. For a given span ln H is found from the span along the bed, between proven
-bounds.
+Friction holds a line without tension where tan |β| ≤ μ.  On a steeper bed the line slides down. The excess line lies
+in a bight below the anchor, with T = 0 at the lowest point of the bight. The leg of the bight pulls the anchor down
+the slope with w (sin β − μ cos β) times the length of the leg. For a given span ln H is found from the span along
+the bed, between proven bounds.
 """
 
 import math
@@ -49,7 +49,7 @@ def lying_end(H, lying, weight, slope, friction):
 
 @kernel()
 def lying_reach(H, lying, weight, flexibility, slope, friction):
-    """Stretched length of the part on the bed; of a bight, how far above the anchor its line lifts off."""
+    """Stretched length of the part on the bed; for a bight, the distance of its lift-off point above the anchor."""
     end, pulled = lying_end(H, lying, weight, slope, friction)
     rate = weight * (math.sin(slope) + friction * math.cos(slope))
     stretch = flexibility * pulled * (H / math.cos(slope) - 0.5 * rate * pulled)
@@ -60,7 +60,7 @@ def lying_reach(H, lying, weight, flexibility, slope, friction):
 
 @kernel()
 def sloping_free_length(H, clearance, weight, flexibility, slope):
-    """S of a line that ends `clearance` above the bed, measured vertically.
+    """Free length S of a line whose upper end is `clearance` above the bed, measured vertically.
 
     Explicit on a flat bed.  On a slope the distance from the bed is a convex function of S, so Newton's steps approach
     the root from above.
@@ -108,7 +108,7 @@ def grounded_jacobian(H, S, length, weight, flexibility, slope, friction):
 
 @kernel()
 def solve_grounded(x, z, length, weight, flexibility, slope, friction):
-    """H and S of a line between the slack and the lifting limit; the span along the bed grows with H."""
+    """H and S of a line between the limits of slack and of lift-off; the span along the bed grows with H."""
     cos, sin = math.cos(slope), math.sin(slope)
     clearance = max(z - x * math.tan(slope), 1e-12 * (abs(z) + x))
     plumb = hanging_length(clearance, weight, flexibility)
@@ -190,6 +190,6 @@ def free_length_at_height(H, z, length, weight, flexibility, slope, friction):
 
 @kernel()
 def height_of(H, S, length, weight, flexibility, slope, friction):
-    """Height of a fairlead above its anchor, with S of free line above the bed"""
+    """Height of a fairlead above its anchor, for a line with the free length S above the bed"""
     _, rise = free_piece(H, H * math.tan(slope), S, weight, flexibility)
     return lying_reach(H, max(length - S, 0.0), weight, flexibility, slope, friction) * math.sin(slope) + rise

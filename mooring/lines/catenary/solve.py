@@ -26,7 +26,7 @@ LEAST, MOST = (np.array([limit[i] for limit in LIMITS]) for i in (1, 2))
 
 
 class LineSolution(NamedTuple):
-    """Forces of solved lines, N, and lengths, m; all of one shape (...).
+    """Forces, N, and lengths, m, of solved lines; all arrays have one shape (...).
 
     horizontal_fairlead, vertical_fairlead : pull on the fairlead towards the anchor and down
     horizontal_anchor, vertical_anchor : pull on the anchor towards the fairlead and up
@@ -69,11 +69,11 @@ def solve_lines(
     """Forces and stiffness of lines from anchor (0, 0) to fairlead (x, z).
 
     x, z : horizontal distance ≥ 0 and height of the fairlead above the anchor, m
-    length : unstretched, m; weight : submerged, N/m; axial_stiffness : EA in N, may be inf
-    bed_friction : ≥ 0; bed_slope : rad, positive where the bed rises towards the fairlead
+    length : unstretched length, m; weight : submerged weight, N/m; axial_stiffness : EA, N, may be inf
+    bed_friction : friction coefficient, ≥ 0; bed_slope : rad, positive where the bed rises towards the fairlead
     bed : False for a line that may hang below its lower end
     beyond_reach : "raise", or "mark" to return infinite forces for inextensible lines that cannot reach
-    All broadcast.  returns : LineSolution
+    returns : LineSolution; all arguments broadcast
     raises : LineError naming the first line without a solution; ValueError for impossible input
     """
     from .uniform import solve_uniform_lines
@@ -101,8 +101,7 @@ def span_at_tension(
     bed_friction=0.0,
     bed_slope=0.0,
 ):
-    """Span x (m) at which a line on a bed carries a given horizontal tension, and the length that then remains on the
-    bed (m).
+    """Span x (m) at which a line on a bed has a given horizontal tension, and its remaining length on the bed (m).
 
     horizontal_tension : N, > 0; the other arguments as in `solve_lines`
     returns : x, grounded length

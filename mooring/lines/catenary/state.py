@@ -4,8 +4,9 @@ from enum import IntEnum
 
 
 class State(IntEnum):
-    """A line hangs vertically with H = 0, lies partly on the bed, touches nothing; or it has no forces: too short for
-    its ends, an end below the bed, or no equilibrium found.
+    """State of a line: it hangs vertically with H = 0, lies partly on the bed, or touches nothing.
+
+    A line without forces is too short for its ends, has an end below the bed, or its equilibrium was not found.
     """
 
     SLACK = 0

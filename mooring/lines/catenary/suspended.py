@@ -22,9 +22,10 @@ from .free_piece import ROUNDING, asinh_excess
 
 @kernel(inline=True)
 def ellipse_parameter(X, Z, kappa, near, close):
-    """t of a suspended line with span X and height Z, both over the length of the line; inf for ends too far apart.
+    """Parameter t of a suspended line with span X and height Z, both divided by the line's length; inf for ends too
+    far apart.
 
-    near : a value near it, 0 if unknown; close : last change of ln t, over ln t, that is accepted
+    near : a value near t, 0 if unknown; close : tolerance on the last change of ln t, relative to ln t
     """
     reach2 = X * X + Z * Z
     if kappa == 0 and reach2 >= 1:
@@ -68,7 +69,7 @@ def ellipse_parameter(X, Z, kappa, near, close):
 
 @kernel(inline=True)
 def suspended_shape(x, z, length, weight, flexibility):
-    """t, sin ν, cos ν of a line that touches nothing."""
+    """The parameters t, sin ν and cos ν of a line that touches nothing."""
     X, Z, kappa = x / length, z / length, 0.5 * flexibility * weight * length
     t = ellipse_parameter(X, Z, kappa, 0.0, ROUNDING)
     if math.isinf(t):

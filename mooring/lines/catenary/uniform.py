@@ -1,7 +1,8 @@
 """Kernels of one uniform line between an anchor at (0, 0) and a fairlead, one line at a time.
 
-The line is sorted into its `State` and solved by the closed form of that state (`suspended`, `sloping_bed`). Its
-fairlead is recomputed from its forces, so that a wrong answer is noticed.  Functions of `solve` check input and result.
+The line is sorted into its `State` and solved by the closed form of that state (`suspended`, `sloping_bed`). The
+position of its fairlead is recomputed from the forces, so that a wrong answer is noticed.  Functions of `solve`
+check input and result.
 """
 
 import math
@@ -122,9 +123,9 @@ def solve_uniform_lines(lines, bed):
 
 @kernel()
 def spans_at_tension(lines, H):
-    """Span and length on the bed of lines with H given instead of their x; shape (n, 2).
+    """Span and length on the bed of lines whose H is given instead of x; shape (n, 2).
 
-    The span is nan where a line is too short to hang, the length where the bed rises above the fairlead.
+    The span is nan where a line is too short to hang; the length is nan where the bed rises above the fairlead.
     """
     found = np.empty((lines.shape[0], 2))
     for i in range(lines.shape[0]):

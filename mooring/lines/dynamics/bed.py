@@ -13,14 +13,17 @@ ROUND = 0.1  # rounded length on either side of an edge, over the shorter facet
 class ElasticBed:
     """A plane under the anchor, or hills and valleys along one course.
 
-    slope : rad, upwards towards `uphill` (rad, 0 → +x); below : m, depth of the bed under the anchor
-    points : (k, 2) m instead of a slope, distance from the anchor towards `uphill`, rising, and height; joined by
-    straight facets, the first and the last of infinite length, and shifted so that the first is (0, 0)
-    (`multi_segment.bed.Bed`); across that course the bed is level, and its edges are rounded (`ROUND`)
-    stiffness : Pa/m and damping : Pa s/m, times diameter and length; a line at rest lies on the plane itself
-    friction : Coulomb coefficient; slip : m, displacement that mobilises it (elastic before, sliding after), by default
-    a tenth of the stretch of an element by friction: an element that slides moves at least that far, and over a
-    millimetre friction would lose a third to nine tenths of its work in small motions (`line_energy.py`)
+    slope : slope of the bed, rad, rising towards `uphill` (rad, 0 → +x); below : depth of the bed under the anchor, m
+    points : (k, 2) m, in place of a slope: distance from the anchor towards `uphill`, ascending, and height.
+        The points are joined by straight facets, the first and the last of infinite length.
+        They are shifted so that the first is (0, 0), as in `multi_segment.bed.Bed`.
+        Across `uphill` the bed is level, and its edges are rounded (`ROUND`)
+    stiffness : Pa/m, and damping : Pa s/m, both multiplied by diameter and length; a line at rest lies on the plane
+        itself
+    friction : Coulomb coefficient
+    slip : displacement that mobilises friction, m (elastic before, sliding after); by default a tenth of the
+        stretch of an element by friction, because an element that slides moves at least that far. With a slip
+        of a millimetre, friction would lose a third to nine tenths of its work in small motions (`line_energy.py`)
     """
 
     slope: float = 0.0
@@ -52,10 +55,10 @@ class ElasticBed:
         return np.array([-s * np.cos(self.uphill), -s * np.sin(self.uphill), np.cos(self.slope)])
 
     def profile(self, z):
-        """Rows of the bed along the course: begin of a row's range, m, height there, slope, and curvature; shape (m,
-        4); empty for a plane.
+        """Rows of the bed along the course, shape (m, 4): start of the row's range, m, height, slope and curvature
+            at the start.
 
-        z : m, of the anchor, which the bed is `below`
+        Empty for a plane. z : height of the anchor, m; the bed is `below` metres under the anchor
         """
         if not self.points:
             return np.zeros((0, 4))

@@ -3,10 +3,10 @@
 A line that whips becomes taut with snaps, one element after another.  Where such snaps add up, errors of the steps
 exceed the tolerance of a single step. At a tolerance of 1e-3, largest tensions have had errors of 16 % at the fairlead
 and 8 % inside the line.
-Their error is proportional to the step there, so it is about the difference from the result with steps twice as long.
-The
-error of a single largest value may be small by chance. This is less likely for the largest values of each tenth of the
-run, at the fairlead or inside; the worst tenth counts. `tests/bench/line_peaks.py` counts how often this holds.
+The error of a largest tension is proportional to the step, so the change with steps twice as long is about this error.
+The error of a single largest value may be small by chance. The largest values of each tenth of the run, at the
+fairlead and inside, are therefore compared, and the worst tenth counts. `tests/bench/line_peaks.py` counts how often
+the estimate holds.
 """
 
 import warnings
@@ -23,9 +23,10 @@ PARTS = 10  # parts of a run whose largest tensions are compared
 
 
 def mesh_error(case, result, limit):
-    """Estimated share of the largest tension, at the fairlead or inside, that the elements cause; warns above limit.
+    """Estimated relative error of the largest tension, at the fairlead or inside, due to the element length; warns
+    above limit.
 
-    The share is proportional to the square of the element length.
+    The error is proportional to the square of the element length.
     """
     counts = [s.elements for s in case.line.segments]
     other = case.line.with_elements(0.5 if min(counts) >= 4 else 2)

@@ -1,8 +1,8 @@
-"""Figures of a run of a dynamic line: tensions, slack, work and its losses, with the quasi-static tension.
+"""Figures of a run of a dynamic line: tensions, slack, work, energy losses, and the quasi-static tension.
 
-An end is slack if its tension is below a tenth of the tension at rest. The dynamic force then exceeds 0.9 of the static
-one, the slack criterion of DNV-RP-H103 (2011), section 4.4.3.  Means are over time; the figures of a periodic run are
-those of whole cycles.
+An end is slack if its tension is below a tenth of the tension at rest. The dynamic force then exceeds 0.9 of the
+static force, the slack criterion of DNV-RP-H103 (2011), section 4.4.3.  Means are means over time; figures of a
+periodic run are taken over full cycles.
 """
 
 from dataclasses import dataclass, field
@@ -22,9 +22,10 @@ class End:
     """Tension at one end, N, in the window: the largest, at `time` s, the mean and the smallest; rest : tension before
     the motion
 
-    slack : time in the window with a tension below a tenth of the tension at rest, s, nan without tension at rest
+    slack : time in the window with a tension below a tenth of the tension at rest, s; nan if the tension at rest is
+        zero
     quasi_static : largest tension of the line at rest in every position, N, nan if none has a static shape
-    over_quasi_static : largest tension over quasi_static, nan where that is nan
+    over_quasi_static : largest tension over quasi_static; nan where quasi_static is nan
     """
 
     largest: float
@@ -41,9 +42,10 @@ class End:
 class Figures:
     """begin, end : s, the window; cycles : in the window, or None for a motion that is not periodic
 
-    work : J in the window, at the ends, as the sum of losses and storage; losses : {name: J}; stored : J, change
-    of_forces : J, the same as the integral of force and velocity; exchanged : J, that went in or out between steps
-    change : relative change of the largest tension from the last cycle but one to the last
+    work : work at the ends in the window, J, computed as losses plus stored energy; losses : {name: J}
+    stored : change of the stored energy, J
+    of_forces : work at the ends as the integral of force times velocity, J; exchanged : energy that went in or out, J
+    change : relative change of the largest tension between the last two cycles
     regime : HarmonicTension, or the reason for none
     """
 
@@ -61,10 +63,10 @@ class Figures:
     regime: object = ""
 
     def share_of_work(self, value):
-        """`value`, J, over the work done on the line; nan if that is zero
+        """`value`, J, over the work done on the line; nan if this work is zero
 
         A line whose fairlead hardly moves receives its work from waves and current. The work at its ends is then
-        rounding, or a small difference, relative to the energy lost, gained and stored.
+        mere rounding error, or a small difference between the energies lost, gained and stored.
         """
         gross = sum(map(abs, (*self.losses.values(), self.stored)))
         told = abs(self.work) > SMALL_WORK * gross and self.exchanged > SMALL_WORK * abs(self.work)
@@ -72,15 +74,16 @@ class Figures:
 
     @property
     def imbalance(self):
-        """J, work of the forces less losses and stored energy: the error of the time steps"""
+        """Work of the forces less losses and stored energy, J: the error of the time steps"""
         return self.of_forces - self.work
 
 
 def figures(line, course, window, result, current, regime):
     """Figures of a Result.
 
-    window : begin, end (s) and cycles of `Course.window`; regime : function of the displacement (3,) m of the fairlead
-    with the largest quasi-static tension, or a text with the reason for none
+    window : begin, end (s) and cycles of `Course.window`
+    regime : function of the fairlead's displacement (3,) m at the largest quasi-static tension; or a text
+        with the reason for none
     """
     begin, end, cycles = window
     statics, places = quasi_static(line, course, window, current)
@@ -158,7 +161,9 @@ def quasi_static(line, course, window, current):
 
 
 def judged_by_regime(line, course, harmonics):
-    """Function of a displacement (3,) m → HarmonicTension or a text, or a text where the method does not apply."""
+    """Function that gives HarmonicTension or a text for a displacement (3,) m; a text where the method does not
+    apply.
+    """
     from .regime import regime_of
 
     if harmonics != 1:

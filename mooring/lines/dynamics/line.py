@@ -20,13 +20,14 @@ SOFT = 1e-2  # damping fades in up to this part of the strain under the line's o
 class DynamicSegment:
     """A uniform part of a line in `elements` straight elements.
 
-    length : m, unstretched; mass : kg/m in air; weight : N/m in water; diameter : m, of the displaced volume
-    axial_stiffness : EA in N, or a table of (strain, tension) pairs, both rising from (0, 0), straight between its
-    points and beyond the last (`multi_segment.segments.Segment`), whose largest EA is its `stiffness`
-    structural_damping : BA in N s, or None for `damping_ratio`, the part of the critical damping ℓ√(EA m) of an element
-    of length ℓ, or of a fortieth of the segment where the elements are shorter
-    drag_normal on D, drag_tangential on πD (the report's coefficient, on D, is π times larger)
-    added_normal, added_tangential : times the displaced mass; bending_stiffness : EI, N m², 0 of a chain
+    length : unstretched length, m; mass : kg/m in air; weight : N/m in water; diameter : diameter of the displaced
+        volume, m
+    axial_stiffness : EA, N, or a table of (strain, tension) pairs, ascending from (0, 0), linear between and beyond
+        its points (`multi_segment.segments.Segment`); the table's largest EA is then `stiffness`
+    structural_damping : BA, N s, or None for `damping_ratio`, a fraction of the critical damping ℓ√(EA m) of an
+        element. ℓ is the length of an element, at least a fortieth of the segment
+    drag_normal, drag_tangential : coefficients on D and on πD; the report's tangential coefficient is on D
+    added_normal, added_tangential : added mass over the displaced mass; bending_stiffness : EI, N m², 0 for chain
     """
 
     length: float
@@ -65,8 +66,9 @@ class DynamicSegment:
 
     @cached_property
     def elongation(self):
-        """Rows of a curve: strain from which a row holds; tension there, its slope and its integral, all over
-        `stiffness`; shape (k, 4)"""
+        """Rows of a tension curve, shape (k, 4): strain at which the row's range starts; tension, slope and integral
+        there, all over `stiffness`
+        """
         if np.ndim(self.axial_stiffness) == 0:
             return np.array([[0.0, 0.0, 1.0, 0.0]])
         strain, tension = self._points
@@ -85,33 +87,33 @@ class DynamicSegment:
 
     @cached_property
     def stiffness(self):
-        """N, EA, of a table the largest"""
+        """Axial stiffness EA, N; of a table the largest"""
         if np.ndim(self.axial_stiffness) == 0:
             return float(self.axial_stiffness)
         strain, tension = self._points
         return float(np.max(np.diff(tension) / np.diff(strain)))
 
     def strain_at(self, tension):
-        """Strain at tensions, N"""
+        """Strains at the given tensions, N"""
         strain, over, slope, _ = self.elongation.T
         rows = np.searchsorted(over * self.stiffness, tension, side="right") - 1
         return strain[rows] + (np.asarray(tension) / self.stiffness - over[rows]) / slope[rows]
 
     @property
     def size(self):
-        """m, unstretched length of an element"""
+        """Unstretched length of an element, m"""
         return self.length / self.elements
 
     @property
     def damping(self):
-        """N s, BA"""
+        """Structural damping BA, N s"""
         size = max(self.size, self.length / DAMPED)
         critical = size * np.sqrt(self.stiffness * self.mass)
         return self.damping_ratio * critical if self.structural_damping is None else self.structural_damping
 
 
 def felt(dynamics):
-    """Keywords of a DynamicSegment with the values of a `LineDynamics`; none for None"""
+    """Keywords of a DynamicSegment with the values of a `LineDynamics`; empty for None"""
     if dynamics is None:
         return {}
     damping = "structural_damping" if dynamics.damping >= 0 else "damping_ratio"
@@ -129,8 +131,8 @@ def felt(dynamics):
 class AttachedBody:
     """A buoy or a clump between two segments, with its own inertia.
 
-    mass : kg; volume : m³, a sphere where it meets the surface; drag_area : C_d A in m²
-    added_mass : times the displaced mass
+    mass : kg; volume : m³, of a sphere where the body meets the surface; drag_area : C_d A, m²
+    added_mass : added mass over the displaced mass
     """
 
     mass: float
@@ -148,8 +150,8 @@ class DynamicLine:
     """Segments from the anchor to the fairlead; `bodies[i]`, or None, sits between segments i and i + 1.
 
     anchor : (3,) m; bed : ElasticBed, or None for a line over deep water; density : kg/m³; gravity : m/s²
-    surface : whether parts above still water weigh as in air, mass times gravity, and feel no water; else the line
-    counts as submerged everywhere.  Bodies always interact with the surface
+    surface : whether parts above still water have their weight in air and no water loads; if not, the line counts as
+        submerged everywhere. Bodies always interact with the surface
     """
 
     segments: tuple[DynamicSegment, ...]
@@ -210,7 +212,9 @@ class DynamicLine:
         return np.concatenate([[0.0], np.cumsum(self._each(lambda s: s.size))])
 
     def with_elements(self, factor):
-        """The same line with the elements of every segment times `factor`, at least 1 each and 2 in all."""
+        """The same line with `factor` times as many elements in every segment, at least 1 in each and 2 in the
+        line.
+        """
         counts = [max(1, round(s.elements * factor)) for s in self.segments]
         if sum(counts) < 2:
             counts[0] = 2

@@ -8,7 +8,7 @@ from ..regimes import harmonic_tension
 def regime_of(line, fairlead, displacement, period):
     """`HarmonicTension` of a DynamicLine whose fairlead moves harmonically, or a text with the reason for none.
 
-    fairlead : (3,) m, its mean place; displacement : (3,) m from there, outermost; period : s
+    fairlead : mean position (3,) m; displacement : outermost displacement from the mean (3,) m; period : s.
     SR179 report (1982), section 3.2.1
     """
     if len(line.segments) > 1:

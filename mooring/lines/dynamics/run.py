@@ -18,13 +18,14 @@ FREE = 0.01  # largest error of a node's place in a step, over the line's length
 
 
 class DynamicLineError(ValueError):
-    """A run that cannot continue: time, node and step are in the message."""
+    """A run that cannot continue; the message names time, node and step."""
 
 
 class Energies(NamedTuple):
-    """All (n,) J, since the start: work done on the line at its ends, work lost to each cause, and energy stored.
+    """Energies since the start, J, each (n,): work done on the line at its ends, work lost to each cause, and stored
+    energy.
 
-    work : integral of force and velocity, of first order in the error of the force; see `supplied`
+    work : integral of force times velocity, whose error is of first order in the force; see `supplied`
     """
 
     work: np.ndarray
@@ -45,10 +46,11 @@ class Energies(NamedTuple):
 
     @property
     def supplied(self):
-        """Work done at the ends, the sum of losses and storage, J; shape (n,)
+        """Work done at the ends, computed as losses plus stored energy, J; shape (n,)
 
-        In slow motion a line exchanges a thousand times the energy that it loses.  The loss is a sum without signs, and
-        the stored energy is least in equilibrium. The error is therefore of second order in the error of the state.
+        In slow motion a line exchanges a thousand times the energy that it loses. The losses are all positive, and
+        the stored energy has its minimum in equilibrium. The error of this sum is therefore of second order in the
+        error of the state.
         """
         return self.lost + self.stored
 
@@ -61,15 +63,16 @@ class Energies(NamedTuple):
 
 @dataclass(frozen=True)
 class Result:
-    """History of a line at the ends of the steps, n in all.
+    """History of a line at the ends of its n steps.
 
-    time : (n,) s; force_fairlead, force_anchor : (n, 3) N, of the line on its ends, inertia of the end included
-    station_tension : (n, k) N at the asked nodes; least_tension, largest_tension : (n,) N of all elements
+    time : (n,) s; force_fairlead, force_anchor : (n, 3) N, of the line on its ends, including the inertia of the end
+        nodes
+    station_tension : (n, k) N at the requested nodes; least_tension, largest_tension : (n,) N of all elements
     energies : Energies; frame_time (f,) s and frames (f, N + 1, 3) m
-    steps, rejected, newton : counts
+    steps, rejected, newton : number of steps, of rejected steps and of Newton steps
     mesh_error, step_error : estimated relative errors of the largest tensions, at the fairlead and inside, from the
     elements and from the steps; nan if not requested
-    end : State to go on from
+    end : State from which a further run can continue
     """
 
     time: np.ndarray
@@ -106,9 +109,10 @@ class Result:
 
 
 class Case(NamedTuple):
-    """Input of a run, checked; times in s, stations are node numbers; progress : called with the time reached, s.
+    """Checked input of a run; times in s; stations are node numbers; progress : function called with the time
+    reached, s.
 
-    stops : rising times at which a step must end; coarser : factor on the steps, for their check
+    stops : ascending times at which a step must end; coarser : factor on the length of steps, to estimate their error
     """
 
     line: DynamicLine
@@ -139,7 +143,7 @@ def _pictures(case, state):
 
 
 def control_of(line, state, tolerance, longest):
-    """Control of steps from `state`, no longer than `longest` s"""
+    """Control of the steps from `state`; no step is longer than `longest` s"""
     system = line.system
     tension = elastic_tension(system, state.position).max()
     least = np.abs(system.weight).max()
@@ -165,7 +169,9 @@ def stopped(line, time, step, shortest, node):
 
 
 def run_esdirk(case, state):
-    """Result of steps chosen by their error; the kernel returns after each piece of history, where Ctrl-C acts."""
+    """Result of steps chosen by their error. The kernel returns after each piece of history, so that Ctrl-C takes
+    effect.
+    """
     from .lumped.esdirk import COLUMNS, DONE, TOO_SHORT, follow
     from .lumped.workspace import workspace
 

@@ -57,15 +57,18 @@ def simulate(
     """Motion and tension of `line` while its fairlead follows `motion`, from rest or from the end of another run.
 
     line : DynamicLine; motion : FairleadMotion; duration : s; current : CurrentProfile; waves : WaveTrain
-    tolerance : error of a step in the tensions at the ends, and in the mean of all, of the largest tension so far
+    tolerance : allowed error of a step in the end tensions and in the mean of all tensions, over the largest tension
+        so far
     longest_step : s, an upper bound; frames : number of stored shapes, evenly in time; stations : node numbers
-    start : State, the `end` of an earlier run, which the fairlead continues (then the elements are not checked)
-    check_mesh : run half as many elements too, and with steps twice as long; estimate the errors of the
-    largest tensions, at the fairlead and inside, and warn above `mesh_tolerance` (`estimates`)
-    progress : called with the time reached (s) after every thousand steps
+    start : State at the `end` of an earlier run, whose motion the fairlead continues; the elements are then not
+        checked
+    check_mesh : whether to estimate the errors of the largest tensions, at the fairlead and inside, by runs with
+        half as many elements and with steps twice as long; warns above `mesh_tolerance` (see `estimates`)
+    progress : function called with the time reached (s) after every thousand steps
     stops : times (s) at which a step ends, so that the history is exact there
     returns : Result
-    raises : ValueError for impossible input, LineError without a static shape, DynamicLineError for a run that stops
+    raises : ValueError for impossible input; LineError if there is no static shape; DynamicLineError if the run
+        stops early
     """
     _check(line, motion, duration, tolerance, longest_step, frames, stations, start)
     water = water_arrays(current, waves, line.gravity)

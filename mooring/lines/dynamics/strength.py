@@ -1,5 +1,4 @@
-"""Tensions of a moving line relative to the breaking loads of its segments, at each place relative to the breaking load
-of the segment there."""
+"""Tensions of a moving line over breaking loads: each place is compared with the breaking load of its own segment."""
 
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -8,8 +7,9 @@ import numpy as np
 
 
 class Used(NamedTuple):
-    """Place at which a line is nearest to parting: tension and breaking load, N; time, s; segment : its number, from
-    0"""
+    """Place at which a line is nearest to breaking: tension and breaking load, N; time, s; segment : number, counted
+    from 0
+    """
 
     tension: float
     breaking: float
@@ -32,21 +32,22 @@ class Strength:
 
     @property
     def weakest(self):
-        """N, inf if none is known"""
+        """Smallest breaking load of all segments, N, inf if none is known"""
         return min(self.breaking)
 
     @property
     def uniform(self):
-        """Whether one load is that of all segments"""
+        """Whether all segments have one breaking load"""
         return len(set(self.breaking)) == 1
 
     def nodes(self, line):
-        """Nodes whose tensions a run must keep, so that the tension of each segment is known: all nodes; none for a
-        uniform line"""
+        """Nodes whose tensions a run must keep for this comparison: all nodes, or none for a uniform line"""
         return () if self.uniform else tuple(range(line.elements + 1))
 
     def most_used(self, line, result):
-        """`Used` over the whole run, for a Result that has kept the tensions at `nodes`; None without a known load"""
+        """`Used` over the whole run, for a Result that has kept the tensions at `nodes`; None if no breaking load is
+        known
+        """
         if not np.isfinite(self.weakest):
             return None
         time, found = result.time, []

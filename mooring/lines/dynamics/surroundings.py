@@ -1,7 +1,7 @@
 """Causes of a dynamic line's motion: its fairlead, the current and the waves, as values.
 
-Time factor exp(−iωt): a displacement is Re[X exp(−iωt)].  Everything may start from rest over a ramp, because the
-line starts from rest.
+Time factor exp(−iωt): a displacement is Re[X exp(−iωt)].  The line starts from rest, so each of these may grow from
+zero over a ramp.
 """
 
 from dataclasses import dataclass
@@ -21,7 +21,7 @@ class FairleadMotion:
     """Position of the fairlead in time, made by `harmonic`, `table` or `still`.
 
     mean : (3,) m; omega : (m,) rad/s; amplitude : (m, 3) m, complex; ramp : s
-    knots, cubics : piecewise cubics in place of the mean, (k + 1,) s and (k, 4, 3)
+    knots, cubics : piecewise cubics in place of the mean, shapes (k + 1,) s and (k, 4, 3)
     """
 
     mean: np.ndarray
@@ -55,7 +55,7 @@ class FairleadMotion:
     def table(cls, time, position, velocity=None):
         """A table of positions, joined by cubics with continuous acceleration, or with the given velocities.
 
-        time : (k,) s, rising; position, velocity : (k, 3) m, m/s; `simulate` refuses to leave the table
+        time : (k,) s, ascending; position, velocity : (k, 3) m and m/s; `simulate` refuses times beyond the table
         """
         from scipy.interpolate import CubicHermiteSpline, CubicSpline
 
@@ -70,12 +70,12 @@ class FairleadMotion:
 
     @property
     def end(self):
-        """s, end of the known motion"""
+        """End of the known motion, s"""
         return np.inf if self.knots is None else self.knots[-1]
 
     @property
     def begin(self):
-        """s, begin of the known motion"""
+        """Start of the known motion, s"""
         return 0.0 if self.knots is None else self.knots[0]
 
     @as_python()
@@ -89,14 +89,14 @@ class FairleadMotion:
 
     @property
     def longest_step(self):
-        """s, step that resolves all of the motion"""
+        """Longest step that resolves the motion, s"""
         if self.knots is not None:
             return 2 * float(np.diff(self.knots).max())
         return 2 * np.pi / self.omega.max() / PARTS_OF_PERIOD
 
     @property
     def arrays(self):
-        """The same for the kernels."""
+        """The FairleadMotion as arrays for the kernels."""
         knots, cubics = self.knots, self.cubics
         if knots is None:
             knots, cubics = np.array([0.0, 1.0]), np.zeros((1, 4, 3))
@@ -126,7 +126,7 @@ class CurrentProfile:
 class WaveTrain:
     """Regular waves that add up; all fields (w,).
 
-    amplitude : m; period : s; direction : rad, travelled to; phase : rad, lag at the origin
+    amplitude : m; period : s; direction : direction of travel, rad; phase : phase lag at the origin, rad
     depth : m, may be inf; ramp : s, by default the longest period
     carried : (2,) m/s, current that carries the waves; periods are then measured in the moving water
     """

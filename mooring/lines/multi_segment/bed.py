@@ -12,9 +12,9 @@ STEEPER = 1e-12  # excess of the slope over the friction that makes a line slide
 class Bed:
     """Straight facets between the vertices `points`, the first and the last one of infinite length; Coulomb friction.
 
-    points : (k, 2) m, x from the anchor towards the fairlead, rising strictly, and z; the anchor lies on the first
-        (given points are shifted so that it is at (0, 0))
-    friction : ≥ 0
+    points : (k, 2) m, x from the anchor towards the fairlead, strictly ascending, and z; the anchor lies on the
+        first point, and the points are shifted so that it is at (0, 0)
+    friction : friction coefficient, ≥ 0
     """
 
     points: np.ndarray
@@ -45,8 +45,8 @@ class Bed:
     def under(cls, x, y, z, anchor, fairlead, friction=0.0):
         """The section of a gridded bed under a line, with a vertex wherever the line crosses a line of the grid.
 
-        x : (n,), y : (m,) rising, m; z : (n, m) m, bilinear in between; anchor, fairlead : (x, y) m
-        The section ends at the edge of the grid beyond the fairlead; it must contain both ends.
+            x : (n,) and y : (m,), ascending, m; z : (n, m) m, bilinear in between; anchor, fairlead : (x, y) m.
+        The section ends at the edge of the grid beyond the fairlead. The grid must contain both ends of the line.
         """
         x, y, z = (np.asarray(v, float) for v in (x, y, z))
         if z.shape != (len(x), len(y)) or np.any(np.diff(x) <= 0) or np.any(np.diff(y) <= 0):
@@ -96,7 +96,7 @@ class Bed:
 
     @property
     def first_facet(self):
-        """m, end of the first facet"""
+        """End of the first facet, m"""
         return np.inf if len(self.points) == 2 else float(self.points[1, 0])
 
 

@@ -1,11 +1,11 @@
 """Kernels for the residuals of a line's equilibrium, and their exact derivatives.
 
-The contacts with the bed, found by `traverse` as a list of steps, determine the equations: a span ends on a facet, at a
-bed vertex or at the anchor, a floating buoy lies in the surface, at a vertex where the line slides into a heap its
-tension is zero or a sinker lies, and the line ends at the anchor with no excess length.  The unknowns are, in this
-order, H and V at the fairlead, the place, angle or normal force with which each span begins, s at bed vertices, the
-length of such a heap, and the weights of floating buoys; the last two columns of the derivatives are those by x and z
-of the fairlead.
+The contacts with the bed, found by `traverse` as a list of steps, determine the equations. A span ends on a facet,
+at a bed vertex or at the anchor. A floating buoy lies in the surface. At a vertex where the line slides into a heap,
+its tension is zero or a sinker lies there. The line ends at the anchor with no excess length. The unknowns are, in
+this order: H and V at the fairlead; the place, angle or normal force with which each span begins; s at bed vertices;
+the length of a heap above a vertex; and the weights of floating buoys. The last two columns of the derivatives are
+the derivatives by x and z of the fairlead.
 """
 
 import math
@@ -115,10 +115,9 @@ def pass_load(line, e):
 
 @kernel()
 def march_span(line, e, facet, load, target, unknown, rows):
-    """Integrate down a free span to s = target, or, where target is nan, until the span is parallel to a facet.
+    """Integrate down a free span to s = target; if target is nan, to where the span is parallel to a facet.
 
-    load : index of the next point load there, or of the sinker at which the slope of the line passes the slope of the
-    facet
+    load : index of the next point load at the end, or of the sinker at which the line's slope passes the facet's slope
     unknown : index of the unknown that is the target, below 0 for none
     """
     q, g, at = e.q, e.g, e.at
@@ -164,7 +163,7 @@ def march_span(line, e, facet, load, target, unknown, rows):
 
 @kernel()
 def span_step(line, e, step, index, load, next_step, slack, rows):
-    """A free span and the equations of its end; for a slack line that ends there only the height and H count."""
+    """A free span and the equations at its end; if a slack line ends there, only the height and H count."""
     q, g = e.q, e.g
     target, unknown = math.nan, NOTHING
     if step == TO_VERTEX:
@@ -255,10 +254,11 @@ def start_equations(line, e, x, z, left):
 
 @kernel()
 def equations(line, e, x, z, steps, left, rows):
-    """Residuals of the steps (k, 3) with the fairlead at (x, z), and their derivatives; state left at the anchor.
+    """Residuals of the steps (k, 3) with the fairlead at (x, z), and their derivatives; the state is left at the
+    anchor.
 
-    left : excess length of the line: for a heap at the anchor H at its lower limit replaces the last equation; for one
-        where the line touches the bed its length is the first unknown, instead of H
+    left : excess length of the line. With a heap at the anchor, H at its lower limit replaces the last equation.
+        With a heap where the line touches the bed, the length of the heap is the first unknown, in place of H
     rows : pieces are stored there, see `record`
     """
     start_equations(line, e, x, z, left)

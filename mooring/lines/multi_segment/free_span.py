@@ -47,8 +47,9 @@ def free_step(q, g, ds, weight, factor, flexibility):
 
 @kernel(inline=True)
 def free_table_row(line, q, segment):
-    """Row of the tension table that applies to a free piece from the present place on, and the length over which it
-    applies."""
+    """Row of the tension table that applies to a free piece from the present place down, and the length for which it
+    applies.
+    """
     first, last = line.first_row[segment], line.first_row[segment + 1] - 1
     if first == last:
         return first, math.inf
@@ -65,11 +66,11 @@ def free_table_row(line, q, segment):
 
 @kernel(inline=True)
 def tangent_beyond(line, q):
-    """Slope of the bed at x m beyond the anchor's place, 0 above the bed itself.
+    """Slope of the bed at x m beyond the anchor; 0 between anchor and fairlead.
 
     The excess of a slack line lies in a heap at its anchor.  The heap is laid out along the first facet, past the
     anchor, and the sea surface over it is moved with the facet. A part lifted by a buoy then has the same height as
-    over the anchor. On a slope on which the line slides under tension, its place is the true one.
+    over the anchor. On a slope on which the line slides under tension, the part is at its true place.
     """
     if q[X] >= line.bed[0, 0] or line.no_bed or (slides_on(line, 0) and q[H] > 2 * line.least):
         return 0.0

@@ -1,11 +1,11 @@
 """Kernels for the tension of a line on the bed.
 
-On a facet of slope β, going down: T₋ = T − w (sin β ± μ cos β) Δs; plus where the line slides towards the fairlead,
-minus where it slides towards the anchor, and the tension kept from the position before where that lies between the two.
-At a bed vertex T changes by exp(∓μ Δβ), the capstan equation, limit of the same law on a rounded bed.
-A line without tension slides down a facet on which sin β > μ cos β, and pulls. There T continues below zero while the
-traversal seeks the tension that holds the line (`on_bed`).
-SR179 report (1982), section 3.1.1, eq. 3.1.6.
+On a facet of slope β, going down: T₋ = T − w (sin β ± μ cos β) Δs, with plus where the line slides towards the
+fairlead and minus where it slides towards the anchor. A tension kept from the previous position holds if it lies
+between these two. At a bed vertex T changes by exp(∓μ Δβ), the capstan equation, which is the limit of this law on a
+rounded bed. A line without tension slides down a facet on which sin β > μ cos β, and pulls. There T continues below
+zero while the traversal seeks the tension that holds the line (`on_bed`). SR179 report (1982), section 3.1.1, eq.
+3.1.6.
 """
 
 import math
@@ -39,7 +39,9 @@ def kept_tension(line, s):
 
 @kernel()
 def kept_within(line, q, g, low, high):
-    """Tension below a concentrated friction force: the kept tension, limited to low … high, with derivatives in g."""
+    """Tension below a concentrated friction force: the kept tension, limited to the range low … high; derivatives go
+    to g.
+    """
     kept, slope, _ = kept_tension(line, q[S] - 1e-9 * line.length)
     if low <= kept <= high:
         q[T] = kept
@@ -65,7 +67,7 @@ def pass_weight_on_bed(line, q, g, angle, weight):
 def bend_at_vertex(line, q, g, angle, unknown):
     """Pass a bed vertex: the line bends from the angle φ to `angle`; the tension may change by exp(∓μ Δβ).
 
-    unknown : index of the unknown that `angle` is, below 0 for none
+    unknown : index of `angle` among the unknowns, below 0 if it is none
     """
     if line.friction > 0:
         capstan = math.exp(-line.friction * (angle - q[PHI]))
@@ -84,10 +86,10 @@ def bend_at_vertex(line, q, g, angle, unknown):
 
 @kernel()
 def slides_down(line, at, facet, tension):
-    """Whether the line would slide down the facet without `tension`, so that the line needs this tension to lie there.
+    """Whether the line would slide down the facet without `tension`.
 
-    Always False on the first facet above the lowest buoy, which may lift the line, and for parts fixed by `held` (see
-    `line_data`).
+    Always False for parts fixed by `held` (see `line_data`), and on the first facet above the lowest buoy, which may
+    lift the line.
     """
     above = at[1] >= line.lowest_buoy
     if not slides_on(line, facet) or (above and (facet == 0 or line.held > 0)):
@@ -98,8 +100,9 @@ def slides_down(line, at, facet, tension):
 
 @kernel()
 def friction_rate(line, q, weight, angle):
-    """dT/ds on the bed, the length for which this rate holds, and the kept tension reached at the end of the length
-    (nan: not reached)."""
+    """Rate dT/ds on the bed, the length for which it holds, and the kept tension reached at the end (nan if not
+    reached).
+    """
     along, across = weight * math.sin(angle), weight * line.friction * abs(math.cos(angle))
     kept, slope, until = kept_tension(line, q[S])
     available = q[S] - until
@@ -149,7 +152,7 @@ def leave_bed(line, q, g):
 
 @kernel()
 def place_on_vertex(line, q, g, vertex):
-    """Put the line on a bed vertex; T and φ from H and V."""
+    """Put the line on a bed vertex; T and φ follow from H and V."""
     q[X], q[Z] = line.bed[vertex, 0], line.bed[vertex, 1]
     mix(g, X, 0.0, H, 0.0, H)
     mix(g, Z, 0.0, H, 0.0, H)

@@ -8,16 +8,15 @@ differences: there are no nodes and no finite differences; on a slope only T is 
 vertices too, and only as far as equilibrium needs it.
 
 Coordinates: the anchor at (0, 0), x towards the fairlead, z up.  A line pulls its fairlead towards the anchor with H
-and down with V.  A slack line hangs plumb, and the rest lies in a heap at its anchor, in which buoys stand plumb too
-and sinkers do not pull; a buoy does not rise out of the sea but floats in its surface with a part of its lift, or is
-lifted out of it by a fairlead that stands above.  On a slope steeper than friction holds a line without tension slides
-down: into a heap above the next vertex that stops it, or in a bight below its anchor, which then holds it, or, where
-the first facet falls from the anchor, in a bight past the foot of its fairlead.  Friction holds against the pull of the
-fairlead with all its capacity. A line that does so may have no equilibrium, because a span that lands behind a ridge
-would jump to its front; friction then holds with a part of its capacity.
-A line that is found in none of these ways is refused: slack lines with sinkers or buoys in several heaps, folds and
-bights, on beds that are steeper than their friction holds.
-Bending, current on the line and the weight of the line above water are neglected.
+and down with V. A slack line hangs plumb, with the rest in a heap at its anchor; in the heap buoys stand plumb and
+sinkers do not pull. A buoy floats in the sea surface with a part of its lift, unless a fairlead above the surface
+lifts the buoy out of the water.  On a slope too steep for friction, a line without tension slides down. It slides
+into a heap above the next vertex that stops it, or into a bight below the anchor that holds it. Where the first
+facet falls from the anchor, the bight lies beyond the point below the fairlead.  Friction holds against the pull of
+the fairlead with all its capacity. With full friction a line may have no equilibrium, because a span that lands
+behind a ridge would jump to the front of the ridge; friction then holds with a part of its capacity. Lines without
+any such equilibrium are refused: slack lines with sinkers or buoys in several heaps, folds and bights on beds too
+steep for friction. Bending, current on the line and the weight of the line above water are neglected.
 """
 
 from dataclasses import dataclass
@@ -61,9 +60,9 @@ def _uniform():
 class StaticLine:
     """A line from its anchor to its fairlead.
 
-    segments : from the anchor up; loads : point loads; bed : Bed, or None for a line without one
-    surface : m above the anchor; buoys float in it at most; inf for none
-    uplift_limit : rad, allowed angle of the pull on the anchor above the bed; see `StaticSolution.anchor_uplift`
+    segments : from the anchor up; loads : point loads; bed : Bed, or None for a line without a bed
+    surface : height of the sea surface above the anchor, m, above which no buoy rises by itself; inf for none
+    uplift_limit : allowed angle of the pull on the anchor above the bed, rad; see `StaticSolution.anchor_uplift`
     """
 
     segments: tuple[Segment, ...]
@@ -98,12 +97,12 @@ class StaticLine:
 
     @cached_property
     def weight(self):
-        """N, submerged, without point loads"""
+        """Submerged weight without point loads, N"""
         return float(sum(segment.length * segment.weight for segment in self.segments))
 
     @cached_property
     def anchor_slope(self):
-        """rad, of the bed at the anchor; −π/2 without a bed"""
+        """Slope of the bed at the anchor, rad; −π/2 without a bed"""
         return -0.5 * np.pi if self.bed is None else float(np.arctan2(*self.bed.points[1, ::-1]))
 
     @cached_property
@@ -114,8 +113,8 @@ class StaticLine:
     def solve(self, x, z, state=None):
         """Forces, stiffness and shape with the fairlead at (x, z).
 
-        x : m ≥ 0, z : m above the anchor; broadcast, each position on its own
-        state : LineState of the position before, for friction with history; None: pulled out from slack
+        x : m, ≥ 0; z : m above the anchor; x and z broadcast, and each position is solved independently
+        state : LineState of the previous position, for friction with history; None for a line pulled out from slack
         returns : StaticSolution; raises : LineError where there is no equilibrium, ValueError for impossible input
         """
         x, z = np.asarray(x, float), np.asarray(z, float)

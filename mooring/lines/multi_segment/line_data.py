@@ -1,12 +1,11 @@
 """Input of the kernels of a static line, and the state that these kernels integrate along the line.
 
-The line is traversed from the fairlead downwards.  The state q holds H, V, x, z, s, T and φ. H and V are the components
-of the tension, the force of the line above on the line below, towards the fairlead and up. s is the unstretched length
-from the anchor; T and the angle φ are for parts on the bed.
-Row i of g holds the derivatives of q[i], a column for each unknown; four
-further rows hold those of a length (LENGTH), of its end (END), and of two limits of the tension (LOW, HIGH).  `at`
-holds the segment, the next point load below and the number of recorded pieces.  A traversal works in the arrays of a
-Workspace, and records its steps and unknowns there.
+The line is traversed from the fairlead downwards.  The state q holds H, V, x, z, s, T and φ. H and V are the
+components, towards the fairlead and up, of the tension by which the line above pulls the line below. s is the
+unstretched length from the anchor; T and the angle φ are for parts on the bed. Row i of g holds the derivatives of
+q[i], with a column for each unknown. Four further rows hold the derivatives of a length (LENGTH), of its end (END),
+and of two limits of the tension (LOW, HIGH).  `at` holds the segment, the next point load below and the number of
+recorded pieces.  A traversal works in the arrays of a Workspace, and records its steps and unknowns there.
 """
 
 import math
@@ -29,21 +28,25 @@ STEEP = 1e-12  # excess of a slope over the limit by friction
 class LineData(NamedTuple):
     """A line, from the anchor up; lengths m, forces N.
 
-    segments : (n, 2) s of the lower end, weight N/m; length : m
-    first_row : (n+1,) where each segment begins in strain_table : (…, 3) tension from which a row holds, λ, 1/EA
+    segments : (n, 2), s of the lower end, m, and weight, N/m; length : m
+    first_row : (n+1,), first row of each segment in strain_table : (…, 3), tension from which a row holds, λ, 1/EA
     loads : (m, 3) s, weight under water, weight out of it
     lowest_buoy : index of the first load with negative weight, m if there is none
-    surface : z of the sea; soft : height over which a buoy emerges while states are sought, m
-    bed : (k, 4) x and z of the left ends of the facets, the first is the anchor; angle, rad; the smallest tangent of
-        a facet and those before it; no_bed : the line touches the anchor alone
+    surface : z of the sea surface, m; soft : height over which a buoy emerges while states are sought, m
+    bed : (k, 4), x and z of the left ends of the facets, starting at the anchor; angle, rad; smallest tangent up to
+        this facet
+    no_bed : whether the line touches only the anchor
     friction : μ; least : lower limit of the tension of a free span, N
-    to_place : whether a traversal ends at the anchor's place, with some length left over, else with the line, somewhere
-    held : parts fixed on a slope of any steepness: 0 none; 1 a line without tension above a buoy further down; 2 also
-        the excess of a slack line at its anchor, including sinkers
-    heap : m in a heap, where the line first touches the bed or, from 1 on, at the bed vertex `foot`
-    weight : N, of the whole line
+    to_place : whether a traversal ends at the anchor's place, with some length left over; if not, it ends with the
+        line
+    held : parts that stay on a slope however steep: 0 for none; 1 for a line without tension above a lower buoy; 2
+        also for the excess of a slack line at its anchor, including sinkers
+    heap : length in a heap, m; the heap lies where the line first touches the bed or, from 1 on, at the bed vertex
+        `foot`
+    weight : weight of the whole line, N
     close : tolerance of the starts of spans, relative to their size
-    kept : (j, 4) rows of s₀, s₁, T₀, T₁ on the bed at the previous position, downwards: the tension that friction keeps
+    kept : (j, 4), rows s₀, s₁, T₀, T₁ from the top down: the tension on the bed kept by friction from the previous
+        position
     """
 
     segments: np.ndarray
@@ -84,13 +87,15 @@ def copy_state(q, at, q0, at0):
 
 @kernel(inline=True)
 def slides_on(line, facet):
-    """Whether a line without tension slides down a facet, away from the fairlead; with a history it stays."""
+    """Whether a line without tension slides down a facet, away from the fairlead; a line with a history stays."""
     return math.tan(line.bed[facet, 2]) > line.friction + STEEP and line.kept.shape[0] == 0
 
 
 @kernel(inline=True)
 def next_stop(line, at):
-    """s of the next load or joint below, and whether this is a load; the lowest segment continues below the anchor."""
+    """Length s of the next load or joint below, and whether it is a load; the lowest segment continues below the
+    anchor.
+    """
     stop, is_load = -np.inf, False
     if at[0] > 0:
         stop = line.segments[at[0], 0]
@@ -124,8 +129,9 @@ class Workspace(NamedTuple):
     """Workspace and result of a traversal.
 
     steps : (…, 3) step (see `touchdown`), facet or bed vertex, point load
-    unknowns : (…,) H, V at the fairlead, then starts of spans and s at bed vertices
-    count : (3,) steps and unknowns found; bed vertex above which a line without tension slides down, 0 for none
+    unknowns : (…,), H and V at the fairlead, then the starts of spans, and s at bed vertices
+    count : (3,), number of steps, number of unknowns, and bed vertex above which a line without tension slides, 0
+        for none
     states, load_weights : states and weights (N) of the point loads
     q, at : state of the traversal, see `line_data`; trial_q, trial_at : state of a span that is tried
     g, rows : empty, for kernels that can also propagate derivatives or store pieces
@@ -165,7 +171,7 @@ def workspace_for(line):
 
 @kernel()
 def varied(line, heap, foot, close):
-    """LineData of the same line with another heap, at another vertex, and with another accuracy of the starts."""
+    """LineData of the same line with a different heap, vertex (`foot`) and accuracy of the starts."""
     return LineData(
         line.segments,
         line.length,

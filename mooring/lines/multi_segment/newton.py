@@ -56,7 +56,9 @@ def largest(r):
 
 @kernel()
 def newton_step(e, A):
-    """Newton step and derivatives of u by x and z into columns n, n+1, n+2 of A.  returns : see `solve_small`"""
+    """Write the Newton step and the derivatives of u by x and z into columns n, n+1, n+2 of A.  returns : see
+    `solve_small`
+    """
     n = e.u.size
     for i in range(n):
         for k in range(n + 2):
@@ -123,7 +125,9 @@ def equations_for(w):
 
 @kernel()
 def store(e, A, residual, result):
-    """H, V; H, V and excess s at the anchor; stiffness; residual and number of recorded rows, into result (11,)."""
+    """Store in result (11,): H, V at the fairlead; H, V and excess s at the anchor; stiffness; residual; number of
+    recorded rows.
+    """
     n = e.u.size
     result[0], result[1] = e.u[0], e.u[1]
     result[2], result[3], result[4] = e.q[H], e.q[V], e.q[S]
@@ -134,10 +138,10 @@ def store(e, A, residual, result):
 
 @kernel()
 def continuation(line, w, x, z, first, left, heap, rows, result):
-    """Solve positions from number `first` on, while the contacts with the bed remain the contacts recorded in w.
+    """Solve positions from number `first` on, while the contacts with the bed remain those recorded in w.
 
-    Each begins from the previous one, extrapolated by its derivatives, and is judged by its pieces (`verdict`).
-    heap : m where the line first touches the bed
+    Each solution starts from the previous one, extrapolated by derivatives, and is judged by its pieces (`verdict`).
+    heap : length of the heap where the line first touches the bed, m
     rows : pieces of the last position solved; result : (n, 11) see `store`; w.states : left as they were
     returns : number of the first position that was not solved
     """

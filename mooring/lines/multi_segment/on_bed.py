@@ -1,9 +1,9 @@
 """Kernels that integrate a line downwards along a facet of the bed, and that put a line or a sinker on the facet.
 
-On a facet that is steeper than friction holds (`friction.slides_down`) a line needs tension down to the lower end. If
-the tension becomes zero before, T continues below zero, and the position is no equilibrium.  The first facet continues
-below the anchor: there a line that slides hangs in a bight.  It turns where T = 0, and its other leg lies up the slope
-to the anchor, which holds it with w (sin β − μ cos β) per length; on that leg β is larger by π.
+On a facet too steep for friction (`friction.slides_down`), a line needs tension down to the facet's lower end. If
+the tension becomes zero above this end, T continues below zero, and the position is no equilibrium. The first facet
+continues below the anchor, where a sliding line lies in a bight. The bight turns where T = 0; its other leg lies up
+the slope to the anchor, which holds this leg with w (sin β − μ cos β) per length. On this leg β is larger by π.
 """
 
 import math
@@ -29,15 +29,17 @@ def length_for(distance, t, rate, factor, flexibility):
 
 @kernel()
 def length_on(line, q, at, facet):
-    """Length to march on a facet: to the lower end of the facet, given as inf, and on the first facet the whole
-    remaining length of line."""
+    """Length to march on a facet: inf for the way to its lower end; on the first facet the whole remaining length of
+    line.
+    """
     return q[S] if facet == 0 and (not line.to_place or slides_down(line, at, facet, q[T])) else math.inf
 
 
 @kernel()
 def bed_piece(line, q, g, at, angle, slides, folds):
-    """dT/ds and row of the tension table from this place on; length over which both apply; cause of the end of this
-    length; kept tension reached."""
+    """Rate dT/ds and row of the tension table from this place down; length over which they apply; cause of its end;
+    kept tension reached.
+    """
     segment = at[0]
     rate, ds, kept = friction_rate(line, q, line.segments[segment, 1], angle)
     if rate < 0 and q[X] <= line.bed[0, 0] and not folds:  # a line in a heap at the anchor does not pull there
@@ -63,7 +65,7 @@ def march_on_facet(line, q, g, at, facet, amount, unknown, last_load, rows):
     """Integrate down along a facet by the length `amount`, or to the lower end of the facet where `amount` is infinite.
 
     Stops at a buoy and at the point load `last_load`.  On the first facet a line that slides is folded where T = 0.
-    unknown : index of the unknown that the length is, below 0 for none; rows : see `record`
+    unknown : index of the length among the unknowns, below 0 if it is none; rows : see `record`
     """
     angle = line.bed[facet, 2]
     cos = math.cos(angle)
@@ -150,8 +152,8 @@ def pass_on_bed(line, q, g, at, angle, is_load):
 def pass_sliding_sinker(line, q, g, at, angle, folds):
     """Pass a sinker where the line slides.  returns : whether the line is folded there
 
-    A sinker that the line above does not pull up the slope hangs between both legs. The lower leg carries the part of
-    its weight that friction and the upper leg do not carry.
+    A sinker that the line above does not pull up the slope hangs between both legs of the fold. The lower leg
+    carries the part of its weight that friction and the upper leg do not carry.
     """
     weight = line.loads[at[1], 1]
     along, across = math.sin(angle), line.friction * math.cos(angle)
@@ -168,10 +170,10 @@ def pass_sliding_sinker(line, q, g, at, angle, folds):
 
 @kernel()
 def leave_heap(line, q, g, at, amount, angle, unknown, rows):
-    """Put the next length of line, unstretched, in a heap at the present point, with the sinkers of this length.
+    """Put the next length of line, unstretched, in a heap at the present point, with the sinkers on this length.
 
-    unknown : index of the unknown that this length is; angle : slope of the bed there.  returns : False where a buoy
-        would lift the heap
+    unknown : index of this length among the unknowns; angle : slope of the bed at the heap.  returns : False where a
+        buoy would lift the heap
     """
     end = q[S] - amount
     for _ in range(10_000):
@@ -237,7 +239,8 @@ def pass_grounded_sinker(line, q, g, at, facet, normal_force, unknown):
     """Pass a sinker with a normal force (N, the unknown of the given index) on a facet; a free span begins below the
     sinker.
 
-    Friction acts on it as if it slid towards the fairlead, but at least the tension `line.least` remains for the span.
+    Friction acts on the sinker as if it slid towards the fairlead, but the span keeps at least the tension
+    `line.least`.
     """
     angle = line.bed[facet, 2]
     along = math.sin(angle) + line.friction * math.cos(angle)

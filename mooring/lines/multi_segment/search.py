@@ -1,8 +1,8 @@
 """Horizontal tension for which a downward traversal of a line ends at its anchor, and all positions of a line.
 
 The contacts of the previous position are tried first.  If these contacts no longer hold, H is searched for coarsely.
-Newton's method solves the equations with the contacts found there, and a traversal with that H must end at the anchor;
-else the search is repeated with a smaller tolerance.
+Newton's method solves the equations with the contacts that the search found. A traversal with the solved H must end
+at the anchor; otherwise the search is repeated with a smaller tolerance.
 """
 
 import math
@@ -28,10 +28,10 @@ CLOSE = 1e-7  # relative distance of starts of spans in the coarsest searches
 
 @kernel()
 def horizontal_tension(line, w, x, z, guess, tolerance):
-    """H without excess length at the anchor, bracketed on ln H.
+    """Tension H for which no excess length is left at the anchor, bracketed on ln H.
 
-    Where a line slides down to a bed vertex, H is at least the value with which the line arrives there without tension.
-    returns : H, state; w holds the traversal, or at least in w.count that vertex
+    Where a line slides down to a bed vertex, H is at least the value for which the line has no tension at the vertex.
+    returns : H, state; w holds the traversal, or at least this vertex in w.count
     """
     bottom, start = math.log(line.least), math.log(max(guess, line.least))
     low, high, f_low, f_high = -math.inf, math.inf, math.nan, math.nan
@@ -88,7 +88,8 @@ def solve_positions(line, x, z, guess, capacity, tolerances):
     """Positions (n,) one after another.
 
     guess : initial H, N; capacity : largest number of pieces of the line; tolerances : `QUICK` to `COARSE`
-    returns : results (n, 11), see `newton.store`; states (n,); pieces, states of the point loads at the last position
+    returns : results (n, 11), see `newton.store`; states (n,); pieces and states of the point loads at the last
+        position
     """
     found, status = np.zeros((x.size, 11)), np.full(x.size, LOST)
     found[:, 9] = math.inf
@@ -107,8 +108,9 @@ def solve_positions(line, x, z, guess, capacity, tolerances):
 
 @kernel()
 def solve_some(line, w, x, z, first, guess, pieces, found, tolerances):
-    """Solve one position and the following ones with the same contacts.  returns : the position after these positions,
-    state"""
+    """Solve one position and the following positions with the same contacts. returns : number of the next position,
+    state
+    """
     for tolerance in tolerances:
         close = CLOSE if tolerance >= COARSE[0] else 0.0
         line = varied(line, line.heap, line.foot, close)
@@ -135,9 +137,9 @@ def solve_some(line, w, x, z, first, guess, pieces, found, tolerances):
 
 @kernel()
 def fill_heap(line, w, foot, horizontal, x, z, tolerance):
-    """Length, m, in a heap where a line that slides first touches the bed, or above the bed vertex `foot`.
+    """Length in a heap, m, where a sliding line first touches the bed, or above the bed vertex `foot`.
 
-    tolerance : tolerance of the line's length; w : left with the traversal; no steps where there is none
+    tolerance : tolerance of the line's length; w : left with the traversal; without steps where no traversal was found
     """
     low, high, f_low, f_high = 0.0, line.length, math.nan, math.nan
     room = 2 * line.length

@@ -10,11 +10,12 @@ import numpy as np
 class Segment:
     """A uniform piece of line.
 
-    length : m, unstretched; weight : N/m, submerged, above 0
-    axial_stiffness : EA in N, may be inf; or a table of (strain, tension) pairs, both rising from (0, 0), straight
-        between its points and beyond the last
+    length : unstretched length, m; weight : submerged weight, N/m, above 0
+    axial_stiffness : EA, N, may be inf; or a table of (strain, tension) pairs, ascending from (0, 0), linear between
+        and beyond its points
     diameter : m, breaking_load : N; for drawings and verdicts
-    kind : `system.parts.LineType` with its mass and drag, None if unknown; elements : number in motion, or None
+    kind : `system.parts.LineType` with its mass and drag, None if unknown; elements : number of elements in a
+        dynamic run, or None
     """
 
     length: float
@@ -60,9 +61,9 @@ class Segment:
 class PointLoad:
     """A sinker (weight > 0) or a buoy (weight < 0, its net buoyancy when submerged) at one point of a line.
 
-    position : m of unstretched line from the anchor; weight : N, submerged
-    weight_in_air : N, at least 0, of a buoy out of the water; the SR179 report (1982) takes 0
-    drag_area : m², C_d A, and added_mass : over the displaced mass, both of a line in motion
+    position : unstretched length from the anchor, m; weight : submerged weight, N
+    weight_in_air : weight of a buoy out of the water, N, at least 0; the SR179 report (1982) takes 0
+    drag_area : C_d A, m², and added_mass : added mass over the displaced mass; both only for lines in motion
     """
 
     position: float

@@ -14,20 +14,22 @@ STIFFNESS = [6, 7]  # further columns that change sign with x: ∂H/∂z, ∂V/�
 
 
 class LineState(NamedTuple):
-    """Tension that friction keeps on the bed: (k, 4) rows of s₀, s₁ (m from the anchor), T₀, T₁ (N), downwards."""
+    """Tension that friction keeps on the bed: (k, 4), rows s₀, s₁ (m from the anchor), T₀, T₁ (N), from the top
+    down.
+    """
 
     pieces: np.ndarray
 
 
 @dataclass(frozen=True)
 class StaticSolution:
-    """A solved line, or the same line at many positions, all of one shape (...).
+    """A line solved at one or many positions; all arrays have one shape (...).
 
     line : `mooring.lines.multi_segment.line.StaticLine`
     horizontal_fairlead, vertical_fairlead : N, pull on the fairlead towards the anchor and down
     horizontal_anchor, vertical_anchor : N, pull on the anchor towards the fairlead and up
     stiffness : (..., 2, 2) N/m, ∂(H, V at the fairlead)/∂(x, z)
-    slack : whether the line hangs vertically with its rest in a heap on the bed
+    slack : whether the line hangs vertically, with the remaining length in a heap on the bed
     residual : largest error of an equation over the line length
     loads : states of the point loads, "submerged", "floating" or "emerged"; pieces : see `profile`; one position only
     """
@@ -86,7 +88,7 @@ class StaticSolution:
 
     @property
     def grounded(self):
-        """Begin and end of each part on the bed, m from the anchor; shape (k, 2), from the anchor up"""
+        """Start and end of each part on the bed, m from the anchor; shape (k, 2), ordered from the anchor up"""
         p = self._one[(self._one[:, 0] == 1) & (self._one[:, 2] > 0)]
         spans = []
         for top, length in p[:, 1:3]:
@@ -98,17 +100,17 @@ class StaticSolution:
 
     @property
     def grounded_length(self):
-        """m, unstretched length on the bed"""
+        """Unstretched length on the bed, m"""
         return float(np.sum(np.diff(self.grounded, axis=1)))
 
     @property
     def slides(self):
         """Whether a part without tension, or a heap at the anchor, lies on a bed that is too steep for its friction.
 
-        The solution leaves a part without tension in place; in reality it would slide down to the nearest low point of
-        the bed and pull the line.
-        Parts that slide towards the anchor, or down the first facet, are solved. Lines with buoys are not solved, nor
-        are lines whose traversal shows that they slide to a low point beyond their fairlead.
+        The solution leaves a part without tension in place; in reality this part would slide down to the nearest low
+        point of the bed and pull the line. Sliding is solved for parts that slide towards the anchor or down the
+        first facet. Sliding is not solved for lines with buoys, nor for lines whose traversal shows that they slide
+        to a low point beyond the fairlead.
         """
         if self.line.bed is None:
             return False
@@ -120,7 +122,7 @@ class StaticSolution:
         return bool(np.any(idle & steep & (p[:, 2] > 1e-9 * self.line.length)))
 
     def profile(self, points=101):
-        """Points along the line: (points, 4) of s from the anchor, x, z (m) and tension (N), evenly spaced in s.
+        """Points along the line, evenly spaced in s: (points, 4) with s from the anchor, x, z (m), and tension (N).
 
         For a slack line the heap on the bed is drawn stretched out towards the anchor.
         """
@@ -128,8 +130,10 @@ class StaticSolution:
         return np.column_stack([s, self.at(s)])
 
     def places(self, count):
-        """Places along the line, m from the anchor; shape (count,); even, except those moved to a joint, a lift-off
-        point or, last, a body"""
+        """Places along the line, m from the anchor; shape (count,).
+
+        They are evenly spaced, but some are moved to a joint, a lift-off point or, finally, a body
+        """
         even = np.linspace(0.0, self.line.length, count)
         s, bodies = even.copy(), [load.position for load in self.line.loads]
         for end in (
@@ -142,7 +146,7 @@ class StaticSolution:
         return np.sort(s)
 
     def at(self, s):
-        """Coordinates x and z, m, and tension, N, at unstretched lengths s (k,), m, from the anchor; shape (k, 3)"""
+        """Coordinates x and z, m, and tension, N, at unstretched lengths s (k,) m from the anchor; shape (k, 3)"""
         p = self._one
         top = p[:, 1]
         index = np.clip(np.searchsorted(-top, -s, side="right") - 1, 0, len(p) - 1)
@@ -164,7 +168,8 @@ class StaticSolution:
 def heaped(pieces, tangent):
     """Pieces of a slack line, laid out along the first facet, with the part beyond the anchor in a heap at the anchor.
 
-    tangent : slope of that facet.  Spans that buoys lift from the heap are placed over the anchor, at the same height.
+    tangent : slope of the first facet.  Spans that buoys lift from the heap are placed over the anchor, at the same
+        height.
     """
     from ..catenary.state import HEAP
 
@@ -209,8 +214,7 @@ def _along(p, down):
 
 
 def turned(row, pieces):
-    """A row of `newton.store`, and pieces (n, 11), of the mirrored line, changed into the row and pieces of the line
-    itself"""
+    """Row of `newton.store` and pieces (n, 11) of a line, from those of its mirror image"""
     row, out = row.copy(), pieces.copy()
     row[FORCES + STIFFNESS] *= -1.0
     out[:, 3] *= -1.0

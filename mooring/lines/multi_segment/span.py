@@ -8,8 +8,8 @@ from ..catenary.state import LineError
 def span_of(solve, horizontal_tension, length, z):
     """Span x (m) at which a line carries a horizontal tension (N, above 0).
 
-    solve : x → StaticSolution; length : m, unstretched; z : m, height of the fairlead over the anchor
-    The tension grows with the span: a step outside the bracket is halved into it.
+    solve : x → StaticSolution; length : unstretched length, m; z : height of the fairlead over the anchor, m.
+    The tension grows with the span. A step that would leave the bracket is halved.
     raises : LineError for a line too short for its height, or if no span was found; and errors of `solve`
     """
     if not (np.isfinite(horizontal_tension) and horizontal_tension > 0):

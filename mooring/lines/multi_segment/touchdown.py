@@ -1,7 +1,7 @@
 """Kernels that find the first contact of a free span with the bed.
 
-A span hangs lower the steeper it starts, the later it leaves a facet, and the larger the normal force of its sinker on
-the bed. The start at which it just touches a facet, a vertex or the anchor is therefore a bracketed root.
+A span hangs lower the steeper it starts, the later it leaves a facet, and the larger the normal force of its sinker
+on the bed. The start for which the span just touches a facet, a vertex or the anchor is therefore a bracketed root.
 """
 
 import math
@@ -47,7 +47,7 @@ def height_over(line, q, facet):
 
 @kernel(inline=True)
 def height_at_end(line, q, facet):
-    """Height of the line's end over the bed; a hollow before the anchor's place does not count."""
+    """Height of the line's end over the bed; a hollow between the anchor and the fairlead does not count."""
     value = height_over(line, q, facet)
     return min(value, q[Z] - line.bed[0, 1]) if facet > 0 else value
 
@@ -63,12 +63,12 @@ def span_to_vertex(q, g, weight, factor, flexibility, x, z):
 
 @kernel(inline=True)
 def first_contact(line, q, g, at, facet, states, load_weights):
-    """Integrate down a free span to the first facet or vertex that the span would penetrate, or to the end of the line
-    or the anchor.
+    """Integrate down a free span to its first contact: a facet or vertex, the end of the line or the anchor.
 
-    g : no columns; the first facet continues beyond the anchor's place, so that the line always ends on it
+    g : array without columns; the first facet continues beyond the anchor's place, so that the line always ends on it
     states, load_weights : set to states and weights (N) of the point loads on the way
-    returns : gap (m, normal; negative for penetration, else the least on the way), step, index; q and at are left there
+    returns : gap (m, normal to the bed; negative for penetration, else the smallest on the way), step, index; q and
+        at are left at the contact
     """
     # an immediate contact is the start itself, within rounding
     least, begin, rounding = math.inf, q[S] - 1e-6 * line.length, ROUNDING * line.length
@@ -126,7 +126,8 @@ def first_contact(line, q, g, at, facet, states, load_weights):
 def start_span(line, origin, q, g, at, facet, amount, rows):
     """Start a free span. returns : the facet below the start
 
-    amount : by `origin`, V at the fairlead, length along the facet, angle at the vertex or normal force of the sinker
+    amount : depends on `origin`: V at the fairlead, length along the facet, angle at the vertex or normal force of
+        the sinker
     """
     if origin == FROM_FAIRLEAD:
         q[V] = amount
@@ -155,10 +156,9 @@ def try_span(line, origin, q0, at0, facet, amount, q, g, at, states, load_weight
 def between(low, high, f_low, f_high, wide, room, least):
     """Next trial for the root between low, with f ≥ 0, and high, with f < 0: the regula falsi.
 
-    The trial is shifted towards the middle, to approach the root from both sides. The shift is so large that the
-    interval is never larger than by bisection one step before, which helps where f jumps.
-    I. F. D. Oliveira and R. H. C. Takahashi, ACM
-    Trans.  Mathematical Software 47 (2020) 5, the ITP method.
+    The trial is shifted towards the middle, to approach the root from both sides. The shift keeps the interval no
+    larger than bisection would make it one step earlier, which helps where f jumps. I. F. D. Oliveira and R. H. C.
+    Takahashi, ACM Trans.  Mathematical Software 47 (2020) 5, the ITP method.
 
     wide : initial high − low; room : twice that, halved at every step; least : the smallest step
     """
@@ -178,7 +178,7 @@ def between(low, high, f_low, f_high, wide, room, least):
 def touching_start(line, origin, q, g, at, facet, low, high, states, load_weights, rows):
     """Start of the span that just touches the bed; a start at `low` stays clear, a start at `high` penetrates.
 
-    For the fairlead `low` and `high` are first guesses, which are moved apart until they bracket the start.
+    At the fairlead, `low` and `high` are first guesses, which are moved apart until they bracket the start.
     q, at : the state where the span touches.  returns : start, step, index; the step is MISSED where none penetrated
     """
     q0, at0 = q.copy(), at.copy()

@@ -5,10 +5,11 @@ on the bed to the last place from which a free span just clears the bed further 
 a vertex at an angle between those of its facets.  The excess length at the anchor grows with the tension and
 has one root.  SR179 report (1982), section 3.1.3, gives the same rules for nodes of a line.
 
-The end of that search is an option (`LineData.to_place`).  The search ends at the anchor's place, with an excess
-length; or it ends with the line, somewhere on the first facet or its continuation: the distance beyond the anchor's
-place grows with the tension too, on a plane bed for any segments and loads, and the excess of a slack line is laid out
-there.  Over hills it is better to end at the anchor's place, with buoys on slack lines to end with the line.
+The end of the search is an option (`LineData.to_place`). It may be the anchor's place, where an excess length is
+left. Or it may be the end of the line, somewhere on the first facet or on its continuation beyond the anchor, where
+the excess of a slack line is laid out. The distance of this end beyond the anchor's place also grows with the
+tension, on a plane bed for any segments and loads. Over hills the anchor's place is the better end; for slack lines
+with buoys it is the end of the line.
 
 The contacts are recorded as steps; `newton` solves the equations of all of them together.
 """
@@ -131,7 +132,7 @@ def penetrating_length(line, w, facet, reached):
     """A length along the facet from which a span that leaves the facet would penetrate the bed; 0 if none of 32 lengths
     does.
 
-    A line that could lie on the bed up to the anchor's place must leave it where a buoy further down lifts it.
+    A line that could lie on the bed up to the anchor must leave the bed where a lower buoy lifts it.
     """
     for i in range(1, 33):
         if gap_of(line, w, FROM_FACET, facet, reached * i / 32) < 0:
@@ -141,8 +142,7 @@ def penetrating_length(line, w, facet, reached):
 
 @kernel()
 def sinker_at_foot(line, q, at):
-    """Index of the sinker, just passed, without which the tension would not have become zero at this place; NOTHING for
-    none."""
+    """Index of the sinker, just passed, that made the tension zero at this place; NOTHING if there is none."""
     load = at[1] + 1
     if q[T] < 0 and load < line.loads.shape[0] and line.loads[load, 0] - q[S] < AT_FOOT * line.length:
         return load
@@ -153,8 +153,8 @@ def sinker_at_foot(line, q, at):
 def along_facet(line, w, facet):
     """Integrate along a facet.
 
-    returns : step, index of the span that leaves it; NONE at its end, GROUNDED_ANCHOR at the anchor, SLID where the
-        line has no tension left that holds it here
+    returns : step, index of the span that leaves it; NONE at its end, GROUNDED_ANCHOR at the anchor, SLID where no
+        tension is left to hold the line
     """
     q, at = w.q, w.at
     q0, at0 = q.copy(), at.copy()
@@ -205,8 +205,9 @@ def over_vertex(line, w, facet):
 
 @kernel()
 def left_over(line, w):
-    """Excess length at the anchor's place, m; for a search that ends with the line, the distance of the end beyond the
-    anchor's place."""
+    """Excess length at the anchor's place, m; in a search up to the line's end, the distance of this end beyond that
+    place.
+    """
     return w.q[S] if line.to_place and w.q[S] != 0.0 else line.bed[0, 0] - w.q[X]
 
 
@@ -214,9 +215,9 @@ def left_over(line, w):
 def traverse(line, w, horizontal, x, z):
     """Traverse a line from its fairlead (x, z) to its end with the horizontal tension `horizontal`, N.
 
-    returns : length left over at the anchor's place, or how far beyond it the line ends (`LineData.to_place`; m,
-        negative where it is too short), or, in the same measure and below zero, the tension that a part misses that
-        slides down the bed, with no steps; nan and no steps where no span that is needed touches the bed
+    returns : excess length at the anchor's place, or distance of the line's end beyond it (`LineData.to_place`), m,
+        negative for a line that is too short. For a part that slides down the bed: a negative measure of its missing
+        tension, and no steps. nan and no steps where a span that must touch the bed does not
     """
     facet = start_traverse(line, w, horizontal, x, z)
     step, index = first_span(line, w, facet)

@@ -1,16 +1,15 @@
-"""Kernels that judge a solved line by its pieces alone, however its contacts were found.
+"""Kernels that judge a solved line by its pieces alone, regardless of the way in which its contacts were found.
 
 No piece has a negative length or lies below the bed. A piece on the bed has tension T ≥ 0 and a friction that the bed
-can give. Each piece ends where the next one begins, the last one at the anchor, and where two pieces meet the forces
-balance:
+can give. Each piece ends where the next piece begins, the last piece ends at the anchor, and forces balance where
+two pieces meet:
 
     R = (H₋ − H₊, V₋ − V₊ + f),   + above the place, − below it, f the weight of the point load there,
 
-is zero off the bed.  There R, the force of the bed, lies in its cone of friction. A sinker on a slope therefore pulls
-with the force that exceeds friction, and T jumps on a facet at loads alone. Over a vertex T changes no more than the
-tension of a rope over a bollard.
-Parts without tension are exempt; `StaticSolution.slides` reports them. A buoy is under water, out of
-the water, or in the surface with a weight between the two.
+is zero off the bed. On the bed R is the force of the bed and lies in its cone of friction. A sinker on a slope
+therefore pulls with the force in excess of friction, and on a facet T jumps only at loads. Over a vertex T changes
+no more than the tension of a rope over a bollard. Parts without tension are exempt; `StaticSolution.slides` reports
+them. A buoy is under water, out of the water, or in the surface with a weight between its weights in and out of water.
 """
 
 import math
@@ -58,7 +57,9 @@ def go_down(piece, q, g):
 
 @kernel()
 def clears_bed(line, piece, q, g, far):
-    """Whether a free piece is nowhere more than `far` below the bed: at its end, parallel to a facet, at vertices."""
+    """Whether a free piece is nowhere more than `far` below the bed; checked at its end, where it is parallel to a
+    facet, and at vertices.
+    """
     top, h, v = piece[3], piece[5], piece[6]
     go_down(piece, q, g)
     bottom = q[X]
@@ -106,11 +107,11 @@ def is_idle(piece, stray):
 
 @kernel()
 def balanced(line, q, below, load, states, slack, idle, far, stray):
-    """Whether forces balance where two pieces meet: q at the lower end of the upper piece, `below` at the upper end of
-    the lower piece.
+    """Whether forces balance where two pieces meet; q : lower end of the upper piece; below : upper end of the lower
+    piece.
 
-    slack : whether the part beyond the anchor's place is a heap there (`free_span.tangent_beyond`)
-    idle : whether both lie, without tension or in the heap at the anchor
+    slack : whether the part beyond the anchor's place is a heap at the anchor (`free_span.tangent_beyond`)
+    idle : whether both pieces lie on the bed without tension or in the heap at the anchor
     """
     weight = 0.0
     if load >= 0:
@@ -139,7 +140,9 @@ def balanced(line, q, below, load, states, slack, idle, far, stray):
 
 @kernel()
 def pushed(line, x, across, up, far, stray):
-    """Whether the bed at x, m, can push with a force: the normals of the facets at x, widened by the friction."""
+    """Whether the bed at x, m, can push with a given force, which must lie between the facet normals at x, widened
+    by friction.
+    """
     low, high = math.inf, -math.inf
     for facet in range(line.bed.shape[0]):
         right = line.bed[facet + 1, 0] if facet + 1 < line.bed.shape[0] else math.inf
@@ -153,8 +156,9 @@ def pushed(line, x, across, up, far, stray):
 
 @kernel()
 def heaps(line, rows, count, far, stray):
-    """Whether a slack line is longer than the distance to its anchor requires, and nothing pulls at the excess
-    length."""
+    """Whether a slack line is longer than the distance to its anchor requires and nothing pulls on the excess
+    length.
+    """
     for i in range(count):
         piece = rows[i]
         bottom = rows[i + 1, 3] if i + 1 < count else piece[3]
@@ -170,7 +174,7 @@ def heaps(line, rows, count, far, stray):
 
 @kernel()
 def stands(line, rows, count, states, slack, q, below, g):
-    """Whether the pieces of a line are in equilibrium; q, below : room for two states; g : array without columns."""
+    """Whether the pieces of a line are in equilibrium; q, below : memory for two states; g : array without columns."""
     far, stray = FAR * line.length, 100 * line.least
     for i in range(count):
         stray = max(stray, STRAY * (abs(rows[i, 5]) + (abs(rows[i, 6]) if rows[i, 0] == 0 else 0.0)))

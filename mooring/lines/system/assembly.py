@@ -1,5 +1,4 @@
-"""Forces and stiffness of a whole system of lines, compiled: the rows of the lines, and the matrices that follow from
-these rows.
+"""Compiled forces and stiffness of a system of lines: the rows of the lines, and the matrices from these rows.
 
 A line end on a body at arm a with force f and stiffness block k = −∂f/∂r adds J' k J − S(f) S(a) to the stiffness
 about the moving origin, with J = [1, −S(a)] and S(a) v = a × v; an end on a free point adds k itself.
@@ -108,9 +107,9 @@ def add_float(force, K, points, owner, column, floats):
 
 @kernel()
 def uniform_rows(points, ends, flipped, lines, bed):
-    """Forces and derivatives of the uniform lines, each from the end at which friction arrives last; shape (n, ROW).
+    """Forces and derivatives of the uniform lines, each solved from its anchored end; shape (n, ROW).
 
-    A row of `lines` without a length is filled elsewhere.
+    Rows of `lines` without a length are filled elsewhere.
     """
     rows = np.zeros((ends.shape[0], ROW))
     for n in range(ends.shape[0]):
@@ -131,7 +130,7 @@ def uniform_rows(points, ends, flipped, lines, bed):
 
 @kernel()
 def add_rows(rows, points, owner, column, floats, ends, flipped, place, size):
-    """force (N,) and K (N, N) from the rows of all lines, which are left in the order of their ends."""
+    """Add force (N,) and K (N, N) of the rows of all lines; the rows are left in the order a, b of the ends."""
     force, K = np.zeros(size), np.zeros((size, size))
     k, f, arm = np.zeros((2, 2, 3, 3)), np.zeros((2, 3)), np.zeros((2, 3))
     pair, tall = np.zeros(2, np.int64), np.zeros((6, 3))
@@ -171,7 +170,7 @@ def add_rows(rows, points, owner, column, floats, ends, flipped, place, size):
 
 @kernel()
 def rows_of(points, ends, flipped, lines, bed):
-    """`uniform_rows` for Python: compiled once for this and for `assemble`"""
+    """`uniform_rows` for calls from Python; compiled only once, also for `assemble`"""
     return uniform_rows(points, ends, flipped, lines, bed)
 
 

@@ -30,7 +30,7 @@ def cross_matrix(a):
 
 
 def rotated(R, turn):
-    """R after a further rotation by the vector `turn` (3,) rad about space axes."""
+    """Rotation R after a further rotation by the vector `turn` (3,) rad about space axes."""
     x, y, z = turn.tolist()
     squared = x * x + y * y + z * z
     angle = math.sqrt(squared)
@@ -48,7 +48,7 @@ def rotated(R, turn):
 
 
 def axes_in_space(headings):
-    """Matrix whose columns are the axes of motions of bodies of headings (N,), rad, in space axes; shape (6N, 6N)"""
+    """Matrix whose columns are the motion axes, in space axes, of bodies with headings (N,) rad; shape (6N, 6N)"""
     turn = np.zeros((6 * len(headings), 6 * len(headings)))
     for i, heading in enumerate(headings):
         turn[6 * i : 6 * i + 6, 6 * i : 6 * i + 6] = np.kron(np.eye(2), rotation(0.0, 0.0, heading))
@@ -56,8 +56,8 @@ def axes_in_space(headings):
 
 
 def places_along(headings):
-    """Matrix whose columns are the changes of position by motions of bodies of headings (N,), rad, along their axes;
-    shape (6N, 6N)
+    """Matrix whose columns are the changes of position by motions along body axes, for headings (N,) rad; shape (6N,
+    6N)
 
     x and y of positions are along the axes of space; roll and pitch are already about the axes of the body.
     """

@@ -1,7 +1,7 @@
 """Pull of one line of a system at rest over its span: X(H) and T(X), for any kind of line.
 
-The end at the anchor is fixed, or end a of a line without an anchor. The other end moves in the line's plane at its own
-height, from the position where the line is slack to the position where it carries a given tension.
+The anchor is held fixed; a line without an anchor is held at end a. The other end moves in the line's plane at
+constant height, from the position where the line is slack to the position where it has a given tension.
 """
 
 from typing import NamedTuple
@@ -16,9 +16,9 @@ ROUNDS, CLOSE = 60, 24  # halvings, down to rounding, and to a ten millionth of 
 
 
 class Characteristic(NamedTuple):
-    """All (m,): span m, horizontal pull and tension N at the moving end, length on the bed m
+    """Arrays (m,): span, m; horizontal pull and tension at the moving end, N; length on the bed, m
 
-    utilisation : (m,) as in LineForces, nan without a known breaking load; rest : m, span
+    utilisation : (m,) as in LineForces, nan without a known breaking load; rest : span at rest, m
     """
 
     span: np.ndarray
@@ -30,8 +30,9 @@ class Characteristic(NamedTuple):
 
 
 def characteristic(state, name, points=24):
-    """Characteristic of the line `name` of a SystemEquilibrium, half of the points in the last tenth of the curve,
-    where the line is taut.
+    """Characteristic of the line `name` of a SystemEquilibrium.
+
+    Half of the points lie in the last tenth of the curve, where the line is taut.
 
     The curve ends where a segment carries its breaking load, or at four times the tension at rest. raises :
     LineSystemError for an unknown name, EquilibriumError for a line without forces
@@ -55,8 +56,9 @@ def characteristic(state, name, points=24):
 
 
 def at_tension(state, number, tension):
-    """N along the bed, N up, at the held end of a line drawn away from it until the other end carries `tension` N, and
-    m of it on the bed; of the line as it is where its tension is no less.  Raises EquilibriumError as `characteristic`.
+    """Forces along the bed and up at the held end, N, and length on the bed, m, when the moving end has `tension`, N.
+
+    A line that already has at least this tension is taken as it is. Raises EquilibriumError as `characteristic` does.
     """
     rest, pulls = _drawn(state, number)
     found = pulls(rest)

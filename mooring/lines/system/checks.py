@@ -1,4 +1,4 @@
-"""Whether the parts of a system are consistent: names, ends, places; the first fault is one line."""
+"""Checks that the parts of a system are consistent (names, ends, places); the first fault is reported in one line."""
 
 import numpy as np
 

@@ -1,8 +1,8 @@
-"""Rows of lines of several segments for the assembly of a system, from the solver of lines of several segments.
+"""Rows of multi-segment lines for the assembly of a system, from the solver of such lines.
 
 The solver counts from one end, the origin: the anchor of a line that lies on a bed, and end a of a free line. A free
-line has one horizontal force, and V_a + V_b is its weight. Its derivatives at the origin therefore follow from those at
-the other end. An anchor does not move, and its own derivatives are not needed.
+line has one horizontal force, and V_a + V_b is its weight. The derivatives at its origin therefore follow from the
+derivatives at the other end. An anchor does not move, so derivatives at an anchor are not needed.
 """
 
 from dataclasses import replace
@@ -18,7 +18,7 @@ from .parts import Anchor, LineSystemError
 
 
 class Composite(NamedTuple):
-    """A line in the form that its solver reads.
+    """A multi-segment line in the form that its solver reads.
 
     number : number of the line in its system; line : StaticLine from its origin; flipped : whether the origin is end b
     anchored : whether the origin is an anchor on a bed
@@ -31,7 +31,7 @@ class Composite(NamedTuple):
 
     @property
     def buoys(self):
-        """Places of the buoys, m from the origin; shape (k,)"""
+        """Positions of the buoys along the line, m from the origin; shape (k,)"""
         return np.array([load.position for load in self.line.loads if load.weight < 0])
 
 
@@ -66,7 +66,7 @@ def of_line(given, number, end, height):
 def fill_row(row, one, A, B):
     """Fill the row (`catenary.flat_bed.ROW`) of a Composite from its origin A to B; returns its StaticSolution or None.
 
-    Without a solution the first number of the row is the `State` with the reason, the rest nan.
+    Without a solution the first number of the row is the `State` that gives the reason; all others are nan.
     """
     try:
         found = solution(one, A, B)
@@ -91,8 +91,9 @@ def solution(one, A, B):
 
 
 def points_along(one, found, A, B, s):
-    """Points in space, m, at unstretched lengths s (k,), m, from end a of a solved Composite with its origin at A;
-    shape (k, 3)."""
+    """Points in space, m, at unstretched lengths s (k,) m from end a of a solved Composite whose origin is A; shape
+    (k, 3).
+    """
     span = np.hypot(*(B - A)[:2])
     outward = (B - A)[:2] / span if span > 0 else np.array([1.0, 0.0])
     x, z, _ = found.at(one.line.length - s if one.flipped else s).T

@@ -1,8 +1,8 @@
 """Equilibrium of a system of lines: Newton's method on the exact stiffness, with the bed as a one-sided support.
 
-A free point on the bed stays there while forces press it down (z = −depth, R ≥ 0, one of them at its limit); its
-support has no friction.  A step is halved while the remaining force points back; in directions of negative stiffness,
-damping makes the step follow the force.
+A free point on the bed stays there while forces press it down (z ≥ −depth and R ≥ 0, one of them zero); the bed has
+no friction for free points.  A step is halved while the force after the step points back. In directions of negative
+stiffness, damping makes the step follow the force.
 """
 
 import math
@@ -27,8 +27,8 @@ class SystemEquilibrium:
     """A system at rest.
 
     pose : Pose; points : (p, 3) m; lines : LineForces; iterations : steps taken
-    residual : (N,) N and N m that remain on the free degrees of freedom, 0 on the others
-    stiffness : (N, N) of lines, buoyancy and hydrostatics; moving : (N,) free degrees of freedom
+    residual : (N,), forces that remain on the free degrees of freedom, N and N m; 0 on fixed degrees of freedom
+    stiffness : (N, N), of lines, buoyancy and hydrostatics; moving : (N,), whether a degree of freedom is free
     on_bed : (f,) whether a free point rests on the bed, with `bed_reaction` N
     """
 
@@ -50,13 +50,13 @@ class SystemEquilibrium:
 
     @property
     def position(self):
-        """Origin, m, then roll, pitch and yaw, rad, of each body; shape (b, 6)"""
+        """Position of each body: origin, m, then roll, pitch and yaw, rad; shape (b, 6)"""
         attitude = np.array([angles(R) for R in self.pose.turn]).reshape(-1, 3)
         return np.hstack([self.pose.place, attitude])
 
     @property
     def tension(self):
-        """The larger of both ends of each line, N; shape (n,)"""
+        """Larger of the tensions at the two ends of each line, N; shape (n,)"""
         return np.maximum(self.lines.tension_a, self.lines.tension_b)
 
 
@@ -84,7 +84,7 @@ def moved(system, pose, step):
 def rest(system: System, start: Pose | None = None, steps=2000) -> SystemEquilibrium:
     """The equilibrium of a system under the loads of its bodies, sought from a pose.
 
-    start : Pose; the pose of the system if not given
+    start : Pose; by default the pose of the system
     raises : EquilibriumError, which names the remaining forces and the bodies or points where they act
     """
     from .steps import left_over
@@ -175,7 +175,9 @@ class _Indefinite:
         self.values, self.along = np.abs(values), self.vectors.T @ residual[chosen]
 
     def within(self, radius):
-        """Step s of the k freedoms that move, of the length `radius`, shorter where m = 0 gives less; shape (k,)"""
+        """Step s of the k moving degrees of freedom, of length `radius`, or shorter if the step for m = 0 is; shape
+        (k,)
+        """
         high = np.linalg.norm(self.along) / radius
         if high == 0.0:
             return np.zeros(len(self.along))
@@ -219,7 +221,7 @@ def _found(system, pose, load, may, unit, count):
 
 
 def held_at(system, positions):
-    """The system with some bodies held in new places: {body name: (6,) m and rad}."""
+    """The system with some bodies held at new positions {body name: (6,) m and rad}."""
     bodies = [
         replace(body, position=tuple(map(float, positions[body.name])), freedom=()) if body.name in positions else body
         for body in system.bodies

@@ -1,4 +1,6 @@
-"""Warnings of effects that a system of lines neglects; the line or freedom at fault if no equilibrium is found."""
+"""Warnings of effects that a system of lines neglects; and the line or degree of freedom at fault without an
+equilibrium.
+"""
 
 import warnings
 
@@ -17,8 +19,9 @@ NEARER = "give the line its axial stiffness or more length, or move its ends nea
 
 
 def strains(system, tension):
-    """Strain of the softest segment of each line at tension (n,) N; 0 for a table, which contains the strain; shape
-    (n,)"""
+    """Strain of the softest segment of each line at tension (n,) N, shape (n,); 0 for a tension table, which
+    includes strain
+    """
     stiffness = [
         min((part.axial_stiffness for part in _parts(line) if not np.ndim(part.axial_stiffness)), default=np.inf)
         for line in system.lines
@@ -33,7 +36,7 @@ def _parts(line):
 
 
 def beyond_tables(system, tension):
-    """A message on hawsers whose tension, (n,) N, lies beyond the tension table of the hawser"""
+    """A message on hawsers whose tension, (n,) N, lies beyond their tension tables"""
     past = [
         f"{system.lines[i].name} {tension[i] / 1e3:.4g} kN, table to {system.lines[i].most / 1e3:.4g} kN"
         for i in system.hawsers
@@ -95,7 +98,7 @@ def unheld(lines):
 
 
 def warn_of_sliding(system, lines):
-    """Warn of lines of segments with parts that would slide."""
+    """Warn of multi-segment lines with parts that would slide."""
     names = [name for name, slides in zip(system.line_names, unheld(lines), strict=True) if slides]
     if names:
         warnings.warn(
@@ -124,8 +127,9 @@ def freedom_name(system, index):
 
 
 def culprit(system, rows, starts, ends, where):
-    """Message on the first line without a solution between its ends, (n, 3) m in space each; `where` says which
-    ends."""
+    """Message on the first line without a solution between its ends, each (n, 3) m in space; where : words for these
+    ends.
+    """
     bad = int(np.argmax(rows[:, 0]))  # a line beyond reach, below the bed or unsolved
     line, a, b = system.lines[bad], starts[bad], ends[bad]
     if isinstance(line, CompositeLine):

@@ -1,11 +1,10 @@
 """Lines between bodies, anchors, buoys and sinkers as a graph: the system, a pose of it, and the forces in that pose.
 
 Degrees of freedom: six of each body (shift of its origin, rotation about space axes), then three of each free point, in
-the order in which the parts are given.  Stiffness is −∂(force, moment about the moving origin). The bed is flat at z =
-−depth; lines have their weight in water also above the surface, except those with a weight in air.  Friction of the bed
-acts on lines that end at an anchor on the bed. Between free points it would depend on history.
-Equations of equilibrium:
-SR179 report (1982), sections 3.1.5 and 3.5.1.
+the order in which the parts are given.  Stiffness is −∂(force, moment about the moving origin). The bed is flat at z
+= −depth. Lines without a weight in air have their weight in water also above the surface.  Friction of the bed acts
+on lines that end at an anchor on the bed. Friction between free points would depend on history and is neglected.
+Equations of equilibrium: SR179 report (1982), sections 3.1.5 and 3.5.1.
 """
 
 from dataclasses import dataclass, replace
@@ -47,11 +46,11 @@ class Pose(NamedTuple):
 class LineForces(NamedTuple):
     """Forces at the ends a and b of every line, each (n,).
 
-    horizontal : N towards the other end; vertical : N, downward pull on the attachment
+    horizontal : pull towards the other end, N; vertical : downward pull on the attachment, N
     tension : N; grounded_length : m; status : values of `mooring.catenary.State`
-    utilisation : largest tension in the line over breaking load, of the segment closest to it; nan without a known
-        breaking load.  Beyond reach forces and utilisation are infinite
-    solutions : {number of a line of segments: its StaticSolution}
+    utilisation : tension over breaking load in the segment with the largest ratio; nan without a known breaking
+        load. Beyond the reach of a line its forces and utilisation are infinite
+    solutions : {number of a multi-segment line: StaticSolution}
     """
 
     horizontal_a: np.ndarray
@@ -69,7 +68,7 @@ class LineForces(NamedTuple):
 class SystemLoad(NamedTuple):
     """force : (N,) on every degree of freedom; stiffness : (N, N); rows : (n, 18); points : (p, 3) m in space
 
-    solutions : {number of a line of segments: its StaticSolution, None where it has none}
+    solutions : {number of a multi-segment line: StaticSolution, or None without a solution}
     """
 
     force: np.ndarray
@@ -82,12 +81,12 @@ class SystemLoad(NamedTuple):
 class SystemArrays(NamedTuple):
     """A system in the form that its kernels read.
 
-    position : (p, 3) m of points, in space or in the axes of their body; owner : (p,) number of the body, FIXED or FREE
-    column : (p,) first degree of freedom; floats : (p, 3) weight and buoyancy of free points, N, and their height, m
-    ends : (n, 2) points of each line; flipped : (n,) whether end b is the anchor on the bed, so that the
-    line is solved from there
-    lines : (n, 4) length, weight, 1/EA and friction, 0 for lines that are not uniform or have a weight in air
-    bed : its height, m
+    position : (p, 3) m, of points in space or in the axes of their body; owner : (p,), number of the body, FIXED or
+        FREE
+    column : (p,), first degree of freedom; floats : (p, 3), weight and buoyancy of free points, N, and their height, m
+    ends : (n, 2), points of each line; flipped : (n,), whether the line is solved from end b, its anchor on the bed
+    lines : (n, 4), length, weight, 1/EA and friction; 0 for lines that are not uniform or have a weight in air
+    bed : height of the bed, m
     """
 
     position: np.ndarray
@@ -102,8 +101,9 @@ class SystemArrays(NamedTuple):
 
 @dataclass(frozen=True)
 class System:
-    """Lines, the points that lines join, and the bodies to which points belong.  depth : m; density : kg/m³; gravity :
-    m/s²"""
+    """Lines, the points that they join, and the bodies to which points belong.  depth : m; density : kg/m³; gravity :
+    m/s²
+    """
 
     depth: float
     lines: tuple[UniformLine | CompositeLine | Hawser, ...]
@@ -132,7 +132,7 @@ class System:
 
     @cached_property
     def breaking_load(self):
-        """Breaking load of each line, N, of a line of segments the least; shape (n,)"""
+        """Breaking load of each line, N, of a multi-segment line the smallest; shape (n,)"""
         return np.array([line.breaking_load for line in self.lines])
 
     @cached_property
@@ -179,13 +179,13 @@ class System:
 
     @cached_property
     def composites(self):
-        """Composite of every line of segments, in the order of the lines"""
+        """Composite of every multi-segment line, in the order of the lines"""
         numbers = [i for i, line in enumerate(self.lines) if isinstance(line, CompositeLine)]
         return tuple(composite(self, i, self.anchored_ends[i]) for i in numbers)
 
     @cached_property
     def surfacing(self):
-        """`surfacing.Surfacing` of every line that has another weight above the water"""
+        """`surfacing.Surfacing` of every line with a weight in air"""
         return surfacing(self) if any(getattr(line, "weight_in_air", None) is not None for line in self.lines) else ()
 
     @cached_property
@@ -246,10 +246,10 @@ class System:
         return rows, solutions
 
     def forces_between(self, starts, ends) -> LineForces:
-        """Forces of every line with fixed ends at `starts` and `ends`, (n, 3) m in space each.
+        """Forces of every line with its ends fixed at `starts` and `ends`, each (n, 3) m in space.
 
-        Infinite beyond the reach of a line.
-        raises : EquilibriumError for a line that has no forces for another reason
+        Forces are infinite beyond the reach of a line.
+        raises : EquilibriumError for a line that has no forces for any other reason
         """
         from ..catenary.flat_bed import exchange
 
@@ -264,7 +264,7 @@ class System:
         return line_forces(self, rows, solutions)
 
     def total_load(self, pose=None) -> SystemLoad:
-        """`load` with the steady loads and the hydrostatic forces of the bodies."""
+        """The SystemLoad of `load` plus the steady loads and hydrostatic forces of the bodies."""
         pose = self.pose if pose is None else pose
         load = self.load(pose)
         if self.bodies:

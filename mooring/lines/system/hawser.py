@@ -18,10 +18,11 @@ from .parts import LineSystemError
 
 @dataclass(frozen=True)
 class Hawser:
-    """A hawser between two points named by their names.
+    """A hawser between two points, given by their names.
 
-    pull : Fender without hysteresis, T, N, over e, m (`pull_of_points`); length : m, without tension
-    most : N, end of its table, beyond which it is extrapolated linearly
+    pull : tension T, N, over elongation e, m, as a Fender without hysteresis (`pull_of_points`); length : m, without
+        tension
+    most : tension at the end of its table, N; beyond it the tension is extrapolated linearly
     """
 
     name: str
@@ -40,12 +41,12 @@ class Hawser:
 
     @property
     def bed_friction(self):
-        """0; a hawser does not lie on the bed"""
+        """Friction coefficient 0: a hawser does not lie on the bed"""
         return 0.0
 
 
 def pull_of_points(name, elongation, tension):
-    """Fender T(e) through points (n,) m, (n,) N that rise from 0, 0.  raises : LineSystemError"""
+    """Fender T(e) through points (n,) m and (n,) N, ascending from (0, 0).  raises : LineSystemError"""
     e, T = np.asarray(elongation, float), np.asarray(tension, float)
     if e.ndim != 1 or e.shape != T.shape or len(e) < 2:
         raise LineSystemError(
@@ -66,7 +67,7 @@ def pull_of_points(name, elongation, tension):
 
 
 def elongation_at(pull, tension):
-    """m, elongation at which a pull has a tension, N, of 0 or more"""
+    """Elongation, m, at which a pull has a given tension, N, at least 0"""
     from scipy.optimize import brentq
 
     high = pull.limit

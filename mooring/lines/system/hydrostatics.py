@@ -1,8 +1,8 @@
-"""Steady loads of bodies, and the hydrostatic forces of one that heaves, rolls, pitches and turns to any heading.
+"""Steady loads of bodies, and hydrostatic forces of bodies that heave, roll, pitch and turn to any heading.
 
 R converts body axes to space axes.  It is read as a turn ψ about the vertical followed by the shortest tilt that
-carries the vertical to u = R e_z.  In axes that turn with ψ the hydrostatic force is −C (heave, roll, pitch) with roll
-and pitch from the tilt e_z × u: exact in heading, linear in tilt, as C itself is.
+carries the vertical to u = R e_z.  In axes that turn with ψ the hydrostatic force is −C (heave, roll, pitch), with
+roll and pitch from the tilt e_z × u. It is exact in heading and, like C itself, linear in tilt.
 """
 
 import math
@@ -20,7 +20,8 @@ def heading(R):
 
 @kernel()
 def add_hydrostatics(force, K, first, stiffness, sinkage, R):
-    """Add force and moment of a body, and −∂/∂(shift, rotation about space axes), whose freedoms begin at `first`.
+    """Add the force and moment of a body, and −∂/∂(shift, rotation about space axes); first : its first degree of
+    freedom.
 
     stiffness : (6, 6), of which heave, roll and pitch are used; sinkage : m, height relative to the height at rest
     """
@@ -60,7 +61,9 @@ def add_hydrostatics(force, K, first, stiffness, sinkage, R):
 
 @kernel()
 def add_loads(force, K, loads, springs, height, place, turn):
-    """Add steady loads (b, 6) of bodies and their hydrostatics; springs : (b, 6, 6); height : (b,) m, z at rest."""
+    """Add steady loads (b, 6) of bodies and their hydrostatic forces; springs : (b, 6, 6); height : z at rest, (b,)
+    m.
+    """
     for i in range(loads.shape[0]):
         for j in range(6):
             force[6 * i + j] += loads[i, j]

@@ -18,10 +18,10 @@ from .parts import Anchor, CompositeLine, Fairlead, LineSystemError, MooredBody,
 
 
 class Leg(NamedTuple):
-    """A line (its ends are renamed a, anchor, and b, fairlead), and its attachments with the body at rest.
+    """A line from its anchor (end a) to its fairlead (end b), and the attachments with the body at rest.
 
     anchor, fairlead : (3,) m in space
-    body : name of the body with the fairlead, among several; to : name of the body at the other end, "" for none
+    body : name of the body with the fairlead, where there are several; to : name of the body at end a, "" for none
     """
 
     line: UniformLine | CompositeLine | Hawser
@@ -32,7 +32,7 @@ class Leg(NamedTuple):
 
 
 def moored_body(legs, depth, center=(0.0, 0.0, 0.0), density=1025.0, gravity=9.80665, name="body"):
-    """The System of one body that moves in the plane, the origin of its axes at `center` (3,) m, on its legs."""
+    """The System of one body on its legs; it moves in the plane, and the origin of its axes is at `center` (3,) m."""
     points, lines = [], []
     for line, anchor, fairlead, *_ in legs:
         ends = f"{line.name} anchor", f"{line.name} fairlead"
@@ -46,7 +46,7 @@ def moored_body(legs, depth, center=(0.0, 0.0, 0.0), density=1025.0, gravity=9.8
 def moored_bodies(legs, bodies, depth, density=1025.0, gravity=9.80665):
     """The System of several bodies that move in the plane, on legs to anchors, to fixed bodies and to each other.
 
-    bodies : {name: (center (3,) m, heading rad)} of moving bodies, the origin and heading of their axes
+    bodies : {name of a moving body: (origin of its axes (3,) m, heading rad)}
     """
     points, lines = [], []
     for line, anchor, fairlead, body, to in legs:
@@ -66,8 +66,8 @@ def moored_bodies(legs, bodies, depth, density=1025.0, gravity=9.80665):
 def leg_at_tension(line, fairlead, heading, depth, horizontal_tension):
     """A Leg with its anchor on the bed where the line pulls the body at rest with a given horizontal tension.
 
-    fairlead : (3,) m; heading : rad, from the fairlead to the anchor; depth : m; horizontal_tension : N
-    A line of segments counts from the anchor.  raises : LineSystemError if no span gives it
+    fairlead : (3,) m; heading : rad, from the fairlead to the anchor; depth : m; horizontal_tension : N.
+    A multi-segment line counts from the anchor. raises : LineSystemError if no span gives this tension
     """
     try:
         span = _span(line, fairlead[2] + depth, depth, horizontal_tension)
@@ -94,8 +94,8 @@ def _span(line, height, depth, horizontal_tension):
 def corner_legs(line, hull_length, beam, headings, depth, horizontal_tension, z=0.0, is_round=False):
     """Legs from the four corners of a box at mirrored headings, named by corner and number: "fore port 1", …
 
-    headings : rad between 0 and π/2, from the x axis, for the corner at +x, +y; z : height of the fairleads, m
-    is_round : of a cylinder of this beam each line leaves the rim along its own radius
+    headings : headings from the x axis for the corner at +x, +y, rad, 0 to π/2; z : height of the fairleads, m
+    is_round : whether the body is a cylinder of this beam, whose lines leave the rim along their own radii
     """
     legs = []
     for end, sx in (("fore", 1), ("aft", -1)):

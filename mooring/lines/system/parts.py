@@ -1,8 +1,8 @@
-"""What a system of lines is made of: kinds of line, lines, anchors, fairleads, free points and floating bodies.
+"""Parts of a system of lines: kinds of line, lines, anchors, fairleads, free points and floating bodies.
 
-A line joins two points.  `assembly` needs the forces at both ends in the vertical plane through them, and their
-derivatives, in one row: compiled for a `UniformLine`, from its own solver for a `CompositeLine`, from its curve for a
-`hawser.Hawser`; other kinds of line can be added there.
+A line joins two points.  `assembly` needs one row of forces at both ends, in the vertical plane through these ends,
+and their derivatives. The row is compiled for a `UniformLine`, comes from a solver for a `CompositeLine`, and from
+the curve of a `hawser.Hawser`. Other kinds of line can be added in `assembly`.
 
 All values SI, all frozen.  A `Fairlead` is given in the axes of its body, everything else in space.
 """
@@ -27,10 +27,10 @@ class EquilibriumError(ValueError):
 
 @dataclass(frozen=True)
 class LineDynamics:
-    """Properties that only moving or bending lines need; statics ignore these properties, and files keep them.
+    """Properties that only moving or bending lines need; statics ignore them, and files keep them.
 
     drag_normal, drag_tangential : C_d on d and on π d per metre; added_mass_normal, added_mass_tangential : C_a
-    damping : axial, BA in N s; below 0, minus the fraction of critical; bending_stiffness : EI, N m²
+    damping : axial damping BA, N s; a negative value is minus the fraction of critical; bending_stiffness : EI, N m²
     """
 
     drag_normal: float = 1.2
@@ -45,8 +45,8 @@ class LineDynamics:
 class LineType:
     """Material properties of a line.
 
-    weight : N/m submerged, below 0 for a floating line; axial_stiffness : EA, N, may be inf
-    mass : kg/m in air; diameter : m, of a cylinder of the same volume; breaking_load, proof_load : N
+    weight : submerged weight, N/m, below 0 for a floating line; axial_stiffness : EA, N, may be inf
+    mass : kg/m in air; diameter : diameter of a cylinder of the same volume, m; breaking_load, proof_load : N
     dynamics : LineDynamics, None if unknown
     """
 
@@ -72,8 +72,8 @@ class LineType:
 class UniformLine:
     """A uniform line between two points, given by name.
 
-    length : m, unstretched; elements : elements of a run in time, None for a default
-    weight_in_air : N/m of its parts above z = 0, None if these have their weight in water
+    length : unstretched length, m; elements : number of elements in a run in time, None for a default
+    weight_in_air : weight of parts above z = 0, N/m; None if they have their weight in water
     """
 
     name: str
@@ -107,10 +107,11 @@ class UniformLine:
 class CompositeLine:
     """A line of several segments, with sinkers and buoys on the line, between two points given by name.
 
-    segments : from end a on; loads : PointLoads, their position in m of unstretched line from end a
-    bed_friction : bed friction of the flat bed of the system, where one end is an anchor on it
-    bed : its own Bed, measured from the line's anchor; the same section in whatever direction the line swings
-    A line without an anchor on a bed must hang free of it, with its buoys under water.
+    segments : from end a on; loads : PointLoads, positioned by the unstretched length from end a, m
+    bed_friction : friction coefficient of the system's flat bed, where one end is an anchor on this bed
+    bed : Bed of this line, measured from its anchor, with the same section in every direction to which the line
+        swings.
+    A line without an anchor on a bed must hang clear of the bed, with its buoys under water.
     """
 
     name: str
@@ -138,7 +139,7 @@ class CompositeLine:
 
     @property
     def breaking_load(self):
-        """N, least of the segments; inf if none is known"""
+        """Smallest breaking load of the segments, N; inf if none is known"""
         return min(segment.breaking_load for segment in self.segments)
 
 
@@ -164,8 +165,8 @@ class FreePoint:
     """A joint, sinker or buoy that is free to move to its equilibrium.
 
     position : (3,) m, start of the search for its place; mass : kg; volume : m³
-    height : m over which it emerges, by default that of a sphere; it may rest on the bed
-    drag_area : C_d A, m²; added_mass : times the displaced mass; of a run in time
+    height : height over which the point emerges, m, by default that of a sphere. The point may rest on the bed
+    drag_area : C_d A, m²; added_mass : added mass over the displaced mass; both only for a run in time
     """
 
     name: str
@@ -184,7 +185,7 @@ class FreePoint:
 
     @property
     def emersion_height(self):
-        """m from just submerged to just out of the water"""
+        """Height from just submerged to just out of the water, m"""
         return self.height or (6 * self.volume / np.pi) ** (1 / 3) or 1.0
 
 
@@ -193,9 +194,9 @@ class MooredBody:
     """A floating body.
 
     position : (6,) m and rad at rest: x, y, z of its axes' origin, then roll, pitch and yaw, R = Rz Ry Rx
-    freedom : names of its free motions; the others are fixed
-    hydrostatic_stiffness : (6, 6) about the origin; heave, roll and pitch are used
-    load : (6,) N and N m, steady, in space axes about the moving origin
+    freedom : names of the free motions; all other motions are fixed
+    hydrostatic_stiffness : (6, 6) about the origin; only its heave, roll and pitch are used
+    load : steady load (6,), N and N m, in space axes about the moving origin
     """
 
     name: str

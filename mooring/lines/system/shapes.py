@@ -20,14 +20,14 @@ def line_shapes(state, points=80):
 
 
 def composite_points(state, number, s):
-    """Points in space, m, at unstretched lengths s (k,), m, from end a of a line of segments; shape (k, 3)."""
+    """Points in space, m, at unstretched lengths s (k,) m from end a of a multi-segment line; shape (k, 3)."""
     one = next(one for one in state.system.composites if one.number == number)
     ends = state.points[state.system.arrays.ends[number]]
     return points_along(one, state.lines.solutions[number], *(ends[::-1] if one.flipped else ends), s)
 
 
 def loads_on_lines(state):
-    """Places in space of the sinkers and buoys on lines of segments, m; shape (k, 3)"""
+    """Positions in space of the sinkers and buoys on multi-segment lines, m; shape (k, 3)"""
     return _places(state, lambda line: [load.position for load in line.loads])
 
 
@@ -37,8 +37,7 @@ def joints_of_lines(state):
 
 
 def beds_of_lines(state):
-    """[(k, 3) m in space] beds of the lines that have a bed of their own, from the anchor to below the other end of the
-    line"""
+    """Beds of the lines with their own bed, [(k, 3) m in space], from the anchor to below the line's other end"""
     found = []
     for one in state.system.composites:
         if state.system.lines[one.number].bed is None:

@@ -1,4 +1,4 @@
-"""Kernels for one step of the search for rest: (K + m) s = r, with the least m ≥ 0 for which s is not too long.
+"""Kernels for one step of the search for rest: (K + m) s = r, with the smallest m ≥ 0 for which s is not too long.
 
 Stiff directions are solved to convergence while soft ones, such as slack lines, wait.  Consecutive points on a line
 have their terms near the diagonal, so elimination is limited to the envelope: each row from its first term on. This
@@ -18,7 +18,7 @@ LONGER = 1.02  # largest step over the requested length
 
 @kernel()
 def envelope(A, first):
-    """first[i] = least j ≤ i with a term at (i, j) or (j, i)."""
+    """Array first[i] : smallest j ≤ i with a term at (i, j) or (j, i)."""
     for i in range(A.shape[0]):
         j = 0
         while j < i and A[i, j] == 0.0 and A[j, i] == 0.0:
@@ -63,7 +63,7 @@ def solve_factored(A, first, b, x):
 
 @kernel()
 def copy_shifted(A, K, shift, mirrored):
-    """A = K + shift on the diagonal, or of the symmetric part of K."""
+    """A = K, or the symmetric part of K, plus `shift` on the diagonal."""
     for i in range(A.shape[0]):
         for j in range(A.shape[0]):
             A[i, j] = 0.5 * (K[i, j] + K[j, i]) if mirrored else K[i, j]
@@ -122,10 +122,9 @@ def held_by_bed(force, free, bed, first, i):
 
 @kernel()
 def left_over(force, rows, free, bed, may, unit, moving, residual):
-    """Largest force (over `unit`) on a freedom that may move and is not held by the bed, and the sum of the forces of
-    lines, N.
+    """Largest force, over `unit`, on a moving degree of freedom not held by the bed; and the sum of line forces, N.
 
-    moving, residual : (N,) set to the freedoms that move, and to the forces on them over `unit`
+    moving, residual : (N,), set to the moving degrees of freedom, and to the forces on them over `unit`
     """
     worst, total, first = 0.0, 0.0, force.size - 3 * free.shape[0]
     for i in range(force.size):
@@ -140,8 +139,9 @@ def left_over(force, rows, free, bed, may, unit, moving, residual):
 
 @kernel()
 def ahead_of(step, residual, force, free, bed, unit):
-    """Work along a step by the force after the step, over `unit`; work by the force before the step; length of the
-    step."""
+    """Work along a step of the force after the step, over `unit`; work of the force before the step; length of the
+    step.
+    """
     forth, here, first = 0.0, 0.0, force.size - 3 * free.shape[0]
     for i in range(force.size):
         here += step[i] * residual[i]
@@ -152,10 +152,11 @@ def ahead_of(step, residual, force, free, bed, unit):
 
 @kernel()
 def step_within(stiffness, force, unit, moving, radius, step):
-    """Newton's step, or the step of about the length `radius` for an evenly increased stiffness.
+    """Newton's step, or a step of about the length `radius` with an evenly increased stiffness.
 
-    force : (N,) over `unit`; stiffness : (N, N) of all freedoms, to be divided by `unit` (N,) twice; moving : (N,)
-    step : (N,) of the divided freedoms, 0 where they are fixed
+    force : (N,), over `unit`; stiffness : (N, N), of all degrees of freedom, to be divided twice by `unit` (N,);
+        moving : (N,)
+    step : (N,), step times `unit`, 0 at fixed degrees of freedom
     returns : FOUND, or INDEFINITE, step unchanged, where the symmetric part of the stiffness is not positive definite
     """
     chosen = np.empty(unit.size, np.int64)

@@ -1,9 +1,9 @@
 """Uniform lines that emerge from the water, with their weight in air above it, as rows of the assembly of a system.
 
-Such a line has up to three segments, dry, wet and dry, joined where it crosses the surface, z = 0; these places are
-found by Newton's method on the height of each joint over the slope of the line there.  To first order the places of the
-joints do not enter its energy (both weights times the height 0). Its forces are therefore those of the segments; their
-derivatives are differences.
+Such a line has up to three segments, dry, wet and dry, joined where the line crosses the surface, z = 0. The joints
+are found by Newton's method on the height of each joint, divided by the slope of the line there. To first order the
+positions of the joints do not change the energy of the line, because the height of a joint is 0. The forces of the
+line are therefore the forces of its segments; their derivatives are difference quotients.
 """
 
 from dataclasses import dataclass
@@ -23,7 +23,8 @@ SHIFT = 1e-5  # difference for derivatives, over the length
 
 @dataclass(frozen=True)
 class Surfacing:
-    """A UniformLine with a weight in air as the solver reads it, measured from the anchor on the bed, or from end a.
+    """A UniformLine with a weight in air, as its solver reads it, from the anchor on the bed, or from end a without
+    one.
 
     number : number of the line in its system; anchored : whether the origin is an anchor on the bed, at z = bed
     """
@@ -35,7 +36,8 @@ class Surfacing:
     bed: float
 
     def between(self, x, low, high):
-        """StaticSolution between heights `low` of the origin and `high`, x apart, m, and its dry lengths (2,) m.
+        """StaticSolution between an origin at height `low` and an end at height `high`, x apart, m; and its dry
+        lengths (2,) m.
 
         raises : LineError
         """

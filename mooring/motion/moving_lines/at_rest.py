@@ -16,8 +16,8 @@ def moving_work(moving, states, samples, lines, sampled, shapes=(0, 0)):
     """`MovingWork` of lines at rest in their `states`, with room for the given number of samples
 
     lines : total number of lines, including lines in their static shape
-    sampled : (number of bodies, numbers that each body keeps at a sample); shapes : (number of shapes, number of their
-    groups)
+    sampled : (number of bodies, number of values stored for each body in a sample); shapes : (number of shapes,
+        number of groups)
     """
     count, bodies = len(moving.number), sampled[0]
     kept = [np.stack([np.concatenate([state[i] for state in states])] * 2) for i in range(1, 5)]
@@ -56,7 +56,9 @@ def state_pull(moving, i, state: State):
 
 @kernel(counted=False)
 def pull_at_rest(s, work, q, v, a, slip, out):
-    """out (3,) N, pull of the line of a System at its nodes q (n, 3) m at rest; work : its `workspace`, new"""
+    """Fill out (3,), pull, N, of a line's System at rest with its nodes at q (n, 3) m; work : a new `workspace` of
+    the line
+    """
     here, held, last = work.kept[0], work.kept[1], q.shape[0] - 1
     read(work.q, q)
     read(work.v, v)

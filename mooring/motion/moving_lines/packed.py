@@ -1,7 +1,7 @@
 """Moving lines of a body as the kernels read them, and the state that the kernels keep.
 
-Lines have different numbers of nodes. All data of one kind that a kernel advances lie one line after another in one
-array.
+Lines have different numbers of nodes. Each array that a kernel advances contains the data of all lines, one after
+another.
 """
 
 from itertools import pairwise
@@ -24,13 +24,14 @@ ROWS = 256  # largest number of line steps in one step of the body; more mean th
 class MovingLines(NamedTuple):
     """m moving lines.
 
-    number : (m,) of each among the lines of its system; systems, rooms : m `System`s and `workspace`s
-    nodes : (m + 1,) where those of each begin in arrays of all
-    tension, distance : (m,) N, m, scales of their errors; tolerance : tolerance of a step
-    water : `Water` at all nodes, with a table of `sea` that is filled again and again; waters : m parts of it, of each
-    room_of_sea : room for its sums; all four None for still water
-    stretch : (m, 6 + f) m/m and m/rad, of each chord from anchor to fairlead by motions of its body along its axes at
-        rest, and by shapes
+    number : (m,), number of each line in its system; systems, rooms : m `System`s and `workspace`s
+    nodes : (m + 1,), index at which the nodes of each line begin in joint arrays
+    tension, distance : scales of the errors of each line, (m,), N and m; tolerance : tolerance of a step
+    water : `Water` at all nodes, with a table of `sea` that is refilled during the run; waters : its m parts, one
+        for each line
+    room_of_sea : memory for the sums of waves. Without waves and current all four are None
+    stretch : (m, 6 + f), m/m and m/rad, lengthening of each chord (anchor to fairlead) by the body's motions and by
+        shapes
     spring : (m,) N/m, EA/L
     """
 
@@ -61,18 +62,23 @@ class Room(NamedTuple):
 
 @in_memory
 class MovingWork(NamedTuple):
-    """State of m moving lines with n nodes in all during a run; arrays are changed in place.
+    """State of m moving lines with n nodes in total during a run; arrays are changed in place.
 
-    position, velocity, acceleration, slip : (2, n, 3), [0] at the end of the last step of the body, [1] of a trial step
-    step : (2, m) s, their next own steps; course : (m, 3, 2, 3) position and velocity of each fairlead at begin, middle
-    and end of a step; time : (m, ROWS) s, pull, slope : (m, ROWS, 3) N, N/s at the ends of own steps, of which used
-    (m,) are filled
-    before : (m, 4) time and pull before the first of them; foreseen : (N, 12) poses and velocities with the predicted
+    position, velocity, acceleration, slip : (2, n, 3), [0] at the end of the body's last step, [1] at the end of a
+        trial step
+    step : next steps of the lines, (2, m) s; course : (m, 3, 2, 3), position and velocity of each fairlead at start,
+        middle and end of a step
+    time, pull, slope : (m, ROWS) s, (m, ROWS, 3) N and N/s, at the ends of the lines' own steps; `used` (m,) rows
+        are filled
+    before : (m, 4), time and pull before the first of these ends; foreseen : (N, 12), poses and velocities with the
+        predicted pull
+    last : (lines, TERMS, 3) N, pull of every line of the system in the body's last step; length : length of this
+        step, (1,) s
+    pose : (N, 18), push : (6N + 6G,), room : `Room`, work arrays
+    bent : (2, 2, f), amplitudes of shapes and their rates in the middle and at the end of a step with the predicted
         pull
-    last : (lines, TERMS, 3) N, pull of every line of the system, moving or not, in the last step of the body,
-    length : (1,) s of that step; pose : (N, 18), push : (6N + 6G,), room : `Room` work arrays
-    bent : (2, 2, f) amplitudes of shapes and their rates in the middle and at the end of a step, with predicted pull
-    tension : (samples, m) N; steps : (m,) own steps; stuck : (1,) a line that stopped, or −1
+    tension : (samples, m) N; steps : number of steps of each line, (m,); stuck : number of a line that stopped, or
+        −1, (1,)
     """
 
     position: np.ndarray

@@ -1,4 +1,4 @@
-"""Lines of a System, with segments, sinkers and buoys, as lines that move by equations of their own."""
+"""Conversion of lines of a System, with segments, sinkers and buoys, to lines with their own equations of motion."""
 
 import numpy as np
 
@@ -85,7 +85,7 @@ def dynamic_line(line, anchor, system, elements, surface=True, towards=0.0):
     """DynamicLine of a UniformLine or a CompositeLine, with its weight in air above the water.
 
     anchor : (3,) m; elements : number of elements of the whole line, at least LEAST for each segment
-    towards : rad, direction of the fairlead, along which the line's own bed lies
+    towards : direction of the fairlead, rad, along which a bed of this line lies
     raises : ValueError for a property missing in its types
     """
     below, rest = max(float(anchor[2]) + system.depth, 0.0), (system.density, system.gravity, surface)

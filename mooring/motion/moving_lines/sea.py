@@ -1,17 +1,17 @@
 """The sea around moving lines: sums of all waves at the positions of their nodes, for a second or two at a time.
 
 A line-dynamics run adds up its waves at every node and stage (`lines.dynamics.lumped.surroundings.water_at`), which for
-hundreds of waves costs fifty times the line itself.  Here a table has, at six times, the velocity of the water and its
-gradient at the positions predicted for the nodes in the middle of these times.  The water at a node at a distance δ
-from there is
+hundreds of waves costs fifty times the line itself.  Here a table contains, for six times, the velocity of the water
+and its gradient at the position predicted for each node in the middle of these times. The velocity at a node at a
+distance δ from the predicted position is
 
     u(r + δ, t) = u(r, t) + (δ·∇)u,   ∂u/∂t in the same way,   a polynomial of fifth degree in time,
 
-with an error of (kδ)²/2 of a wave.  The flow has a potential: its gradient has five numbers.  The waves are the
-incident ones, without those scattered by the body.
+with a relative error of (kδ)²/2 for each wave.  The flow has a potential: its gradient has five numbers.  The waves
+are the incident ones, without those scattered by the body.
 
-The sums are products of small matrices in single precision.  Sines and exponentials are polynomials to 3e-7: a loop
-over waves is then vector instructions, 10 ns a wave and node in place of 35.
+The sums are products of small matrices in single precision. Sines and exponentials are polynomials accurate to 3e-7,
+so that a loop over waves becomes vector instructions: 10 ns for each wave and node in place of 35.
 """
 
 from typing import NamedTuple
@@ -34,13 +34,13 @@ PHASE, FEW = (0.3, 0.6), 40  # rad of the quickest wave between two times, of fe
 class LineSea(NamedTuple):
     """Causes of water motion around lines.
 
-    waves : (9, c) wavenumbers along x and y, unit vector, wavenumber, aσ over 1 − exp(−2kh), exp(−2kh), frequency ω at
-    a place at rest, which on a current differs from that in the water, σ, and phase
-    factor : (2c, SAMPLES) cos ωt and sin ωt of the times of a table; step : s between these
-    farthest : m, that a node is foreseen to move until the middle of a table
+    waves : (9, c), wavenumbers along x and y, unit vector, wavenumber, aσ over 1 − exp(−2kh), exp(−2kh), frequency ω
+        at a fixed place, phase; σ is the frequency in the water, which a current makes different from ω
+    factor : (2c, SAMPLES), cos ωt and sin ωt at the times of a table; step : time between these, s
+    farthest : limit of the predicted motion of a node up to the middle of a table, m
     depth : m; ramp : (2,) s, begin of the waves and duration of their growth
-    current : (2,) m/s, over the whole depth, and current_ramp, s, in which it grows
-    carried : (2,) m/s, at which it carries the waves
+    current : (2,) m/s, constant over the depth; current_ramp : time in which the current grows, s
+    carried : velocity at which the current carries the waves, (2,) m/s
     """
 
     waves: np.ndarray
@@ -57,9 +57,9 @@ class LineSea(NamedTuple):
 def line_sea(components, number, depth, current, wave_ramp, ramp, carried=(0.0, 0.0)):
     """`LineSea` of wave components (`mooring.environment.sea.Components`), or of no waves, None
 
-    number : (2, c) rad/m, their wavenumbers along x and y; depth : m; current : (2,) m/s or None
-    carried : (2,) m/s, at which the current carries the waves, zero for "still" waves
-    wave_ramp : (2,) s, begin and length; ramp : s
+    number : wavenumbers of the components along x and y, (2, c) rad/m; depth : m; current : (2,) m/s or None
+    carried : velocity at which the current carries the waves, (2,) m/s, zero for "still" waves
+    wave_ramp : start and length of the waves' ramp, (2,) s; ramp : s
     """
     velocity = np.zeros(2) if current is None else np.asarray(current, float)
     if components is None:
@@ -80,7 +80,8 @@ def line_sea(components, number, depth, current, wave_ramp, ramp, carried=(0.0, 
 
 
 def water_of(sea, count, most):
-    """`Water` of a LineSea for `count` nodes in all, at most `most` of a line, and room for sums of a line.
+    """`Water` of a LineSea for `count` nodes in total, and memory for the sums of a line, which has at most `most`
+    nodes.
 
     returns : Water, (8 most, 2c) rows of `place_rows`, (4, c) velocities, (6 · 8 most,) sums
     """
@@ -103,7 +104,7 @@ def water_of(sea, count, most):
 
 
 def line_water(water, first, last):
-    """`Water` at nodes `first` … `last` − 1 of all; loops read eight values at once and may read beyond the last"""
+    """`Water` at nodes `first` … `last` − 1; loops read eight values at once and may read beyond the last node"""
     if water.table.size == 0:
         return water
     table = water.table[SAMPLES * OF_PLACE * first : SAMPLES * OF_PLACE * last]
@@ -112,7 +113,7 @@ def line_water(water, first, last):
 
 @kernel(inline=True)
 def sine_and_cosine(turn):
-    """Sine and cosine of an angle, rad, by Taylor's series of its half, within ±π/2; 6e-8 off"""
+    """Sine and cosine of an angle, rad, by Taylor series of the half angle, within ±π/2; error 6e-8"""
     x = 0.5 * (turn - TURN * np.floor(turn * (1 / TURN) + 0.5))
     y = x * x
     s = x * (1 - y * (1 / 6) * (1 - y * (1 / 20) * (1 - y * (1 / 42) * (1 - y * (1 / 72) * (1 - y * (1 / 110))))))
@@ -123,7 +124,7 @@ def sine_and_cosine(turn):
 
 @kernel(inline=True)
 def falling(x):
-    """exp x for −12 ≤ x ≤ 0, the sixteenth power of Taylor's series; 3e-7 off"""
+    """exp x for −12 ≤ x ≤ 0, as the sixteenth power of a Taylor series; error 3e-7"""
     y = x * (1 / 16)
     f = 1 + y * (1 / 6) * (1 + y * (1 / 7) * (1 + y * (1 / 8) * (1 + y * (1 / 9))))
     f = 1 + y * (1 + y * (1 / 2) * (1 + y * (1 / 3) * (1 + y * (1 / 4) * (1 + y * (1 / 5) * f))))
@@ -135,9 +136,9 @@ def falling(x):
 
 @kernel()
 def place_rows(waves, start, x, y, z, n, j, room, rows):
-    """Coefficients of `factor` for node j of n at (x, y, z), z ≤ 0, into rows (8 n, 2c); start : s of the table
+    """Fill rows (8 n, 2c), coefficients of `factor` for node j of n at (x, y, z), z ≤ 0; start : start of the table, s
 
-    Loop after loop, since a single loop is not vectorised.
+    Several loops follow each other, since a single loop is not vectorised.
     """
     c, kx, ky, ux, uy = waves.shape[1], waves[0], waves[1], waves[2], waves[3]
     AC, AS, PC, PS = room[0], room[1], room[2], room[3]
@@ -169,7 +170,7 @@ def place_rows(waves, start, x, y, z, n, j, room, rows):
 
 @kernel()
 def foresee_place(sea, position, velocity):
-    """Predicted x, y and z ≤ 0, m, of a node in the middle of a table that begins now"""
+    """Predicted x, y and z ≤ 0, m, of a node at the middle of a table that starts now"""
     later, speed = 0.5 * (SAMPLES - 1) * sea.step, 0.0
     for i in range(3):
         speed += velocity[i] * velocity[i]
@@ -182,7 +183,7 @@ def foresee_place(sea, position, velocity):
 
 @kernel()
 def sea_ahead(sea):
-    """s, duration of a table; inf without waves and for still water, None"""
+    """Duration of a table, s; inf without waves, or for None (still water)"""
     if sea is None:
         return np.inf
     return (SAMPLES - 1) * sea.step if sea.waves.shape[1] > 0 else np.inf
@@ -192,7 +193,7 @@ def sea_ahead(sea):
 def open_sea(sea, water, nodes, position, velocity, room, start):
     """Fill the table of `water` from `start` s on, with the nodes of all lines at position (n, 3) m.
 
-    nodes : (m + 1,) first node of each line, and the end; velocity : (n, 3) m/s; room : from `water_of`
+    nodes : (m + 1,), first node of each line, and the end; velocity : (n, 3) m/s; room : memory from `water_of`
     """
     if sea.waves.shape[1] == 0:
         return

@@ -1,16 +1,15 @@
-"""All moving lines over one step of the body: along the course of their fairleads, and their forces on the body.
+"""One step of the body for all moving lines: they follow their fairleads and exert forces on the body.
 
-A fairlead moves from its position in the line to its position on the body, along two cubics through positions and
-velocities at begin, middle and end.
-A line takes as many own steps as its tolerance requires (`lines.dynamics.lumped.esdirk`).  Its pull F(t) is a cubic
-between the ends of its steps. The slope at an end is the slope of the parabola through this end and its two neighbours.
-The force on the body is the
+A fairlead moves from its position at the line's end to its position on the body, along two cubics through positions
+and velocities at start, middle and end of the step. A line takes as many own steps as its tolerance requires
+(`lines.dynamics.lumped.esdirk`).  Its pull F(t) is a cubic between the ends of its steps. The slope at the end of a
+line's step is the slope of the parabola through this end and the two neighbouring ends. The force on the body is the
 polynomial of third degree
 
     F(s) = Σ_k c_k P_k(2s − 1),   c_k = (2k + 1) ∫₀¹ F P_k(2s − 1) ds,   s = (t − t₀)/h
 
 with Legendre's P_k.  The series keeps the impulse of F and its first three moments. Jerks of a line that are shorter
-than the body's step then have their full effect on the body, while the body's own error estimate sees a smooth force.
+than the body's step then have their full effect on the body, but the force is smooth for the body's error estimate.
 """
 
 import numpy as np
@@ -32,9 +31,9 @@ ROUNDING = 1e-9  # rounding of the time covered by a table of the sea
 
 @kernel(counted=False)
 def sea_for_step(sea, moving, work, t, h):
-    """A table of the sea around all lines, valid for a step of the body of h s from t s
+    """Fill a table of the sea around all lines that is valid for a step of the body of h s from t s
 
-    sea : `moving.sea`; for still water, None, what fills a table is not compiled
+    sea : `moving.sea`; for None (still water) the code that fills tables is not compiled
     """
     if sea is not None:
         water, room = moving.water, moving.room_of_sea
@@ -44,7 +43,9 @@ def sea_for_step(sea, moving, work, t, h):
 
 @kernel(counted=False)
 def piece(p, v, q, w, length, out):
-    """out (4, 3): cubic from p at velocity v to q at velocity w (3,) in `length` s, coefficients of 1, τ, τ², τ³"""
+    """Fill out (4, 3), coefficients of 1, τ, τ², τ³ of the cubic from p with velocity v to q with velocity w in
+    `length` s
+    """
     for j in range(3):
         rise = (q[j] - p[j]) / length
         out[0, j], out[1, j] = p[j], v[j]
@@ -64,8 +65,8 @@ def water_of_line(waters, i):
 def advance_lines(moving, work, whole, t, h):
     """Advance all lines that are `whole` over a step of the body of h s from t s, as a trial.
 
-    work.course, except its begin, is given; work.time, pull, slope and used are filled. returns : whether all lines
-    succeeded; work.stuck is the number of a line that did not
+    work.course, except at the start, is given; work.time, pull, slope and used are filled.
+    returns : whether all lines succeeded; work.stuck is the number of a line that did not
     """
     rows, knots, cubics = np.zeros((ROWS, COLUMNS)), np.zeros(3), np.zeros((2, 4, 3))
     none, triples, table = np.zeros(0), np.zeros((0, 3)), np.zeros((0, 0, 3))
@@ -124,8 +125,9 @@ def put(y, x):
 
 @kernel(counted=False)
 def slopes(work, i):
-    """Fill work.slope of line i at the end of each step, by a parabola through the ends of a step of the line, the step
-    before and the step after."""
+    """Fill work.slope of line i at the end of each of its steps, by a parabola through this end and the two
+    neighbouring ends.
+    """
     time, pull, last = work.time[i], work.pull[i], work.used[i] - 1
     for j in range(last + 1):
         for k in range(3):
@@ -149,7 +151,7 @@ def end_slope(t0, f0, t1, f1, t2, f2):
 
 @kernel(counted=False)
 def between(work, i, j, t, k):
-    """N, component k of the pull of line i at t s in its own step from the end j to the next"""
+    """Component k of the pull of line i, N, at t s within the line's step from end j to the next end"""
     length = work.time[i, j + 1] - work.time[i, j]
     s = (t - work.time[i, j]) / length
     y, z = work.pull[i, j, k], work.pull[i, j + 1, k]
@@ -159,8 +161,9 @@ def between(work, i, j, t, k):
 
 @kernel()
 def project(moving, work, t, h, given):
-    """given (n, TERMS, 3) N: coefficients c_k of the pull of every moving line, by its number, in a step of h s from t
-    s"""
+    """Fill given (n, TERMS, 3) N, coefficients c_k of the pull of every moving line, by line number, in a step of h
+    s from t s
+    """
     p = np.zeros(TERMS)
     for i in range(moving.number.size):
         c = given[moving.number[i]]
@@ -178,7 +181,7 @@ def project(moving, work, t, h, given):
 
 @kernel(counted=False)
 def foresee(moving, work, h, given):
-    """given (n, TERMS, 3) N of a step of h s: the linear part of each pull in the last step, extrapolated"""
+    """Fill given (n, TERMS, 3) N for a step of h s with the linear part of each pull in the last step, extrapolated"""
     ratio = h / work.length[0]
     for i in range(moving.number.size):
         c, last = given[moving.number[i]], work.last[moving.number[i]]
@@ -211,7 +214,7 @@ def keep_lines(moving, work, h, given):
 
 @kernel(counted=False)
 def put_tensions(moving, work, row, t):
-    """Write the tension of every line, t s after the begin of the step just taken, into a row of work.tension"""
+    """Write the tension of every line, t s after the start of the step just taken, into a row of work.tension"""
     for i in range(moving.number.size):
         last = work.used[i] - 1
         if last < 1:
@@ -224,7 +227,9 @@ def put_tensions(moving, work, row, t):
 
 
 def compile_moving(line, fairlead):
-    """Compile what a DynamicLine in still water, with its fairlead at (3,) m, adds to the steps of a rigid body"""
+    """Compile the code that a DynamicLine in still water, with its fairlead at (3,) m, adds to the steps of a rigid
+    body
+    """
     moving, states = moving_lines({0: line}, [fairlead], 1e-3, (np.zeros((1, 6)), np.ones(1)))
     work = moving_work(moving, states, 1, 1, (1, 1))
     advance_lines.compile_for(moving, work, work.used > 0, 0.0, 1.0)

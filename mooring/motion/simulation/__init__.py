@@ -1,4 +1,4 @@
-"""A moored body in time: `moored` prepares the parts common to all weather, then `simulate` runs one seed."""
+"""A moored body in time: `moored` prepares the parts that are independent of the weather; `simulate` runs one seed."""
 
 from .failures import Overload, SimulationError
 from .loads import wave_components

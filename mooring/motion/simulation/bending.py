@@ -1,4 +1,4 @@
-"""Bodies that bend, before a run: whether their shapes can be followed in time."""
+"""Checks before a run of flexible bodies: whether their shapes can be followed in time."""
 
 import numpy as np
 
@@ -6,7 +6,7 @@ FASTEST = 300.0  # rad/s of a shape: explicit steps are 3 over that, 10 ms
 
 
 def check_bending(body, free):
-    """Raise ValueError for a Reader whose shapes cannot be followed; free : numbers of the motions that are not held"""
+    """Raise ValueError for a Reader whose shapes cannot be followed; free : numbers of the free motions"""
     held = [body.words[i] for i in range(body.rigid, len(body.words)) if i not in free]
     if held and body.links:
         raise ValueError(

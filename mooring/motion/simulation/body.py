@@ -23,8 +23,8 @@ def body_of(moored, weather, settings, components, drag, munk):
     """`equation.Body` of a run.
 
     components : components of the waves, None for none; drag : N₂ of yaw of each body
-    munk : whether the current includes the moment of an ideal fluid on the drifting hull, which is then not added a
-    second time
+    munk : whether the current coefficients include the moment of an ideal fluid on the drifting hull, which is then
+        not added
     raises : SimulationError
     """
     reader, quadratic = moored.reader, moored.quadratic.copy()
@@ -76,18 +76,18 @@ def shapes_of(reader, groups, spring):
 
 
 def of_each(matrix):
-    """Parts (N, 6, 6) of a matrix (6N, 6N) for each body alone, without the coupling of bodies"""
+    """Diagonal blocks (N, 6, 6), one for each body, of a matrix (6N, 6N)"""
     return np.array([matrix[i : i + 6, i : i + 6] for i in range(0, len(matrix), 6)])
 
 
 def on_places(spring, headings):
-    """A spring (6N, 6N) along the axes of bodies of headings (N,) rad, converted to their places in space"""
+    """A spring (6N, 6N) along the axes of bodies with headings (N,) rad, converted to displacements in space"""
     turn = places_along(headings)
     return turn @ spring @ turn.T
 
 
 def in_space(matrix, headings):
-    """A matrix (6N, 6N) along the axes of bodies of headings (N,) rad, changed to the axes of space"""
+    """A matrix (6N, 6N) along the axes of bodies with headings (N,) rad, converted to the axes of space"""
     turn = axes_in_space(headings)
     return turn @ matrix @ turn.T
 

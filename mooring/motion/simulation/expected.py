@@ -1,4 +1,4 @@
-"""Response of a linear body to the same waves: the scale of errors."""
+"""Response of a linear body to the waves of a run, as the scale of errors."""
 
 import numpy as np
 
@@ -17,8 +17,8 @@ def expected_motion(moored, components):
     Each value is at least a fraction of the largest; for shapes, at least a fraction of the largest value of the
     shapes.
 
-    All values are computed at the frequencies of `moored.waves`. Every seed has other frequencies, at which the
-    database would have to store values.
+    All values are computed at the frequencies of `moored.waves`. Each seed has different frequencies; using those
+    would require stored values at each of them.
     """
     reader, waves, groups = moored.reader, moored.waves, groups_of(moored.reader)
     count = len(reader.axes_at_rest)

@@ -1,4 +1,4 @@
-"""Bodies with hinges between them: stability of their rest, and valid starts of a run."""
+"""Bodies with hinges between them: stability at rest, and valid starts of a run."""
 
 import numpy as np
 
@@ -10,7 +10,7 @@ OUT = 1e-6  # fraction of the stiffest motion; smaller negative restoring is rou
 
 
 def check_held(stiffness, body):
-    """Raise ValueError for hinged bodies at an unstable rest, by a stiffness (n, n)."""
+    """Raise ValueError for hinged bodies whose equilibrium at rest is unstable; stiffness : (n, n)."""
     scale = 1 / np.sqrt(np.diag(body.inertia))
     free = np.linalg.qr(body.free / scale[:, None])[0]
     K = free.T @ (0.5 * (stiffness + stiffness.T) * np.outer(scale, scale)) @ free
@@ -25,11 +25,11 @@ def check_held(stiffness, body):
 
 
 def begin_together(links, inverse, poses, speed, shapes=None):
-    """Poses and velocities (N, 6) that satisfy the links, nearest to the given poses and velocities; inverse : (n, n)
-    inverse of the mass matrix.
+    """Poses and velocities (N, 6) that satisfy the links, nearest to those given; inverse : inverse of the mass
+    matrix, (n, n).
 
-    shapes : (2, f) amplitudes of shapes and their rates, which then follow in the result; None without any
-    raises : ValueError without any nearby
+    shapes : amplitudes of shapes and their rates, (2, f), which are then added to the result; None without shapes
+    raises : ValueError if no such poses lie nearby
     """
     poses, speed, rigid = np.array(poses, float), np.array(speed, float), np.size(poses)
     bent = np.zeros((2, 0)) if shapes is None else np.array(shapes, float)

@@ -43,23 +43,25 @@ def _band(moored, sea, settings):
 
 
 def mean_frequency(components):
-    """rad/s, of the energy of wave components"""
+    """Mean frequency of the energy of wave components, rad/s"""
     energy = components.amplitude**2
     return float(components.omega @ energy / energy.sum())
 
 
 def frequency_of_coefficients(settings, components):
-    """rad/s, at which memory = "constant" takes the coefficients: from the given period, or the mean period of the
-    waves; None for none"""
+    """Frequency of the coefficients of memory = "constant", rad/s: from the given period, else the waves' mean
+    period, else None
+    """
     if settings.constant_period:
         return 2 * np.pi / settings.constant_period
     return None if components is None else mean_frequency(components)
 
 
 def streams(moored, weather, seed, end):
-    """Wind and current as `Stream`s up to `end` s (None without drag of the water), N₂ of yaw (N,), and findings.
+    """Wind and current as `Stream`s up to `end` s (the current is None without drag of the water), N₂ of yaw (N,),
+    and findings.
 
-    raises : SimulationError for a missing hull, or if the drag of the water is unknown
+    raises : SimulationError for a missing hull, or for an unknown drag of the water
     """
     reader, own, hulls = moored.reader, weather.on_hull, moored.hulls
     wind = calm(len(reader.axes_at_rest))
@@ -92,10 +94,10 @@ def streams(moored, weather, seed, end):
 
 
 def pairs(moored, weather, settings, components):
-    """Slow force of wave pairs in addition to Newman's approximation: a GivenForce for each sea that has such a force
+    """Slow force of wave pairs in addition to Newman's approximation: a GivenForce for each sea with such a force
 
-    components : components of all seas of the weather, one after another; forces of several bodies are tuples, one
-    for each
+    components : components of all seas of the weather, one after another; with several bodies, a tuple of forces for
+        each sea
     """
     first, at_rest = 0, moored.reader.axes_at_rest
     for sea, forces in zip(weather.seas, weather.beside_newman, strict=bool(weather.beside_newman)):
@@ -113,7 +115,7 @@ def pairs(moored, weather, settings, components):
 
 
 def half_waves(moored, weather, settings, components):
-    """Slow drift of a run by its half waves: (GivenForce,), or () if the run does not use half waves"""
+    """Slow drift of a run by half waves: (GivenForce,), or () if the run does not use half waves"""
     if settings.slow_drift != "half-waves" or components is None or not moored.reader.knows_drift:
         return ()
     if moored.reader.bodies:

@@ -1,4 +1,4 @@
-"""The memory of the water of a run: fitted to the smallest tolerance possible with the allowed number of states."""
+"""The fluid memory of a run, fitted with the smallest tolerance that the allowed number of states makes possible."""
 
 import numpy as np
 
@@ -11,13 +11,13 @@ WANTED = 1e-3  # fit error accepted without a finding
 
 
 def fitted_memory(body, motions=None):
-    """The `Memory` of a Reader, fitted to the smallest possible tolerance of TOLERANCES; and findings if this tolerance
-    is not WANTED.
+    """The `Memory` of a Reader, fitted to the smallest possible tolerance of TOLERANCES; and findings if it is not
+    WANTED.
 
     motions : numbers of its motions, None for all
-    raises : ValueError where no tolerance is met
-    A band that contradicts itself has no close fit. Tolerances that the best system tried is far from are then left
-    out.
+    raises : ValueError if no tolerance is met.
+    A frequency band with contradictory values has no close fit. Tolerances far below the best fit tried are then
+    skipped.
     """
     A = body.held_added_mass(0.0)[0]
     A = A if motions is None else A[np.ix_(motions, motions)]

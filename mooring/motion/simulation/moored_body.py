@@ -40,16 +40,19 @@ CAPSIZED = 1e-6  # fraction of the stiffest motion; smaller negative restoring i
 
 @dataclass(frozen=True, eq=False)
 class Moored:
-    """A body on its lines, or several, ready for a run; n motions, six for each body, then the shapes of bodies that
-    bend.
+    """One or several bodies on their lines, ready for a run, with n motions: six for each body, then shapes of
+    flexible bodies.
 
     reader : `bem.database.reader.Reader`; system : its `System`, None for bodies without lines
-    hull : `ExposedBox` that wind and current act on, of several bodies {name: ExposedBox}, None for none
+    hull : `ExposedBox` on which wind and current act, for several bodies {name: ExposedBox}, None without wind and
+        current
     memory : `bem.time_domain.memory.Memory`
-    start : (n,) m, rad of the equilibrium at rest from the given positions, in space, and of shapes
-    spring, damping : (n, n) linear, in addition to lines, along the axes of the bodies
-    quadratic : (n,) N₂ of drag on each motion; stiffness : (n, n) of water, lines and springs at rest, along these axes
-    slow_added_mass : (n, n) of the lowest known frequency; waves : WaveForces
+    start : displacements in space from the given positions to the equilibrium at rest, and amplitudes of shapes,
+        (n,), m and rad
+    spring, damping : linear terms in addition to lines, along body axes, (n, n)
+    quadratic : N₂ of drag on each motion, (n,); stiffness : of water, lines and springs at rest, along body axes,
+        (n, n)
+    slow_added_mass : at the lowest known frequency, (n, n); waves : WaveForces
     tables : tables of lines with segments (`line_loads.tables_of`); findings : one line each
     berth : `contacts.Berth`, fenders and ropes; buoy : `buoy.BuoyOnLines` on hawsers, None for none
     free : numbers of the free motions, by default all
@@ -77,7 +80,7 @@ class Moored:
 
     @property
     def hulls(self):
-        """`studies.conditions.Afloat` of every body, () for none"""
+        """`studies.conditions.Afloat` of every body, () if there is no hull"""
         if self.hull is None:
             return ()
         if not self.reader.bodies:
@@ -86,7 +89,9 @@ class Moored:
 
     @cached_property
     def dynamic_stiffness(self):
-        """Complex force per motion of the linear body on its lines, at the frequencies of `waves`; shape (q, n, n)"""
+        """Complex force per unit motion of the linear body on its lines, at the frequencies of `waves`; shape (q, n,
+        n)
+        """
         K, omega = self.stiffness - self.reader.stiffness, self.waves.omega
         more = driven(self.reader).damping - self.reader.damping
         body = self.reader.restrained(stiffness=0.5 * (K + K.T), damping=self.damping + more)
@@ -94,8 +99,9 @@ class Moored:
 
     @cached_property
     def drift_slopes(self):
-        """Wave drift damping of each body by unit waves at the frequencies of `waves` (q, HEADINGS, 3, 2), where each
-        knows its drift"""
+        """Wave drift damping of each body in unit waves at the frequencies of `waves`, (q, HEADINGS, 3, 2), if all
+        drift is known
+        """
         place = self.waves.omega, self.reader.depth, self.reader.gravity
         return [drift_damping(one, *place)[1] for one in self.waves.each[: self.reader.rigid // 6]]
 
@@ -108,19 +114,19 @@ def moored(
     db, system=None, hull=None, *, memory=None, spring=None, damping=None, quadratic=None, berth=None, waves=None,
     linearised_in=None, motions=None, turned=False,
 ):  # fmt: skip
-    """`Moored` of an opened database or `Reader`, of a `System` of its bodies with axes at their rotation centres, and
-    of hulls
+    """`Moored` from an open database or `Reader`, a `System` of its bodies with axes at their rotation centres, and
+    hulls
 
-    hull : ExposedBox, of several bodies {name: ExposedBox}; the drag of the water is that of the box tests where they
-    apply
+    hull : ExposedBox, for several bodies {name: ExposedBox}; the drag of the water is that of box tests where these
+        apply
     berth : `contacts.Berth`, fenders and ropes
     waves : WaveForces, memory : a Memory, by default those of the database
-    spring, damping : (n, n) SI; quadratic : (n,) N s²/m² …; all in addition to the viscous damping of the database's
-        scene; no spring between two bodies
-    linearised_in : waves as in `response.viscous.in_time`, for the part of that damping that is not drag, and for the
-        drift
+    spring, damping : (n, n), SI; quadratic : (n,), N s²/m² …; all in addition to the viscous damping of the
+        database's scene. A spring must not couple two bodies
+    linearised_in : waves as in `response.viscous.in_time`, for the part of the viscous damping that is not drag, and
+        for the drift
     motions : numbers of the free motions, None for all
-    turned : as for `wave_loads.wave_forces`
+    turned : as in `wave_loads.wave_forces`
     raises : ValueError with the name of the part that is missing or does not fit
     """
     reader, findings = db if isinstance(db, Reader) else db.bodies_reader, ()

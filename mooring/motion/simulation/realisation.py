@@ -21,18 +21,20 @@ SLOWEST = 0.9  # largest ratio of errors from one tolerance to the next that cou
 class Realisation(NamedTuple):
     """One run.
 
-    time : (n,) s; motion : (n, 6N + f) m, rad of the rotation centre of each of N bodies from its place at rest, along
-    its axes there, yaw unwrapped, and amplitudes of f shapes
-    velocity : (n, 6N + f) m/s, rad/s in axes that turn with the heading; slow : (n, 3N) low-passed x, y and yaw
-    wave : (n,) m at the origin; wind_speed : (n,) m/s; tension : (n, lines) N at the body; seed : seed of the run
-    estimated_error : (6N + f,) m, rad of the motions, by the finest run, nan where not asked for; steps : taken
-    deflection, reaction : (n, fenders) m, N; pull : (n, ropes) N
+    time : (n,) s; motion : (n, 6N + f), m and rad, of the rotation centre of each of N bodies from its position at
+        rest, along its axes at rest, with unlimited yaw; then amplitudes of f shapes
+    velocity : (n, 6N + f), m/s and rad/s, in axes that turn with the heading; slow : low-passed x, y and yaw, (n, 3N)
+    wave : elevation at the origin, (n,) m; wind_speed : (n,) m/s; tension : (n, lines) N, at the body; seed : seed
+        of the run
+    estimated_error : errors of the motions, from the finest run, (6N + f,), m and rad, nan if not requested; steps :
+        number of steps
+    deflection, reaction : (n, fenders), m and N; pull : (n, ropes) N
     work : {name: J} done on the bodies from the start of the ramp to the end; findings : one line each
-    buoy : (n, 6) m, m/s, of the buoy from its place in its system, None without one
-    poses : (n, N, 6) m, rad, displacements in space and headings of the bodies
-    hawser : (n, k), buoy_lines : (n, l) N, the largest since the sample before
-    links : (n, k, SHOWN) N, N m exerted by the first body of each hinge on the second, along the axes of the first,
-        with its spring and damper, and its travel, m or rad
+    buoy : displacement from its place in the system, and velocity of the buoy, (n, 6), m and m/s, None without a buoy
+    poses : displacements in space and headings of the bodies, (n, N, 6), m and rad
+    hawser : (n, k) N, and buoy_lines : (n, l) N, largest tensions since the previous sample
+    links : (n, k, SHOWN), forces, N and N m, of the first body of each hinge on the second, in axes of the first,
+        including spring and damper; and travel, m or rad
     """
 
     time: np.ndarray
@@ -58,12 +60,12 @@ class Realisation(NamedTuple):
 
 
 class Course(NamedTuple):
-    """Bodies followed to the end.
+    """Course of all bodies up to the end of a run.
 
-    samples : (n, N, 18) of their states, buoy : (n, 6) or (n, 0); clock : `integrator.Clock`, the last
-    bent, bending : (n, f) amplitudes of shapes and their rates
-    pulls : {number: (n,) N} of lines with a motion of their own; hung : (n, k + l) N of hawsers and lines of a buoy
-    held : (n, 6k) N, N m of hinges
+    samples : samples of the states, (n, N, 18); buoy : (n, 6) or (n, 0); clock : `integrator.Clock` at the end
+    bent, bending : amplitudes of shapes, and their rates, (n, f)
+    pulls : {number: (n,) N} of dynamic lines; hung : tensions of hawsers and lines of a buoy, (n, k + l) N
+    held : forces of hinges, (n, 6k), N and N m
     """
 
     samples: np.ndarray
@@ -105,12 +107,14 @@ def realisation_of(moored, settings, seed, begun, course):
 
 
 def motion_of(course, at_rest):
-    """Motion from the places at rest (N, 6), of a Course; shape (n, 6N + f)"""
+    """Motions of a Course from the positions at rest (N, 6); shape (n, 6N + f)"""
     return np.hstack([along_axes(course.samples[:, :, :6], at_rest), course.bent])
 
 
 def along_axes(poses, at_rest):
-    """Poses (n, N, k), with x, y in space and the heading last, along the axes at rest; shape (n, k N)"""
+    """Poses (n, N, k), whose x and y are in space and whose heading comes last, converted to axes at rest; shape (n,
+    k N)
+    """
     out = np.array(poses)
     for i, heading in enumerate(at_rest[:, 5]):
         if heading != 0.0:
@@ -122,7 +126,9 @@ def along_axes(poses, at_rest):
 
 
 def poses_of(motion, at_rest):
-    """Poses in space, m, rad, of motions (n,) from the places at rest (N, 6), along their axes there; shape (N, 6)"""
+    """Poses in space, m and rad, from motions (n,) along body axes at rest, from the positions at rest (N, 6); shape
+    (N, 6)
+    """
     poses = at_rest + np.reshape(motion, (-1, 6))
     for pose, heading, (x, y) in zip(poses, at_rest[:, 5], np.reshape(motion, (-1, 6))[:, :2], strict=True):
         if heading != 0.0:
@@ -151,8 +157,8 @@ def _of_buoy(buoy, course):
 class Doubt(NamedTuple):
     """Errors of the motions of a `Realisation`, from runs with smaller tolerances.
 
-    error : (n,) m, rad, root mean square difference from the run with the smallest tolerance
-    bound : (n,) m, rad, upper bound of the true error; spread : (n,) standard deviations of the motions
+    error : root mean square difference from the run with the smallest tolerance, (n,), m and rad
+    bound : upper bound of the true error, (n,), m and rad; spread : standard deviations of the motions, (n,)
     """
 
     error: np.ndarray
@@ -160,7 +166,7 @@ class Doubt(NamedTuple):
     spread: np.ndarray
 
     def share(self, error):
-        """Errors (n,) over the standard deviations, 0 for motions that are zero; shape (n,)"""
+        """Errors over the standard deviations of the motions, 0 for motions that are zero; shape (n,)"""
         return np.where(self.spread > MOTIONLESS, error / np.maximum(self.spread, MOTIONLESS), 0.0)
 
     @property
@@ -170,12 +176,11 @@ class Doubt(NamedTuple):
 
 
 def doubt_of(found, finer, finest=None):
-    """`Doubt` of a Realisation by motions (n, 6N) of runs with smaller tolerances, each smaller than the last by the
-    same factor.
+    """`Doubt` of a Realisation from motions (n, 6N) of runs with smaller tolerances, which fall by a constant factor.
 
-    finest : None if one such run is enough.  Lines that jerk and lines that break leave errors that decrease slowly, so
-    that the difference d₀₁ from the next run is only part of them.  With a third run the differences are extrapolated
-    as a geometric series,
+    finest : motions of a third run, None if two runs are enough. Lines that jerk or break leave errors that decrease
+        slowly, so that the difference d₀₁ from the second run is only a part of the error. With a third run the
+        differences are extrapolated as a geometric series,
 
         error ≤ max(d₀₁, d₀₂) + d₁₂ q/(1 − q),    q = min(d₁₂/d₀₁, SLOWEST).
     """

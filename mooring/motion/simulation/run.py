@@ -39,7 +39,8 @@ COARSE = 0.01  # change of a static tension by discretisation accepted without a
 class Begun(NamedTuple):
     """Initial data of a seed.
 
-    scene : `equation.Scene`; waves : `wave_loads.Waves`; expected : (N + G, 12) scale of the errors (`expected_motion`)
+    scene : `equation.Scene`; waves : `wave_loads.Waves`; expected : (N + G, 12) scale of the errors
+        (`expected_motion`)
     moving : as in `moving_of`; findings : one line each
     """
 
@@ -53,7 +54,7 @@ class Begun(NamedTuple):
 def simulate(moored, weather, settings, seed=0, progress=None):
     """One `Realisation` of a `Moored` body in a `Weather`.
 
-    seed : whole number; equal seeds give equal bits.  progress : called with the finished share
+    seed : whole number; equal seeds give identical results. progress : function called with the finished fraction
     raises : SimulationError where the motion cannot be followed
     """
     settings, words, left_out, _ = with_lines_chosen(moored, weather, settings)
@@ -134,7 +135,8 @@ def _begun(moored, weather, settings, seed):
 
 
 def with_lines_chosen(moored, weather, settings):
-    """`trial.Choice`: settings whose dynamic_lines are names, by a trial if they are "auto", else unchanged.
+    """`trial.Choice`: settings with names in dynamic_lines; a trial replaces "auto" by names, otherwise they are
+    unchanged.
 
     raises : SimulationError as in `simulate`
     """
@@ -198,18 +200,19 @@ def without_corners(scene):
 
 
 def begin(moored, offset=(0.0,)):
-    """Displacements in space, m, and headings, rad, of bodies at rest plus an offset (n,) along their axes; shape (N,
-    6)"""
+    """Displacements in space, m, and headings, rad, of bodies at an offset (n,), along their axes, from rest; shape
+    (N, 6)
+    """
     reader = moored.reader
     turned = reader.axes_at_rest * [0, 0, 0, 0, 0, 1]
     return moored.start[: reader.rigid].reshape(-1, 6) + poses_of(of_all(offset, reader)[0], turned)
 
 
 def of_all(values, reader):
-    """Numbers of bodies, shape (N, 6), and of shapes, shape (f,), from one number for each motion of a Reader, or (6,)
-    zeros for none.
+    """Values of bodies, shape (N, 6), and of shapes, shape (f,), from one value for each motion of a Reader; (6,)
+    zeros mean none.
 
-    raises : SimulationError for other shapes
+    raises : SimulationError for arrays of any other shape
     """
     values, count = np.asarray(values, float), len(reader.words)
     if not values.any():
@@ -259,9 +262,7 @@ def _of_lost(settings):
     """Findings on the statistics of lines that break"""
     for name, at in settings.lines_lost:
         if at < settings.duration:
-            yield (
-                f"line {name} breaks {at:g} s after the ramp: its mean and σ include the zero tension after the break"
-            )
+            yield f"line {name} breaks {at:g} s after the ramp"
         else:
             yield (
                 f"line {name} does not break, since its break time is {at:g} s after the ramp and a run lasts "

@@ -1,13 +1,14 @@
-"""Whether lines of a body may have their static shape: a short run with static lines, and a short run with moving
+"""Trial of whether lines of a body may have their static shape: a short run with static lines and one with moving
 lines.
 
-A line in its static shape has neither inertia nor drag.  It snaps where a line in water gives way, and takes no energy
-out of slow motion: under waves from abeam, chains in shallow water make a symmetric body surge and yaw (Mathieu's
-instability of a spring that stiffens), and the drag of the same chains damps this.  Both runs therefore contain the
-whole body, in the same waves and gusts.  Both start a little off the equilibrium, since an instability would take hours
-to grow out of rounding errors.  Where tensions or slow motion differ by more than NEGLIGIBLE, all lines move.  If
-tensions of a first trial of SHORT already differ by more than CLEAR, the lines move without a longer trial. Lines that
-move neglect nothing, so a trial that is too short could cost time and never be unsafe.
+A line in its static shape has neither inertia nor drag.  A static line snaps where a real line in water would yield,
+and it takes no energy out of slow motion. For example, static chains in shallow water make a symmetric body surge
+and yaw in beam waves (Mathieu's instability of a stiffening spring), while the drag of real chains damps this
+motion. Both runs therefore contain the whole body, in equal waves and gusts. Both runs start a little off the
+equilibrium, since an instability would take hours to grow out of rounding errors. If tensions or slow motion differ
+by more than NEGLIGIBLE, all lines are dynamic. If tensions of a first trial of length SHORT already differ by more
+than CLEAR, lines are dynamic without a longer trial. Dynamic lines neglect nothing, so a trial that is too short
+could cost time but would never be unsafe.
 
 The regimes of the simplified method (`mooring.lines.regimes`) were tried for this decision. Of random chains, wires and
 ropes in their quasi-static regime, every second one differed by more than a tenth in a run
@@ -45,10 +46,10 @@ TOO_SMALL = (
 
 
 class Choice(NamedTuple):
-    """settings : settings with dynamic_lines as names; words : results of the trial; left_out : lines without own
-    motion
+    """settings : settings with names in dynamic_lines; words : results of the trial; left_out : lines that cannot be
+    dynamic
 
-    pace : s of computing per simulated s, for (static, moving) lines, nan without a trial
+    pace : computing time per simulated time, for (static, moving) lines; nan without a trial
     """
 
     settings: object
@@ -58,15 +59,16 @@ class Choice(NamedTuple):
 
 
 class Difference(NamedTuple):
-    """Effect of the motion of lines. share : difference over the larger of the two values; words : the effect in
-    numbers"""
+    """Effect of the motion of lines. share : difference of two values over the larger value; words : the effect in
+    numbers
+    """
 
     share: float
     words: str
 
 
 def chosen(run, moored, weather, settings):
-    """`Choice` of the lines of a `Moored` body by a trial, the same for every seed.
+    """`Choice` for the lines of a `Moored` body by a trial; one choice serves every seed.
 
     run : (moored, weather, settings, seed, progress) → `Realisation`
     raises : SimulationError if neither run is possible
@@ -113,7 +115,7 @@ def _both(run, moored, weather, settings, able):
 
 
 def able_to_move(system, settings):
-    """Names of the lines of a System, or None, that can move by themselves, and lines of text on those that cannot"""
+    """Names of the lines of a System, or None, that can be dynamic, and findings on lines that cannot"""
     able, kept, loaded = [], {}, []
     for line in () if system is None else system.lines:
         if isinstance(line, Hawser):  # without weight it has no dynamics
@@ -198,7 +200,7 @@ class _Pace:
 
     @property
     def seconds(self):
-        """nan for a run with too few steps"""
+        """Computing time of a run, s; nan for a run with too few steps"""
         if len(self.seen) < 2 or self.seen[-1][0] <= self.seen[0][0]:
             return np.nan
         (first, begun), (last, ended) = self.seen[0], self.seen[-1]

@@ -1,1 +1,1 @@
-"""Tables from which forces are read, over an angle or over time, and the water on a slewing hull."""
+"""Tables of forces over an angle or over time, and the force of the water on a slewing hull."""

@@ -1,4 +1,4 @@
-"""Shapes of bodies that bend, in groups of six as the kernels read them, and how they move points of their bodies.
+"""Shapes of flexible bodies, in groups of six as the kernels read them, and displacements of points by these shapes.
 
 Each group belongs to one body, has its shapes and forces along the axes of this body, and is filled up with empty
 motions. A shape of several bodies belongs to the first of them.
@@ -13,8 +13,9 @@ from ...lines.system.parts import Fairlead
 
 
 class Groups(NamedTuple):
-    """owner : (G,) number of each group's body, among the bodies that move; place : (f,) place of each shape among the
-    6G"""
+    """owner : (G,), number of each group's body among the moving bodies; place : (f,), place of each shape among the
+    6G
+    """
 
     owner: np.ndarray
     place: np.ndarray
@@ -25,8 +26,9 @@ class Groups(NamedTuple):
         return len(self.owner)
 
     def padded(self, values, axes=1):
-        """Values of motions, bodies before shapes, on the first `axes` axes, spread over 6N + 6G places with 0 in the
-        others"""
+        """Values of motions (bodies before shapes) along the first `axes` axes, spread over 6N + 6G places; unused
+        places are 0
+        """
         rigid = len(values) - len(self.place)
         at = np.append(np.arange(rigid), rigid + self.place)
         for axis in range(axes):
@@ -52,10 +54,9 @@ def groups_of(reader):
 
 
 def moved_by_shapes(reader, body, points):
-    """Displacement per unit of each shape of a Reader at points (n, 3), m, of one of the bodies that move, m; shape (n,
-    f, 3)
+    """Displacement, m, per unit of each shape of a Reader at points (n, 3) m of one moving body; shape (n, f, 3)
 
-    body : its number among the moving bodies; points and displacements along its axes, from its rotation centre
+    body : number among the moving bodies; points and displacements are along its axes, from its rotation centre
     """
     points = np.asarray(points, float).reshape(-1, 3)
     out, number = np.zeros((len(points), len(reader.modes), 3)), _moving(reader)[body]
@@ -68,7 +69,7 @@ def moved_by_shapes(reader, body, points):
 
 
 def with_bent_fairleads(system, reader, amplitudes):
-    """A System with its fairleads moved by the shapes of a Reader with amplitudes (f,)"""
+    """A System whose fairleads are displaced by the shapes of a Reader with amplitudes (f,)"""
     if not reader.modes:
         return system
     names = [one.name for one in system.bodies]

@@ -2,8 +2,8 @@
 
     S(nΔ) = Σ pᵢ cos ωᵢnΔ + Σ qᵢ sin ωᵢnΔ = P(n) + Q(n),    S(−nΔ) = P(n) − Q(n)
 
-so that the steps after an instant and those before it cost the same two sums.  A block of eight waves is added to eight
-steps at once, in a fixed order. A sum therefore has the same bits whatever else is summed with it.
+so that the steps before and after an instant need only two sums.  A block of eight waves is added to eight
+steps at once, in a fixed order. A sum is therefore bitwise the same, whatever else is summed with it.
 """
 
 import numpy as np
@@ -18,15 +18,15 @@ PART_1, PART_2, PART_3 = 1.57079632673412561417, 6.07710050630396597660e-11, 2.0
 
 
 def zeros_in_lines(shape):
-    """Array of zeros of a shape; its first element lies at the begin of a cache line (LINE bytes)"""
+    """Array of zeros of a shape; its first element lies at the start of a cache line (LINE bytes)"""
     room = np.zeros(int(np.prod(shape)) + LINE // 8)
     first = -room.ctypes.data % LINE // 8
     return room[first : first + int(np.prod(shape))].reshape(shape)
 
 
 def harmonics(omega, step, count):
-    """Values of cos ωt and sin ωt at `count` or a few more steps from 0 s, then zeros up to a whole number of BLOCKs;
-    shape (c, 2, m)
+    """Values of cos ωt and sin ωt at `count` or a few more steps from 0 s, filled with zeros to full BLOCKs; shape
+    (c, 2, m)
 
     omega : (c,) rad/s; step : s
     """
@@ -38,9 +38,10 @@ def harmonics(omega, step, count):
 
 @kernel(inline=True, counted=False)
 def sum_waves(rows, factor, sums):
-    """sums (k, 2, m): P and Q of k quantities, from rows (c, 2, k), p and q, and from factor (c, 2, m) of `harmonics`
+    """Fill sums (k, 2, m), P and Q of k quantities, from rows (c, 2, k), p and q, and from factor (c, 2, m) of
+    `harmonics`
 
-    Blocks of rows that are zero are left out.
+    Blocks of rows with only zeros are skipped.
     """
     sums[:] = 0.0
     k, m = rows.shape[2], factor.shape[2]
@@ -67,7 +68,7 @@ def sum_waves(rows, factor, sums):
 
 @kernel(inline=True, counted=False)
 def at_step(sums, j, n):
-    """S of quantity j at step n from sums (k, 2, m); n may be before 0"""
+    """Sum S of quantity j at step n, from sums (k, 2, m); n may be negative"""
     return sums[j, 0, n] + sums[j, 1, n] if n >= 0 else sums[j, 0, -n] - sums[j, 1, -n]
 
 

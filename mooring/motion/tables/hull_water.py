@@ -1,16 +1,17 @@
-"""Water and mean drift on a hull that slews in a current, at its velocity through the water, compiled.
+"""Forces of water and mean drift on a hull that slews in a current, from its velocity through the water, compiled.
 
     F = C Σₖ cₖ(β) V^(2−k) (rL)ᵏ − D ν′ + drift(ψ) + carried,    k = 0 … 4,  |rL| ≤ V/2      (`single_point.loads`)
 
-C : share of the coefficients of a round hull (`loads.on_hull`), else 1
-β, V : angle and speed of the water at the hull; ν′ = (u, v, r) through the water.  `carried` is what the current adds
-to the inertia of the equation of motion, whose velocities are those over the ground: seen from axes that turn, a
-current of components U, W changes at the rate r (W, −U).  With T of the body and the added mass a of slow motion,
+C : fraction of the coefficients that applies for a round hull (`loads.on_hull`), otherwise 1
+β, V : angle and speed of the water at the hull; ν′ = (u, v, r) through the water.  `carried` is the current's
+    addition to the inertia terms of the equation of motion, whose velocities are over the ground. Seen from axes
+    that turn, a current with components U, W changes at the rate r (W, −U). With the inertia T of the body and the
+    added mass a of slow motion,
 
     turning tests           r (T₁₁ W, −T₂₂ U, −T₆₂ U)     they hold the inertia of the turn, and C(ν) is left out
     current coefficients    r ((a₁₁ − a₂₂) W, (a₁₁ − a₂₂) U, −a₆₂ U)
 
-so that a body that drifts with the current moves as in water at rest.
+so that a body drifting with the current moves as in water at rest.
 """
 
 from typing import NamedTuple
@@ -26,12 +27,12 @@ from .interpolation import on_ring, ring_table
 
 @in_memory
 class HullWater(NamedTuple):
-    """water : (n + 3, 15) N …, rows of a `ring_table`, five powers of three forces; length : m
+    """water : (n + 3, 15), N …, rows of a `ring_table`: five powers of three forces; length : m
 
     largest : rL/V; velocity : (2,) m/s of the current; linear : (3, 3) D; carried : (3,) kg, kg, kg m
-    drift : (m + 3, 3) N, N, N m over headings; lever : m, from the centre of pressure of the water up to the centre of
-    the motion
-    at_rest : share of the coefficients in water at rest
+    drift : (m + 3, 3), N, N, N m, over headings; lever : height of the centre of motion over the water's centre of
+        pressure, m
+    at_rest : fraction of the coefficients that applies in water at rest
     """
 
     water: np.ndarray
@@ -46,10 +47,12 @@ class HullWater(NamedTuple):
 
 
 class OnHull(NamedTuple):
-    """Coefficients of a hull for all directions, about the centre of its motion, instead of the coefficients of a box.
+    """Coefficients of a hull for all directions, about the centre of its motion, in place of the coefficients of a
+    box.
 
-    wind : (n, 6) N s²/m², N s² at unit speed over the direction that the wind blows to, None for none
-    water : HullWater; turning : whether it comes from turning tests, which contain the inertia of the turn
+    wind : (n, 6), N s²/m² and N s², force at unit speed over the direction towards which the wind blows, None
+        without wind
+    water : HullWater; turning : whether HullWater comes from turning tests, which include the inertia of the turn
     quadratic : N₂ of yaw, N m s²
     """
 
@@ -60,10 +63,11 @@ class OnHull(NamedTuple):
 
 
 def hull_water(table, length, largest, velocity, linear, mass, turning, drift=None, lever=0.0, at_rest=1.0):
-    """HullWater of a table (n, 5, 3) N … over the angle the water flows to.
+    """HullWater of a table (n, 5, 3), N …, over the direction of flow.
 
-    mass : (3, 3) kg …, T of slow surge, sway and yaw with turning tests, else the added mass; linear : (3, 3) or None
-    drift : (m, 3) N, N, N m over the heading, None for none; at_rest : as in HullWater
+    mass : (3, 3) kg …, with turning tests T of slow surge, sway and yaw, otherwise the added mass; linear : (3, 3)
+        or None
+    drift : (m, 3), N, N, N m, over the heading, None without drift; at_rest : as in HullWater
     """
     carried = np.array([mass[0, 0], -mass[1, 1], -mass[2, 1]])
     if not turning:
@@ -78,8 +82,11 @@ def hull_water(table, length, largest, velocity, linear, mass, turning, drift=No
 
 @kernel(counted=False)
 def drag_share(still, flow, own):
-    """Share of C_D, `still` in water at rest, in a stream of `flow` m/s for a hull that moves with `own` m/s; as
-    `loads.on_hull.drag_share`"""
+    """Fraction of C_D that applies in a stream of `flow` m/s for a hull that moves at `own` m/s, as in
+    `loads.on_hull.drag_share`.
+
+    In water at rest it is `still`.
+    """
     if flow >= STEADY * own:
         return 1.0
     ratio = flow / (STEADY * own)
@@ -88,12 +95,12 @@ def drag_share(still, flow, own):
 
 @kernel(counted=False)
 def hull_water_force(hull, share, moving, weights, room, out, drift):
-    """out (3,) N, N, N m : force of the water in the body's axes; drift (3,) : force of the waves.
+    """Fill out (3,), force of the water in the body's axes, N, N, N m, and drift (3,), force of the waves.
 
     Loads are multiplied by `share`.
 
-    moving : (4,) heading of the body, its velocities along and across this heading, and yaw rate over the ground
-    weights (6,), room (15,)
+    moving : (4,), heading of the body, its velocities along and across this heading, and yaw rate, over the ground
+    weights, room : work arrays (6,) and (15,)
     """
     heading, r = moving[0], moving[3]
     cos, sin = np.cos(heading), np.sin(heading)

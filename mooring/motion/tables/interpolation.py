@@ -14,8 +14,9 @@ SHARES = 1.0 / np.array(  # 1 / (−1)^(n−1−i) i! (n−1−i)! of n = 4 and 
 
 @kernel(inline=True, counted=False)
 def lagrange_weights(place, n, weights):
-    """Weights, n of (6,), of the polynomial through n = 4 or 6 samples at 0, 1, …, n−1, at a place between the
-    samples."""
+    """Fill the first n of weights (6,), those of the polynomial through n = 4 or 6 samples at 0, 1, …, n−1, at a
+    place between.
+    """
     row = 0 if n == 4 else 1
     before = 1.0
     for i in range(n):
@@ -29,7 +30,9 @@ def lagrange_weights(place, n, weights):
 
 @kernel(inline=True, counted=False)
 def between_samples(samples, place, weights, out):
-    """out (k,) of samples (k, m) at equal steps, at a place counted in steps from the first; quintic, six samples."""
+    """Fill out (k,) from samples (k, m) at equal steps, at a place counted in steps from the first; quintic through
+    six samples.
+    """
     m = samples.shape[1]
     first = min(max(int(np.floor(place)) - 2, 0), m - 6)
     lagrange_weights(place - first, 6, weights)
@@ -48,7 +51,7 @@ def ring_table(values):
 
 @kernel(inline=True, counted=False)
 def on_ring(table, angle, weights, out):
-    """out (k,) of a `ring_table` at an angle, rad; cubic through four neighbours"""
+    """Fill out (k,) from a `ring_table` at an angle, rad; cubic through four neighbours"""
     n = table.shape[0] - 3
     place = angle * (n / (2 * np.pi))
     whole = np.floor(place)

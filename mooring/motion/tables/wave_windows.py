@@ -1,10 +1,11 @@
-"""Windows of wave forces, compiled: the waves are summed at a slow pose and stored for a window of time.
+"""Windows of wave forces, compiled: the forces of all waves at a slow pose are summed and stored for a window of time.
 
 Equations and windows: `mooring.motion.wave_loads`.  A force X(ω) exp(−iωτ) of a wave is interpolated between nodes ω̃,
 
     Σ aᵢ X(ωᵢ) exp(−iωᵢτ) ≈ Σ Aₘ X(ω̃ₘ) exp(−iω̃ₘτ),    Aₘ = Σ aᵢ Lₘ(ωᵢ),    Lₘ Lagrange's polynomials of NEAR nodes,
 
-for the short times τ of a window.  Roots of the drift have corners and sharp peaks, and are summed over the waves.
+for the short times τ of a window. Square roots of the drift have corners and sharp peaks, so they are summed wave by
+wave.
 """
 
 from __future__ import annotations
@@ -31,19 +32,20 @@ NEAR = 6  # nodes on which the amplitude of a wave is shared
 class WaveTable(NamedTuple):
     """Wave components, and their forces on a ring of headings, at M nodes of frequency, as the kernels read them.
 
-    omega : (c,) rad/s at which a place at rest meets them; own : (c,) rad/s, in the water, which a current moves along
-    amplitude, phase, direction : (c,); number : (2, c) wavenumber along x and y
+    omega : frequency at a fixed place, (c,) rad/s; own : frequency in the water, which a current may carry along,
+        (c,) rad/s
+    amplitude, phase, direction : (c,); number : wavenumber along x and y, (2, c)
     force : (N + G, M, HEADINGS, 16) real and imaginary parts of six forces per metre and zeros, of each of N bodies and
     of G groups of shapes (`equation`), at the nodes; drift : (N + G, c, HEADINGS, 3) a square metre, of the components
     Single precision rounds the forces of every pose anew: a lightly damped buoy at a tolerance of 1e-4 was four times
     that off, and no nearer at 1e-7
-    near : (c,) first node of each component, share : (c, WIDTH) its shares on the nodes from there on
-    towards : (M,) rad, directions of the nodes
-    of_nodes : (M or more, 2, m) `harmonics` of the nodes at the steps of a window and EDGE beyond it
-    of_drift : (c or more, 2, n) those of the components at every second of these steps and FAR beyond
-    center : (N + G, 2) m, rotation centres; arm : (N + G, 2) m, from the origin of the database to these, along axes of
-    the bodies
-    step, window : s, between forces and of a window
+    near : first node of each component, (c,); share : shares of each component on the nodes from its first, (c, WIDTH)
+    towards : wave directions of the nodes, (M,) rad
+    of_nodes : (M or more, 2, m), `harmonics` of the nodes at the steps of a window and EDGE steps beyond it
+    of_drift : (c or more, 2, n), `harmonics` of the components at every second of these steps and FAR beyond
+    center : rotation centres, (N + G, 2) m; arm : arms from the database's origin to the centres, along body axes,
+        (N + G, 2) m
+    step, window : time between forces, and length of a window, s
     """
 
     omega: np.ndarray
@@ -72,12 +74,13 @@ class WaveTable(NamedTuple):
 
 @in_memory
 class Waves(NamedTuple):
-    """table : `WaveTable`; mean_drift : whether each component drifts alone, without the beat of pairs
+    """table : `WaveTable`; mean_drift : whether only the mean drift of each component counts, without the beat of
+    pairs
 
     rows : (c, 2, 12), node_rows : (M, 2, 7), turns : (2, c), nodes : (2, M + WIDTH), parts : (24,), weights : (6,) and
     slow : (3, 2n) room for work
-    sums : (N, 2, 7, 2, m), drift_sums : (N, 2, 12, 2, n) `sum_waves` of the begin of window k in place k % 2, those of
-    its end in the other; mean : (N, 2, 3) mean drift there
+    sums : (N, 2, 7, 2, m), drift_sums : (N, 2, 12, 2, n), `sum_waves` at the start of window k in place k % 2, at
+        its end in the other place; mean : mean drift at start and end, (N, 2, 3)
     """
 
     table: WaveTable
@@ -107,7 +110,7 @@ def waves_of(table, mean_drift=False):
 
 @kernel(inline=True, counted=False)
 def turn_waves(table, x, y, start, turns):
-    """turns (2, c): amplitude times cosine and sine of the phase of each wave at (x, y) m and `start` s"""
+    """Fill turns (2, c), amplitude times cosine and sine of the phase of each wave at (x, y) m and `start` s"""
     for i in range(table.omega.size):
         turn = table.number[0, i] * x + table.number[1, i] * y + table.phase[i] - table.omega[i] * start
         sine, cosine = sine_and_cosine(turn)
@@ -117,9 +120,9 @@ def turn_waves(table, x, y, start, turns):
 
 @kernel(inline=True, counted=False)
 def share_waves(table, turns, nodes):
-    """nodes (2, M + WIDTH): amplitudes of the nodes, then zeros, from those of the waves, turns (2, c)
+    """Fill nodes (2, M + WIDTH), amplitudes of the nodes, then zeros, from the amplitudes of the waves, turns (2, c)
 
-    Waves in a row that have the same nodes are added before these are written.
+    Successive waves with common nodes are added before the nodes are written.
     """
     nodes[:] = 0.0
     shares, into, m, i = address(table.share), address(nodes), nodes.shape[1], 0
@@ -135,7 +138,7 @@ def share_waves(table, turns, nodes):
 
 @kernel(inline=True, counted=False)
 def near_headings(direction, weights):
-    """First of six headings about a direction, rad from the body's axes, and their weights (6,), filled"""
+    """First of six headings around a direction, rad from the body's axes; fills the weights (6,) of these headings"""
     place = direction * (HEADINGS / (2 * np.pi))
     whole = np.floor(place)
     lagrange_weights(place - whole + 2.0, 6, weights)
@@ -144,7 +147,7 @@ def near_headings(direction, weights):
 
 @kernel(counted=False)
 def fill_forces(waves, heading, body):
-    """waves.node_rows (M, 2, OF_NODE): six forces and the elevation of each node for a body at a heading, rad"""
+    """Fill waves.node_rows (M, 2, OF_NODE), six forces and the elevation at each node for a body at a heading, rad"""
     table, parts, weights, first, before = waves.table, waves.parts, waves.weights, 0, np.nan
     force, into = address(table.force), address(parts)
     for i in range(table.towards.size):
@@ -166,9 +169,9 @@ def fill_forces(waves, heading, body):
 
 @kernel(counted=False)
 def fill_drift(waves, ax, ay, heading, body):
-    """waves.rows (c, 2, OF_WAVE): real and imaginary roots of the drift of each wave
+    """Fill waves.rows (c, 2, OF_WAVE), real and imaginary square roots of the drift of each wave
 
-    Its groups beat where the waves meet the rotation centre, (ax, ay) m from the origin that the forces refer to.
+    Wave groups act when they reach the rotation centre, which is (ax, ay) m from the reference point of the forces.
     """
     table, turns, parts, weights, first, before = waves.table, waves.turns, waves.parts, waves.weights, 0, np.nan
     drifts, by = address(table.drift), address(parts)
@@ -199,8 +202,10 @@ def fill_drift(waves, ax, ay, heading, body):
 
 @kernel(counted=False)
 def meet(waves, place, pose, start, body=0):
-    """Sums of `Waves` around `start` s, put into place 0 or 1 of the sums, for a body that is then at the slow pose
-    (3,): x, y (m from the place at rest) and heading"""
+    """Compute the sums of `Waves` around `start` s into place 0 or 1, for a body at the slow pose (3,) at this time.
+
+    The pose is x, y (m from the position at rest) and heading
+    """
     table = waves.table
     cos, sin = np.cos(pose[2]), np.sin(pose[2])
     ax, ay = cos * table.arm[body, 0] - sin * table.arm[body, 1], sin * table.arm[body, 0] + cos * table.arm[body, 1]
@@ -220,10 +225,10 @@ def meet(waves, place, pose, start, body=0):
 
 @kernel(counted=False)
 def fill_window(waves, window, number, pose, start, body=0):
-    """Fill window (ROWS, m) with forces of `Waves` at the steps of a window that begins at `start` s.
+    """Fill window (ROWS, m) with forces of `Waves` at the steps of a window that starts at `start` s.
 
-    number : number of the window; its begin is already summed. pose : (3,) slow pose of the body at its end, which is
-    summed here
+    number : number of the window, whose start is already summed; pose : slow pose at its end, which is summed here,
+        (3,)
     """
     window[:] = 0.0
     if waves.table.omega.size == 0:
@@ -244,8 +249,10 @@ def fill_window(waves, window, number, pose, start, body=0):
 
 @kernel(counted=False)
 def add_drift(waves, window, side, body, place):
-    """Add the share of the drift at the begin (side 0) or the end (side 1) of a window, which is summed at every second
-    step from there; between two of these steps it is the quintic through six"""
+    """Add the drift at the start (side 0) or the end (side 1) of a window, with its weight.
+
+    The drift is summed at every second step; between these steps it is the quintic through six of them
+    """
     sums, steps = waves.drift_sums[body, place], window.shape[1] - 1 - 2 * EDGE
     first = (-EDGE - side * steps) // 2 - 2
     for k in range((steps + 1) // 2 + 2 * EDGE + 3):

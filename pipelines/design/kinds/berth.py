@@ -10,7 +10,7 @@ import numpy as np
 from hakobune.mooring.fenders.fender import FenderError
 
 from .in_time import at_place, make_study_of
-from .needs import DOLPHIN, OF_ALLOWABLE, OF_ENERGY, SLOW, TOTAL
+from .needs import DOLPHIN, OF_ALLOWABLE, OF_ENERGY, OF_REACTION, REACTION, SLOW, TOTAL
 from .numbers import Numbers, types_of
 
 STEADY = 600.0  # s
@@ -106,7 +106,7 @@ def _of_fenders(file, made, berth):
 
     step = float(np.diff(file["time"][:2])[0])
     dolphins = {one.name: one for one in made.dolphin}
-    out = {TOTAL: {}, SLOW: {}, OF_ALLOWABLE: {}, OF_ENERGY: {}, DOLPHIN: {}}
+    out = {REACTION: {}, OF_REACTION: {}, TOTAL: {}, SLOW: {}, OF_ALLOWABLE: {}, OF_ENERGY: {}, DOLPHIN: {}}
     for i, (table, one) in enumerate(zip(made.fender, berth.fenders, strict=True)):
         largest = max(float(summary_of(file, f"deflection {one.name}")["largest"]), 0.0)
         steady = _longest_mean(file["deflection"][()][..., i].astype(float), step)
@@ -119,6 +119,7 @@ def _of_fenders(file, made, berth):
             reaction = one.fender.largest_reaction(largest)
         except FenderError:  # deflection beyond the table
             out[OF_ENERGY][one.name], reaction = np.inf, np.inf
+        out[REACTION][one.name], out[OF_REACTION][one.name] = reaction / 1e3, reaction / fender.rated_reaction
         if yields and np.isfinite(yields[1]) and reaction > 0:
             out[DOLPHIN][one.name] = yields[1] / reaction
     return {quantity: values for quantity, values in out.items() if values}

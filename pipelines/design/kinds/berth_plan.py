@@ -20,7 +20,7 @@ def draw_berth(made, db, numbers, path):
     from matplotlib.colors import Normalize
     from matplotlib.figure import Figure
 
-    from ...common.picture import save
+    from ...common.picture import draw_streams, save
 
     hull = made.hull_of(db.sizes)
     fenders = made.berth(hull, db.rotation_center).fenders
@@ -47,10 +47,15 @@ def draw_berth(made, db, numbers, path):
     x, y, turn = numbers.place
     turned = np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
     axes.plot(*(corners @ turned.T + [x, y]).T, color="k", label="mean place")
+    axes.annotate("bow", (0.5 * hull.length, 0.0), xytext=(-8, 0), textcoords="offset points", ha="right", va="center",
+                  fontsize=8)  # fmt: skip
     figure.colorbar(colours, ax=axes, shrink=0.8, label="tension / breaking load,\nstrain / allowable strain")
     at = "mean place {} m, {} m, yaw {}°".format(*map(fixed, (x, y, np.degrees(turn))))
     free = MARGIN * (right - left)
     axes.set(xlabel="x, m", ylabel="y, m", aspect="equal", title=at, xlim=(left - free, right + free), ylim=(low, high))
+    conditions = made.conditions()
+    streams = {"wind": conditions.wind, "current": conditions.current, "waves": conditions.waves}
+    draw_streams(axes, {name: one.direction for name, one in streams.items() if one})
     figure.legend(loc="outside lower center", ncols=2, fontsize=8)
     save(figure, path, 150)
 

@@ -204,7 +204,7 @@ def run(study, database, path, factors):
         write_study(path, text)
         runs = simulated(path.with_suffix(".toml"), database, runs_path, factors)
         made = lambda: berth_numbers(study, database, runs_path, runs)  # noqa: E731
-        return numbers_of(runs_path, text, database, made), runs
+        return numbers_of(runs_path, f"{text}# reactions", database, made), runs
     stored = _solved(study, database, path)
     if "simulation" not in study:
         return stored, None

@@ -9,7 +9,8 @@ from hakobune.mooring.criteria.verdict import HAWSER, HOLDING, OF_TENSIONS, PRET
 
 TOTAL, SLOW = "fender strain, total", "fender strain, steady"
 OF_ALLOWABLE, OF_ENERGY = "fender strain / allowable strain", "fender energy / rated energy"
-OF_FENDERS = OF_ALLOWABLE, OF_ENERGY, TOTAL, SLOW
+OF_REACTION, REACTION = "fender reaction / rated reaction", "fender reaction, kN"
+OF_FENDERS = OF_ALLOWABLE, OF_ENERGY, OF_REACTION, TOTAL, SLOW
 DOLPHIN = "design load of a dolphin / fender reaction"
 SCOPE = "line length / (5 depths + tidal range)"
 EXCURSION = "excursion"  # m, largest horizontal distance of a body, or of a buoy, from its place at rest

@@ -1,4 +1,4 @@
-"""Rows of comparisons: one for each case, frequency and heading.
+"""Rows of comparison tables: one row for each case, frequency and heading.
 
 A_ij = a_ij/(ρ∇ ℓᵢℓⱼ), B_ij = b_ij/(ρ∇ω ℓᵢℓⱼ), F_i = F/(ρg ζ_a (LB/2) ℓᵢ); X_1..3 = x_a/ζ_a, X_4..6 = φ_a/kζ_a;
 D_x, D_y = F/(½ρgLζ_a²), D_yaw = M/(½ρgL²ζ_a²), floating freely.  chi_deg is 0 in a head sea, waves travel to
@@ -22,7 +22,7 @@ def coefficient_rows(results):
 
 
 def wave_rows(results, kind):
-    """The same for each heading too; kind : forces or motions"""
+    """[{column: number or text}], one for each case, frequency and heading; kind : forces or motions"""
     letter, out = {"forces": "F", "motions": "X"}[kind], []
     for r in results:
         values = np.where(r.driven(kind), getattr(r, kind), np.nan)
@@ -35,7 +35,7 @@ def wave_rows(results, kind):
 
 
 def drift_rows(results):
-    """The same of the cases that have drift"""
+    """[{column: number or text}], one for each case with drift, frequency and heading"""
     return [
         _place(r, xi, chi) | dict(zip(("D_x", "D_y", "D_yaw"), values, strict=True))
         for r in results if r.drift is not None

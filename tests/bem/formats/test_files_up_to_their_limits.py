@@ -199,7 +199,7 @@ LIMITS = {
         "RadiationCoefficients.tec"),
     "numbers of Nemoh": (edited(nemoh, "n", "n/Results/ExcitationForce.tec"), {" 1.000000000E+00 ": " 1.0000001E+00 "},
         {" 1.000000000E+00 ": " 1.1 "},
-        "ExcitationForce.tec does not have the frequencies of RadiationCoefficients.tec; allowed: the same"),
+        "the frequencies of RadiationCoefficients.tec; allowed: the same frequencies; it has no 1 rad/s"),
     "kind of frequency of HAMS": (edited(hams, "h", "h/Input/ControlFile.in"), {}, {"Output_frequency_type   4":
         "Output_frequency_type 6"}, "Output_frequency_type is 6; allowed: 1 (deep wavenumber), 2 (wavenumber), "
         "3 (frequency), 4 (period), 5 (wavelength)"),

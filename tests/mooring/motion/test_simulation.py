@@ -268,8 +268,7 @@ def test_a_line_lost_at_the_start_never_pulls(on_chains):
     name = on_chains.system.line_names[0]
     run = simulate(on_chains, Weather(), replace(CALM, duration=20.0, lines_lost=((name, 0.0),)))
     assert np.all(run.tension[:, 0] == 0) and np.abs(run.motion[-1] - on_chains.start).max() > 0.01
-    told = f"line {name} breaks 0 s after the ramp: its mean and σ include the zero tension after the break"
-    assert told in run.findings
+    assert f"line {name} breaks 0 s after the ramp" in run.findings
 
 
 def test_a_line_that_would_break_after_the_end_is_said_not_to(on_chains):

@@ -13,6 +13,7 @@ from hakobune.mooring.motion.statistics import (
     over_runs,
     parts,
     record_statistics,
+    settled_from,
     slow_part,
     stillness,
     without_rounding,
@@ -56,6 +57,16 @@ def test_the_slow_part_has_the_variance_told_of_it_and_no_delay():
     record = slow + np.sin(2 * np.pi * 690 / (14400 * STEP) * t)
     assert np.allclose(slow_part(record, STEP, 0.3), slow, atol=1e-10)
     assert np.isclose(slow_part(record, STEP, 0.3).std(), record_statistics(record, STEP, 0.3).slow, rtol=1e-12)
+
+
+def test_a_body_is_at_its_new_place_once_it_stays_within_its_later_range():
+    """A walk of 25 m after 300 s among waves of ±0.5 m: within a tenth more than that where 0.1 m are left"""
+    t = STEP * np.arange(3600)
+    left = 25.0 * np.where(t < 300, 1.0, np.exp(-(t - 300) / 60.0))
+    motion = np.stack([left + 0.5 * np.sin(1.6 * t), 0 * t], axis=1)
+    first = settled_from(t, motion, 300.0)
+    assert 0.05 < left[first] < 0.15
+    assert settled_from(t, motion, np.inf) == settled_from(t, motion, t[-10]) == 0
 
 
 @pytest.mark.parametrize("low, high", [(0.55, 0.65), (0.2, 1.0)])

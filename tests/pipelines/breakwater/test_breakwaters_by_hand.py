@@ -395,3 +395,19 @@ def test_each_amplitude_has_its_unit_its_words_and_the_table_it_stands_in(tmp_pa
         assert (whole.unit, whole.description, whole.record) == (unit, f"{words}, complex", True), name
         assert one.axes == whole.axes == ("period", "held" if "." in name else "holding")
         assert one.values == pytest.approx(abs(whole.values)) and whole.values.dtype == complex
+
+
+def test_a_transmission_that_jumps_between_periods_is_told_with_both():
+    """0.1, 0.2, 0.9: 0.7 between 5 and 6 s; a quarter and less is not told"""
+    from types import SimpleNamespace
+
+    from hakobune.pipelines.breakwater.findings import JUMP, jumps
+
+    def told(*K):
+        curve = SimpleNamespace(name="free", response=SimpleNamespace(transmission=np.array(K, complex) * 1j))
+        waves = SimpleNamespace(period=np.array([4.0, 5.0, 6.0])[: len(K)])
+        return list(jumps(SimpleNamespace(waves=waves), SimpleNamespace(curves=[curve])))
+
+    (line,) = told(0.1, 0.2, 0.9)
+    assert line.startswith("free: K_T goes from 0.2 at 5 s to 0.9 at 6 s") and "between 5 and 6 s" in line
+    assert told(0.1, 0.1 + JUMP, 0.1 + JUMP) == told(0.5) == []

@@ -173,7 +173,7 @@ def _single_point(room):
     maps = [1, 2]
     room.made = Made(SimpleNamespace(study=0, point=0, rest=0, run=1, maps=maps))
     room.at(single_point__result__single_point=room.found)
-    room.at(single_point__pictures__draw_plan=room.draw, single_point__running__draw=room.draw,
+    room.at(single_point__pictures__draw_plan=room.draw, single_point__pictures__draw_run=room.draw,
             single_point__maps__draw=room.draw)  # fmt: skip
     status = of_single_point.single_point(STUDY, output=H5, plot=PNG)
     names = ["plan.png", "found_run.png", "found_slewing_1.png", "found_slewing_2.png"]

@@ -4,8 +4,6 @@ import math
 import os
 import signal
 import sys
-import time
-from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
@@ -16,7 +14,7 @@ import pytest
 from hakobune.mooring.environment.sea import Components
 from hakobune.mooring.lines.system.parts import Anchor, CompositeLine, Fairlead, FreePoint, LineType, UniformLine
 from hakobune.pipelines import cli, doctor, start
-from hakobune.pipelines.common import interrupt, picture
+from hakobune.pipelines.common import interrupt
 from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.common.weather import seas
 from hakobune.pipelines.design import project_checks as of_project
@@ -256,9 +254,8 @@ def test_a_run_without_a_file_is_kept_in_a_folder_that_goes(monkeypatch):
     monkeypatch.setattr(of_run, "fill", lambda *given: asked.append(given) or outcome)
     monkeypatch.setattr(of_run, "read_run", lambda *given: given)
     path, window, failed = of_run.simulate("s", "db", seeds=2, duration=60.0, executor="two", window=30.0)
-    study, db, output, console, _, seeds, duration, fresh, asked_window, pictures = asked[0]
+    study, db, output, console, _, seeds, duration, fresh, asked_window = asked[0]
     assert (study, db, seeds, duration, fresh, asked_window) == ("input of s", "open db", 2, 60.0, False, 30.0)
-    assert not pictures
     assert output == path and path.name == "run.h5" and not path.parent.exists() and console is None
     assert window == 30.0 and failed == ("FAILS: seed 3: no line",) and asked[1] == "two"
     outcome.interrupted = True
@@ -692,17 +689,3 @@ def test_a_sweep_keeps_what_it_is_asked_for():
     assert kept(found, ("b",)) == {"b": 2}
     with pytest.raises(StudyError, match="keep: 'c' is not a quantity of the result; allowed: a, b"):
         kept(found, ("c",))
-
-
-def test_what_pictures_need_is_loaded_while_runs_go_on_and_there_when_they_end_or_are_interrupted(monkeypatch):
-    loaded = []
-    monkeypatch.setattr(picture, "import_module", lambda name: time.sleep(0.01) or loaded.append(name))
-    with picture.loaded_meanwhile(False):
-        pass
-    assert not loaded
-    for way in (None, KeyboardInterrupt):
-        with suppress(KeyboardInterrupt), picture.loaded_meanwhile(True):
-            if way:
-                raise way
-        assert loaded == ["matplotlib.figure", "matplotlib.backends.backend_agg"]
-        loaded.clear()

@@ -110,7 +110,7 @@ def test_a_body_in_one_equation_has_slow_drift_where_its_waves_are_of_a_database
         findings: tuple
 
     asked = {}
-    monkeypatch.setattr(running, "_buoy_and_rope", lambda study: ("buoy", "rope"))
+    monkeypatch.setattr(running, "_buoy_and_rope", lambda study, point: ("buoy", "rope"))
     monkeypatch.setattr(running, "_sea", lambda study, db: "sea")
     monkeypatch.setattr(running, "_components", lambda study, db: "components")
     monkeypatch.setattr(running, "waves_carrier", lambda study: "carrier")

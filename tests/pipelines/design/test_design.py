@@ -454,7 +454,7 @@ def test_quantities_that_one_kind_of_study_knows_have_their_units():
     """Whatever a load case may find is refused in another unit"""
     berth, slewing = {"fender": [{"name": "one"}]}, {"slewing": {}}
     found = (*mooring.finds(berth), *single_point.finds(slewing), *breakwater.finds({}), SCOPE, FATIGUE, *OF_TENSIONS)
-    assert len(found) == 30 and [name for name in found if found.count(name) > 1] == ["excursion"] * 2
+    assert len(found) == 31 and [name for name in found if found.count(name) > 1] == ["excursion"] * 2
     for quantity in found:
         with pytest.raises(RuleError, match=r"'furlong'; allowed: (m|deg|-)$"):
             unit_of("limit", quantity, "furlong")

@@ -46,7 +46,8 @@ def test_fenders_are_judged_by_their_own_strain_energy_and_the_yield_of_their_do
     made = SimpleNamespace(fender=[table], dolphin=[])
     file = {key: (value if key in ("quantity",) else SimpleArray(value)) for key, value in file.items()}
     found = berth._of_fenders(file, made, SimpleNamespace(fenders=[SimpleNamespace(name="F", fender=pair)]))
-    by_hand = {TOTAL: 0.32, SLOW: 0.1, OF_ALLOWABLE: 0.64 / 0.9, OF_ENERGY: (0.64 / 0.8) ** 2, DOLPHIN: 800 / 640}
+    by_hand = {TOTAL: 0.32, SLOW: 0.1, OF_ALLOWABLE: 0.64 / 0.9, OF_ENERGY: (0.64 / 0.8) ** 2, DOLPHIN: 800 / 640,
+               berth.REACTION: 640.0, berth.OF_REACTION: 0.64 / 0.8}  # fmt: skip
     assert {key: value["F"] for key, value in found.items()} == pytest.approx(by_hand, rel=1e-3)
 
 

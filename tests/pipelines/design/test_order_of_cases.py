@@ -113,7 +113,8 @@ def drawn(pictures, tmp_path, strain=0.5, place=PLACE):
     fenders = [SimpleNamespace(name="F1", face=np.array([20.0, -10.0, 0]), normal=np.array([0.0, 1.0, 0])),
                SimpleNamespace(name="F2", face=np.array([50.0, 0.0, 0]), normal=np.array([-1.0, 0.0, 0]))]  # fmt: skip
     made = SimpleNamespace(hull_of=lambda size: SimpleNamespace(length=L, beam=B),
-                           berth=lambda hull, center: SimpleNamespace(fenders=fenders))  # fmt: skip
+                           berth=lambda hull, center: SimpleNamespace(fenders=fenders),
+                           conditions=lambda: SimpleNamespace(wind=None, current=None, waves=None))  # fmt: skip
     numbers = SimpleNamespace(
         names=("bow", "stern"), largest=np.array([250.0, 600.0]), breaking=np.array([1000.0, 1000.0]),
         anchor=np.array([[80.0, -40.0, 5.0], [-80.0, 30.0, 5.0]]), parts={OF_ALLOWABLE: {"F1": strain}},
@@ -142,7 +143,7 @@ def test_the_plan_of_a_berth_has_its_ropes_hull_and_mean_place(pictures, tmp_pat
     assert named["mean place"] == pytest.approx(turned)
     assert axes.get_title() == "mean place 1.00 m, 2.00 m, yaw 90.00°"
     assert axes.get_xlim() == pytest.approx((-96, 96)) and (axes.get_xlabel(), axes.get_ylabel()) == ("x, m", "y, m")
-    assert {one.get_text() for one in axes.texts} == {"bow 25 %", "stern 60 %", "F1 50 %", "F2 0 %"}
+    assert {one.get_text() for one in axes.texts} == {"bow 25 %", "stern 60 %", "F1 50 %", "F2 0 %", "bow"}
     assert bar.get_ylabel() == "tension / breaking load,\nstrain / allowable strain" and bar.get_ylim() == (0, 1)
     places = {one.get_text(): one.xyann for one in axes.texts}
     assert places["bow 25 %"][1] < -40 and places["stern 60 %"][1] > 30  # beyond the bollards of their side

@@ -13,7 +13,7 @@ from hakobune.pipelines.moor import study as moored
 from hakobune.pipelines.solve import report as checks
 
 WORDS = ("issue", "summary", "advice_words", "return_words", "time_words", "state_row", "line_rows", "criterion",
-         "case", "rule_set", "motion_rows", "band", "part_table")  # fmt: skip
+         "case", "rule_set", "motion_rows", "mooring_words", "band", "part_table")  # fmt: skip
 
 
 class Asked:
@@ -33,7 +33,8 @@ def page(monkeypatch):
     project = SimpleNamespace(project=own, states=["calm", "storm"])
     kind = SimpleNamespace(words=lambda project, study: ("door", "sources", ("method", study)))
     read = SimpleNamespace(project=project, study="study", text="project text", study_text="study text", kind=kind)
-    ran = [SimpleNamespace(case=SimpleNamespace(name=name), path=Path(f"/p/cases/{name}.toml")) for name in "ab"]
+    ran = [SimpleNamespace(case=SimpleNamespace(name=name), path=Path(f"/p/cases/{name}.toml"),
+                           numbers=numbers) for name, numbers in (("a", "numbers"), ("b", None))]  # fmt: skip
     verdict = SimpleNamespace(ran=ran, word="holds", judged=["one", "two"], rule_sets=["rules"])
     points = [SimpleNamespace(text=f"point {met}", met=met, how=f"how {met}") for met in (True, False, None)]
 
@@ -68,7 +69,8 @@ def test_every_part_of_a_page_is_made_of_what_it_tells(page):
         "name": "quay 3", "note": "draft", "issue": ["issue", own], "word": "holds", "word_class": "good",
         "summary": ["summary", verdict], "advice": ["advice_words", "advice", verdict],
         "levels": [("_levels", read, "paths", "/p/out")], "return_period": ["return_words", own, verdict],
-        "in_time": ["time_words", read], "states": [["state_row", "calm"], ["state_row", "storm"]],
+        "in_time": ["time_words", read], "not_run": 1, "mooring": ["mooring_words", read],
+        "states": [["state_row", "calm"], ["state_row", "storm"]],
         "body": ("body", read, "paths", "/p/out"), "lines": ["line_rows", read, verdict],
         "criteria": [["criterion", one, ("found in", read, verdict, "/p/out")] for one in ("one", "two")],
         "cases": [["case", first, links], ["case", second, links]], "rule_sets": [["rule_set", "rules"]],

@@ -297,7 +297,7 @@ def test_fenders_of_runs_are_judged_one_by_one(monkeypatch):
     values = {"deflection F1": {"largest": 1.0}, "deflection F2": {"largest": -0.4}}
 
     monkeypatch.setattr("hakobune.pipelines.simulate.file.summary_of", lambda file, name: values[name])
-    one = SimpleNamespace(height=2.0, allowable=0.5, energy=lambda y: 100.0 * y, rated_energy=200.0)
+    one = SimpleNamespace(height=2.0, allowable=0.5, energy=lambda y: 100.0 * y, rated_energy=200.0, rated_reaction=4e5)
     monkeypatch.setattr("hakobune.pipelines.common.fender_tables.fender_of", lambda table: one)
     monkeypatch.setattr(berth, "dolphin_of", lambda table, dolphins: (1.0, 9e5) if table == "t1" else None)
     monkeypatch.setattr(berth, "_longest_mean", lambda record, step: float(record.max()) + step)
@@ -312,6 +312,7 @@ def test_fenders_of_runs_are_judged_one_by_one(monkeypatch):
     assert found[TOTAL] == {"F1": 0.25, "F2": 0.0} and found[berth.SLOW] == {"F1": 0.625 / 4, "F2": 0.375 / 4}
     assert found[OF_ALLOWABLE] == {"F1": 0.5, "F2": 0.0} and found[berth.OF_ENERGY] == {"F1": 0.25, "F2": 0.0}
     assert found[DOLPHIN] == {"F1": pytest.approx(3.0)}
+    assert found[berth.REACTION]["F1"] == 300.0 and found[berth.OF_REACTION]["F1"] == 0.75
 
 
 STEVIN = {"kind": "drag", "type": "Stevin", "soil": "sand", "mass": 2500, "safety": 1.5}

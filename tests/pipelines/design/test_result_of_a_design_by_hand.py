@@ -94,7 +94,7 @@ def test_a_design_without_criteria_or_cases_is_told_too(monkeypatch):
 def test_parts_of_a_design_are_made_from_each_other(monkeypatch, tmp_path, asked):
     place, calls = "hakobune.pipelines.design", {}
     cases = [SimpleNamespace(case=SimpleNamespace(name=name)) for name in ("a", "b")]
-    judged = SimpleNamespace(judged="judged", ran=cases)
+    judged = SimpleNamespace(judged="judged", ran=cases, word="passes")
 
     def answer(name, value):
         return lambda *given: calls.__setitem__(name, given) or value

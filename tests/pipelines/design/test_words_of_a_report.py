@@ -26,7 +26,7 @@ def test_every_check_that_fails_is_told_with_its_number_and_limit(monkeypatch):
 
 
 @pytest.mark.parametrize("scene, css", [
-    ("panels = 2500", "open"), ('[[bodies]]\nshape = "mesh"', "open"), ("tolerance = 0.01", "fails"), ("", "fails"),
+    ("panels = 2500", "source"), ('[[bodies]]\nshape = "mesh"', "source"), ("tolerance = 0.01", "fails"), ("", "fails"),
 ])  # fmt: skip
 @pytest.mark.parametrize("name", ["estimated_error", "damping", "energy"])
 def test_an_estimated_error_without_a_tolerance_that_was_asked_for_is_no_failure(monkeypatch, scene, css, name):
@@ -37,7 +37,7 @@ def test_an_estimated_error_without_a_tolerance_that_was_asked_for_is_no_failure
     monkeypatch.setattr("hakobune.pipelines.solve.report.checked", lambda db: [check])
     told = next(iter(_checks({"mean": "a.h5"})))
     assert told["css"] == (css if name != "energy" else "fails")  # a law holds with any number of panels
-    assert told["text"].endswith("no tolerance was asked for" if told["css"] == "open" else "rad/s; limit 0.01")
+    assert told["text"].endswith("no tolerance was asked for" if told["css"] == "source" else "rad/s; limit 0.01")
 
 
 def test_a_body_is_told_in_tonnes_metres_and_seconds():

@@ -12,7 +12,7 @@ from result_views import check_views
 
 import hakobune
 from hakobune.bem.database import open_database
-from hakobune.bem.second_order import first_order_waves, quadratic_forces
+from hakobune.bem.second_order import first_order_waves, quadratic_forces, stored
 from hakobune.bem.second_order.quadratic_forces import PARTS, QuadraticRun
 from hakobune.bem.second_order.stored import read_forces
 from hakobune.mooring.environment.sea import Sea
@@ -176,7 +176,10 @@ def narrow(peak):
 def test_what_is_taken_in_place_of_pairs_that_are_not_stored_is_told_as_left_out_with_size_and_command(path, lacking):
     """Swell has its bound waves, seas beyond kh = 1.5 Newman's rule; what the command stores is taken then"""
     whole, db = open_database(path), open_database(lacking)
-    for peak, takes, size in ((0.6, "bound-wave", "1.5 times too large"), (0.95, "newman at kh = 1.9", "0.7 to 1.2")):
+    for peak, takes, size in (
+        (0.6, "bound-wave", "0.9 to 1.6 times the complete ones"),
+        (0.95, "newman at kh = 1.9", "0.7 to 1.2"),
+    ):
         _, (said,) = beside_newman(db, narrow(peak), "auto")
         assert said.startswith("left out: the force of wave pairs") and "\n" not in said
         assert f'qtf = "auto" uses {takes}' in said and size in said
@@ -362,7 +365,7 @@ def test_a_question_that_is_stored_is_not_solved_again_and_differences_end_with_
 @pytest.mark.parametrize(
     "panel, says",
     [
-        (4.0, "the difference falls with more panels"),
+        (4.0, "the difference falls with more panels, at best as one over their number: 1200 or more for the limit"),
         (8.5, "3 panels to a wave length; use smaller panels in the scene, or --omega up to that frequency"),
     ],
 )
@@ -372,10 +375,35 @@ def test_drift_by_pressure_that_is_off_on_panels_too_large_for_the_waves_is_told
         added=np.full((2, 1, 1, 3), 0.06), headings=[0.0], squares=np.ones((1, 2, 1, 1, 6), complex), kind=None,
         omega=np.array([0.5, 2.25]),
     )  # fmt: skip
-    db = SimpleNamespace(mesh=SimpleNamespace(sizes=np.array([1.0, panel])), water_depth=500.0, gravity=9.80665)
+    flat = np.zeros((2, 4, 3))
+    mesh = SimpleNamespace(sizes=np.array([1.0, panel]), total=1000, vertices=flat, flat_vertices=flat)
+    db = SimpleNamespace(mesh=mesh, water_depth=500.0, gravity=9.80665)
     (said,) = report.failures(SimpleNamespace(forces=forces), db)
     assert said.startswith("FAILS: mean drift by pressure differs") and "6 % of the largest, limit 5 %" in said
     assert says in said
     db.attributes = {"imported": "wamit: a.1"}  # it has no scene
     (said,) = report.failures(SimpleNamespace(forces=forces), db)
     assert says.replace("in the scene", "in the mesh, and import it (--mesh)") in said
+
+
+@pytest.mark.parametrize("gap, used", [(0.24, True), (0.26, False)])
+def test_pairs_that_fail_their_check_are_told_everywhere_and_left_out_by_auto_above_a_quarter(
+    path, gap, used, monkeypatch, tmp_path, capsys
+):
+    monkeypatch.setattr(stored, "diagonal_gap", lambda forces: gap)
+    number, db = f"differs from the far-field drift by {100 * gap:g} % of the largest, limit 5 %", open_database(path)
+    found, said = beside_newman(db, SWELL, "auto")
+    assert (getattr(found, "level", "bound-wave") == "full") == used and sum(number in line for line in said) == 1
+    assert ("fail their check and are not used" in " ".join(said)) != used
+    found, said = beside_newman(db, SWELL, "full")
+    assert found.level == "full" and said[0].startswith('qtf = "full" uses wave pairs that fail') and number in said[0]
+    assert main(["check", str(path)]) == 1
+    assert number in " ".join(capsys.readouterr().out.split())
+    study = tmp_path / "study.toml"
+    study.write_text(STUDY.format("auto"))
+    main(["response", str(study), "--database", str(path)])
+    printed = capsys.readouterr()
+    assert number in " ".join((printed.out + printed.err).split())
+    assert main(["qtf", str(path)]) == 1
+    printed = " ".join(capsys.readouterr().out.split())
+    assert number in printed and "there is no estimated error" in printed

@@ -241,7 +241,9 @@ def test_stored_forces_answer_a_question_of_the_same_waves_body_and_method_alone
 def test_panels_that_carry_the_waves_and_others_have_their_way_out(monkeypatch, carried, says):
     """λ = 2πg/ω² in deep water: 171 m at 0.6 rad/s"""
     monkeypatch.setattr(report, "_carried", lambda db: carried)
-    db = SimpleNamespace(mesh=SimpleNamespace(sizes=np.array([3.0, 4.5])), water_depth=np.inf, gravity=9.81)
+    flat = np.zeros((1, 4, 3)) + [0.0, 1.0, 2.0]
+    mesh = SimpleNamespace(sizes=np.array([3.0, 4.5]), vertices=flat, flat_vertices=flat)
+    db = SimpleNamespace(mesh=mesh, water_depth=np.inf, gravity=9.81)
     told = report._smaller_panels(SimpleNamespace(omega=OMEGA), db)
     assert told == "the difference falls with more panels" if says is None else says in told
     assert says is None or "up to 0.55 rad/s" in told

@@ -62,9 +62,9 @@ def test_frequencies_take_the_place_of_those_of_the_scene_and_leave_its_headings
     assert made["waves"] == {key: values, "headings_deg": [0.0, 90.0]} and made["bodies"] == RAW["bodies"]
 
 
-def test_a_number_of_panels_takes_the_place_of_a_tolerance():
+def test_a_number_of_panels_keeps_the_tolerance_for_the_checks_and_a_tolerance_takes_the_place_of_panels():
     made = overlaid(RAW, SceneFlags(panels="200"), {})
-    assert made["panels"] == 200 and "tolerance" not in made
+    assert made["panels"] == 200 and made["tolerance"] == RAW["tolerance"]
     assert overlaid({"panels": 100} | RAW, SceneFlags(tolerance=0.1), {}) == RAW | {"tolerance": 0.1}
 
 

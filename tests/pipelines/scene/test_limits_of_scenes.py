@@ -41,8 +41,6 @@ LIMITS = [  # old, good, bad, what is said
     ("tolerance = 0.01", "tolerance = 1e-5", "tolerance = 9e-6", "tolerance is 9e-06; allowed: 1e-5 to 0.2"),
     ("tolerance = 0.01", "panels = 20", "panels = 0", "panels is 0; allowed: 1 to 100000"),
     ("tolerance = 0.01", "panels = 100000", "panels = 100001", "panels is 100001; allowed: 1 to 100000"),
-    ("tolerance = 0.01", "panels = 100", "panels = 100\ntolerance = 0.1",
-     "tolerance is 0.1 and panels is 100; give only one"),
     ("tolerance = 0.01", 'wall = 25.1\nmethod = "panel"', "wall = 24.9", "more than half its beam, 25"),
     ("tolerance = 0.01", 'wall = -25.1\nmethod = "panel"', 'wall = 1.1e6\nmethod = "panel"',
      "wall is 1.1e+06; allowed"),

@@ -63,7 +63,6 @@ FAULTS = {
     "xi_B nearly the same": ("omegas = [0.4, 0.8]", "xi_B = [0.5, 0.5000000015]", ("waves.xi_B", "twice")),
     "no headings": ("[0, 45]", "[]", ("headings_deg", "0 values")),
     "tolerance too fine": ("tolerance = 0.01", "tolerance = 1e-9", ("tolerance", "1e-09")),
-    "both accuracies": ("tolerance = 0.01", "tolerance = 0.01\npanels = 500", ("tolerance", "panels")),
     "no panels": ("tolerance = 0.01", "panels = 0", ("panels", "0")),
     "unknown method": ("tolerance = 0.01", 'method = "magic"', ("method", "magic", "auto, panel")),
     "unknown product": ("tolerance = 0.01", 'want = ["drfit"]', ("drfit", "drift")),
@@ -194,9 +193,11 @@ def test_help_answers_at_once():
     assert "--help" in done.stdout and not done.stderr.strip()
 
 
-def test_a_band_in_a_scene_may_be_written_as_its_flag_has_it(tmp_path):
-    (tmp_path / "scene.toml").write_text('[waves]\nomegas = "auto:0.2:2.2"\nheadings_deg = [0, 90]\n')
-    assert read_scene(tmp_path / "scene.toml")["waves"] == {"band": {"from": 0.2, "to": 2.2}, "headings_deg": [0, 90]}
-    (tmp_path / "scene.toml").write_text('[waves]\nomegas = "auto"\n')
+def test_a_band_in_a_scene_may_be_written_as_its_flag_has_it():
+    box = {"shape": "box", "length": 50.0, "beam": 20.0, "draft": 4.0}
+    raw = {"water": {"depth": 20.0}, "bodies": [box], "waves": {"omegas": "auto:0.2:1.2", "headings_deg": [0, 90]}}
+    scene = make_scene(raw)
+    assert (scene.waves.band.first, scene.waves.band.last, scene.waves.omegas) == (0.2, 1.2, None)
+    assert scene.waves.headings_deg == [0, 90] and raw["waves"]["omegas"] == "auto:0.2:1.2"
     with pytest.raises(SceneError, match=r"waves.omegas is 'auto'; allowed: auto:from:to in rad/s"):
-        read_scene(tmp_path / "scene.toml")
+        make_scene(raw | {"waves": {"omegas": "auto"}})

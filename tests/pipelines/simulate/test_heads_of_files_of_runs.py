@@ -24,7 +24,9 @@ def named(*names, **more):
 def head(monkeypatch):
     def call(bodies=(), system=True, ropes=(), fenders=(), moving="none", anchors=(), mean_period=8.0, berth=()):
         axes = np.array([[1.0, 2, 3, 0, 0, 0.5], [4, 5, 6, 0, 0, 0.7]])
-        held = SimpleNamespace(line_names=("a", "b"), breaking_load=np.array([1e6, np.inf])) if system else None
+        held = (
+            SimpleNamespace(line_names=("a", "b"), lines=(), breaking_load=np.array([1e6, np.inf])) if system else None
+        )
         links = ("link",)
         reader = SimpleNamespace(axes_at_rest=axes, links=links, words=("surge",), names=("Surge",))
         on_berth = SimpleNamespace(ropes=ropes, fenders=fenders, names=berth)
@@ -39,7 +41,7 @@ def head(monkeypatch):
             anchors_on=lambda names: asked.append(names) or [f"of {name}" for name in names],
         )  # fmt: skip
         task = SimpleNamespace(study=study, database="b.h5")
-        settings = SimpleNamespace(duration=600.0, dynamic_lines=moving)
+        settings = SimpleNamespace(duration=600.0, dynamic_lines=moving, lines_lost=())
         plan = SimpleNamespace(settings=settings, split=0.3, mean_period=mean_period, stations="stations",
                                told=("left out", "told"), sides="sides", shapes="units")  # fmt: skip
         water = {"density": 1025.0, "gravity": 9.8, "water_depth": 30.0}
@@ -76,10 +78,11 @@ def test_a_head_has_the_numbers_of_the_study_its_database_and_its_lines(head):
     assert rest == [(), ("Surge",), ("hinge x", "hinge y"), ("station x",)]
     assert attributes.pop("rotation_center").tolist() == [7, 8, 9]
     assert attributes == {
+        "lost_at": np.inf,
         "database": "b.h5", "duration": 600.0, "split_frequency": 0.3, "mean_period": 8.0, "allowable": 0.6,
         "density": 1025.0, "gravity": 9.8, "water_depth": 30.0, "hull": [100.0, 20.0, 6.0, 4.0], "memory_states": 12,
         "place_at_rest": "start", "told": "left out\ntold", "findings_of_all": "one\ntwo", "seeds_differ": True,
-        "moored_period": "period",
+        "moored_period": "period", "on_bed_at_rest": [20.0, 0.0],
     }  # fmt: skip
     assert np.isnan(head(mean_period=None)[0].attributes["mean_period"])
 

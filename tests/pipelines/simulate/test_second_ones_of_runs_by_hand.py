@@ -96,6 +96,9 @@ def test_the_line_with_the_largest_share_of_its_load_is_told_not_that_with_the_l
     ):
         (said,) = over_runs.most_loaded(File(names, runs, used=np.array(used), line=line))
         assert said == f"largest tension: {says}"
+    composite = File(names, runs, used=np.array([[0.1, 0.5]] * 3), line=line)
+    composite.attrs["weakest_segments"] = '{"stern": ["chain", 4e5]}'
+    assert next(iter(over_runs.most_loaded(composite))).endswith("60 %), that of its weakest segment, chain, 400 kN")
     assert not list(over_runs.most_loaded(File(["surge"], [[1.0]] * 3)))
 
 

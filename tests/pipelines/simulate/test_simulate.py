@@ -4,8 +4,9 @@ import io
 import json
 import shutil
 import signal
+import sys
 import tomllib
-from concurrent.futures import Future
+from concurrent.futures import BrokenExecutor, Future
 from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
@@ -32,6 +33,7 @@ from hakobune.pipelines.cli import main
 from hakobune.pipelines.common.quantities import StudyError
 from hakobune.pipelines.common.units import KGF
 from hakobune.pipelines.design.kinds import in_time
+from hakobune.pipelines.executors import processes
 from hakobune.pipelines.executors.choice import Here
 from hakobune.pipelines.films.of_run import film_of_run, surface
 from hakobune.pipelines.keys.beginning import commented
@@ -39,7 +41,7 @@ from hakobune.pipelines.keys.kinds import KINDS
 from hakobune.pipelines.moor import study as study_file
 from hakobune.pipelines.moor.study import make_study, read_study
 from hakobune.pipelines.response.study import ONE_BODY
-from hakobune.pipelines.simulate import beside, over_runs, work
+from hakobune.pipelines.simulate import beside, command, over_runs, work
 from hakobune.pipelines.simulate import file as of_runs
 from hakobune.pipelines.simulate import run as runs
 from hakobune.pipelines.simulate.berth import fender_strains, findings_on_fenders, most_pressed
@@ -105,6 +107,7 @@ def folder(tmp_path, monkeypatch):
     for module in (work, runs):
         monkeypatch.setattr(module, "prepared", prepared)
     monkeypatch.setattr(runs, "simplified", lambda study, db: NOTHING_BESIDE)
+    monkeypatch.setattr("hakobune.pipelines.solve.report.doubts", lambda db: ())  # it is no database
     return tmp_path
 
 
@@ -128,6 +131,31 @@ def test_a_run_is_drawn_unless_no_pictures_are_asked_for(folder, capsys):
     for more, pictures in ((["--no-pictures"], 0), ([], 4)):
         assert main([*asked, *more]) == 0
         assert capsys.readouterr().out.count(".png") == len(list(folder.glob("*.png"))) == pictures
+
+
+class Killed(Here):
+    """A process that has been killed"""
+
+    def __init__(self, count):
+        pass
+
+    def submit(self, function, *arguments):
+        future = Future()
+        future.set_exception(BrokenExecutor("killed"))
+        return future
+
+
+def test_another_process_draws_the_same_pictures_and_if_it_is_killed_they_are_drawn_here(folder, capsys, monkeypatch):
+    asked, drawn = ["simulate", "study.toml", "--database", "box.h5", "--output", "run.h5"], []
+    monkeypatch.setattr(command, "processors", lambda: 2)
+    for way in (processes.Processes, Killed):
+        monkeypatch.setattr(processes, "Processes", way)
+        for part in [name for name in sys.modules if name == "matplotlib.figure"]:
+            monkeypatch.delitem(sys.modules, part)
+        assert main(asked) == 0 and capsys.readouterr().out.count(".png") == 4
+        assert ("matplotlib.figure" in sys.modules) == (way is Killed)
+        drawn.append({path.name: path.read_bytes() for path in folder.glob("*.png")})
+    assert drawn[0] == drawn[1] and len(drawn[0]) == 4
 
 
 def test_a_study_is_parsed_and_its_database_opened_once(folder, monkeypatch):

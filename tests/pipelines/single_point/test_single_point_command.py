@@ -155,20 +155,19 @@ def test_the_tanker_of_the_scenes_stands_at_its_hawser_and_its_criteria_are_told
         assert preferred(equilibria(make(make_study(raw)).point)).slewing.stable is stable
 
 
-def test_a_surge_that_grows_is_not_called_slewing_and_a_buoy_near_the_peak_of_the_waves_is_told(
-    tmp_path, monkeypatch, capsys
-):
+def test_slow_motions_are_named_and_a_buoy_near_the_peak_of_the_waves_is_told(tmp_path, monkeypatch, capsys):
     assert cli.main(["new", "single-point-tanker", str(tmp_path / "calm.toml")]) == 0
     text = (tmp_path / "calm.toml").read_text()
     capsys.readouterr()
     assert run(tmp_path, text, monkeypatch=monkeypatch) == 0
     found, said = single_point(tmp_path / "study.toml"), capsys.readouterr().out
-    assert "natural periods of" not in said and found["mode"][:2] == ["surge", "sway and yaw"]
+    names = [mode.words for mode in found.detail.best.modes[:2]]
+    assert "natural periods of" not in said and names == ["surge", "sway and yaw"]
     mass, (period, *_) = 1e3 * 53900 * 1.05, found["natural.period"]
     one = found.detail.best
     along = np.array([np.cos(one.heading), np.sin(one.heading)])
     stiff = along @ one.point.pull(one.buoy).stiffness @ along
-    assert period == pytest.approx(2 * np.pi * np.sqrt(mass / stiff), rel=0.02)  # surge on the lines of the buoy
+    assert period == pytest.approx(2 * np.pi * np.sqrt(mass / stiff), rel=0.03)  # surge on the lines of the buoy
     near = text.replace("pretension_kN = 300.0", "pretension_kN = 150.0")
     assert run(tmp_path, near, monkeypatch=monkeypatch) == 0
     assert "within 20 % of the waves' peak at 9.09 s" in capsys.readouterr().out

@@ -93,6 +93,7 @@ def checked(monkeypatch):
 
         monkeypatch.setattr(checking, "open_database", opened)
         monkeypatch.setattr(checking, "_repaired", lambda path: f"repaired {path}")
+        monkeypatch.setattr(checking, "_of_pairs", lambda db: ())
         monkeypatch.setattr(checking, "_findings", lambda db: [finding("coarse", "warning"), finding("open", "error")])
         monkeypatch.setattr(checking, "_scene_findings", lambda db: [finding("other water", "error")])
         monkeypatch.setattr(checking, "checked", lambda db: [one])

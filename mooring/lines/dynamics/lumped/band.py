@@ -2,8 +2,8 @@
 
 f[j−2] x[j−2] + (e[j−1] − B[j−1]) x[j−1] + D[j] x[j] + (e[j] − B[j]) x[j+1] + f[j] x[j+2] = r[j],   j = first … last
 
-with numbers e and f for all three coordinates; D and B as in `block_tridiagonal`, whose remark on
-pivots holds here too.
+with numbers e and f for all three coordinates. D and B are those of `block_tridiagonal`. No pivoting is needed, for
+the reason given in `block_tridiagonal`.
 
     M[j] = f[j−2] A[j−2]⁻¹,   L[j] = (e[j−1] − B[j−1] − M[j] U[j−2]) A[j−1]⁻¹
     A[j] = D[j] − f[j−2] M[j] − L[j] U[j−1],   U[j] = e[j] − B[j] − f[j−1] L[j]
@@ -21,7 +21,7 @@ OF_BAND = 36  # numbers of each pivot: A⁻¹, U, L and M
 
 @kernel(inline=True, counted=False)
 def times(f, a):
-    """f a of a number and a tuple of nine"""
+    """The product f a of a number and a tuple of nine"""
     a0, a1, a2, a3, a4, a5, a6, a7, a8 = a
     return (f * a0, f * a1, f * a2, f * a3, f * a4, f * a5, f * a6, f * a7, f * a8)
 
@@ -34,7 +34,7 @@ def taken(memory, at):
 
 @kernel(inline=True, counted=False)
 def beside(e, b):
-    """e I − b as a tuple of nine: e a number, I the unit matrix, b a tuple of nine"""
+    """The matrix e I − b as a tuple of nine; e is a number, I the unit matrix, b a tuple of nine"""
     b0, b1, b2, b3, b4, b5, b6, b7, b8 = b
     return (e - b0, -b1, -b2, -b3, e - b4, -b5, -b6, -b7, e - b8)
 
@@ -66,7 +66,7 @@ def factor_band(D, B, bending, pivots, first, last):
 
 @kernel(inline=True, counted=False)
 def applied(p, k, x, y, z):
-    """The matrix at p[k …] times a vector"""
+    """Product of the matrix at p[k …] and a vector"""
     return (
         p[k] * x + p[k + 1] * y + p[k + 2] * z,
         p[k + 3] * x + p[k + 4] * y + p[k + 5] * z,
@@ -76,7 +76,7 @@ def applied(p, k, x, y, z):
 
 @kernel(counted=False)
 def substitute_band(pivots, bending, r, x, first, last):
-    """x (3, w) of factored equations with the right hand r (3, w), which may be x itself."""
+    """Solution x (3, w) of factored equations for the right-hand side r (3, w), which may be x itself."""
     p = address(pivots)
     for j in range(first, last + 1):
         a, b, c = r[0, j], r[1, j], r[2, j]
@@ -109,7 +109,7 @@ def factor_line(D, B, bending, pivots, last):
 
 @kernel(inline=True, counted=False)
 def substitute_line(pivots, bending, r, x, last):
-    """x (3, w) of its inner nodes with the right hand r (3, w), which may be x itself"""
+    """Solution x (3, w) at the inner nodes for the right-hand side r (3, w), which may be x itself"""
     if bends(bending):
         substitute_band(pivots, bending, r, x, 1, last - 1)
     else:

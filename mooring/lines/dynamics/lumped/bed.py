@@ -1,13 +1,13 @@
-"""The bed under the nodes of a line: reaction, friction, and the energy in both.
+"""The bed under the nodes of a line: reaction, friction, and the energy stored in the bed.
 
 A plane, or hills and valleys along one course, z = f(d) with d = (r − r₀)·c: straight facets whose edges are rounded by
 parabolas, so that the normal n = (−f′c, 1)/√(1 + f′²) turns without a jump.  The penetration of a node at r is
 
     p = level + h − n·r
 
-with the plane (n, level) that touches the bed above or below it.  Pressure k p²/2h for p ≤ h, k (p − h/2) beyond, with
-h such that a node at rest has p = h and lies on the bed; damping c min(1, p/h) never pulls.  Friction μN acts against
-the elastic displacement s of the node along the bed, −μN s/δ with |s| ≤ δ (elastic up to δ, then sliding).
+with the plane (n, level) that touches the bed above or below it.  Pressure k p²/2h for p ≤ h, k (p − h/2) beyond; h
+is chosen so that a node at rest has p = h and lies on the bed; damping c min(1, p/h) never pulls.  Friction μN acts
+against the elastic displacement s of the node along the bed, −μN s/δ with |s| ≤ δ (elastic up to δ, then sliding).
 """
 
 import math
@@ -22,9 +22,9 @@ from .workspace import BED_DAMPING, BED_STIFFNESS, BED_THIN, LEVEL, NORMAL, TURN
 
 @kernel(inline=True, counted=False)
 def plane_at(s, x, y):
-    """Normal and level of the plane that touches the bed at (x, y), and how n turns along the course.
+    """Normal and level of the plane that touches the bed at (x, y), and the rate b at which n turns along the course.
 
-    The last is b = f″/(1 + f′²)^(3/2), with dn/dd = −b (c, f′).
+    b = f″/(1 + f′²)^(3/2), with dn/dd = −b (c, f′).
     """
     rows = s.bed_profile.shape[0]
     if rows == 0:
@@ -52,8 +52,9 @@ def bearing(k, thickness, p):
 
 @kernel(inline=True, counted=False)
 def slipped(n, x, y, z, limit):
-    """Part of a displacement (x, y, z) along the bed, at most `limit` long, and the factor ≤ 1 that shortened the
-    displacement."""
+    """Component of a displacement (x, y, z) along the bed, shortened to at most `limit`, and the factor of this
+    shortening, ≤ 1.
+    """
     up = n[0] * x + n[1] * y + n[2] * z
     x, y, z = x - up * n[0], y - up * n[1], z - up * n[2]
     size = math.sqrt(x * x + y * y + z * z)
@@ -139,7 +140,7 @@ def bed_forces(s, work, slip, since, cq, cv):
 
 @kernel(inline=True, counted=False)
 def pressing(s, j, q, v):
-    """N, reaction of the bed on node j, including its damping; 0 above the bed"""
+    """Reaction of the bed on node j, N, including damping; 0 above the bed"""
     h = s.bed_thickness[j]
     n, level, _ = plane_at(s, q[0, j], q[1, j])
     p = level + h - (n[0] * q[0, j] + n[1] * q[1, j] + n[2] * q[2, j])
@@ -183,7 +184,7 @@ def keep_slip(s, q, v, slip, since, before):
 
 @kernel(counted=False)
 def bed_energy(s, j, q):
-    """J, stored in the bed under node j"""
+    """Energy stored in the bed under node j, J"""
     if s.bed_stiffness[j] == 0.0:
         return 0.0
     n, level, _ = plane_at(s, q[0, j], q[1, j])

@@ -2,11 +2,11 @@
 
     V = Σ ½ k |c|²,   c = d₊/ℓ₊ − d₋/ℓ₋,   1/k = ½ (ℓ₋/EI₋ + ℓ₊/EI₊),   d = q[j+1] − q[j]
 
-over the inner nodes j.  The ends are hinges, and so is a node beside an element without EI.  With unstretched ℓ the
-forces are linear in the places: their tangent is exact and constant, and energy is conserved. The tangent has one
-number for each pair of nodes at most two apart, the same for all three coordinates.  A line stretched by ε bends as if
-EI were (1 + ε)² times as large. With second differences the error is of second order in ℓ: ω² of mode n of a hinged
-beam is too small by (nπ/N)²/6.
+over the inner nodes j.  The ends are hinges, and so is a node beside an element without EI.  With the unstretched ℓ
+the forces are linear in the node positions: the tangent is exact and constant, and energy is conserved. The tangent
+has one number for each pair of nodes at most two apart, the same for all three coordinates.  A line stretched by ε
+bends as if EI were (1 + ε)² times as large. The error of second differences is of second order in ℓ: ω² of mode n of
+a hinged beam is too small by the fraction (nπ/N)²/6.
 """
 
 import numpy as np
@@ -19,7 +19,7 @@ OF_BENDING = 5
 
 
 def joints(flexure, length, w):
-    """`Work.bending` of a System, without columns where the System has no bending stiffness"""
+    """Array `Work.bending` of a System; it has no columns where the System has no bending stiffness"""
     if flexure.size == 0:
         return np.zeros((OF_BENDING, 0))
     bending, n = np.zeros((OF_BENDING, w)), length.size
@@ -38,7 +38,7 @@ def bends(bending):
 
 @kernel(counted=False)
 def bend(bending, q, r, D, last, cq):
-    """Add the forces of bending to r, and the tangent of these forces to D and `bending`, as in `Work`."""
+    """Add bending forces to r, and the tangent of these forces to D and `bending`, arrays of `Work`."""
     if bends(bending):
         for j in range(last + 1):
             bending[NEXT, j], bending[OVERNEXT, j] = 0.0, 0.0

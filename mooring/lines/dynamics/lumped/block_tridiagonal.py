@@ -4,9 +4,9 @@
 
     A[j] = D[j] − W[j] B[j−1],   W[j] = B[j−1] A[j−1]⁻¹,   y[j] = r[j] + W[j] y[j−1],   x[j] = A[j]⁻¹ y[j] + Z[j] x[j+1]
 
-with Z[j] = A[j]⁻¹ B[j]: a product by one matrix from node to node, down and up, where two would take twice as long.
-D + D^T is positive definite for a line (mass on the diagonal, tension not negative), so no pivoting is needed between
-blocks. Within a block the inverse is written out.
+with Z[j] = A[j]⁻¹ B[j]: each pass takes one matrix product per node, down and up; two products would take twice as
+long. D + D^T is positive definite for a line (mass on the diagonal, tension not negative), so no pivoting is needed
+between blocks. Within a block the inverse is written out.
 """
 
 from hakobune.bem.kernels.jit import kernel
@@ -76,7 +76,7 @@ def difference(a, b):
 
 @kernel(inline=True, counted=False)
 def put(memory, at, a):
-    """A tuple of nine into memory[at …] of a pointer"""
+    """Write a tuple of nine into memory[at …] of a pointer"""
     (
         memory[at],
         memory[at + 1],
@@ -110,7 +110,7 @@ def factor(D, B, pivots, first, last):
 
 @kernel(counted=False)
 def substitute(pivots, r, x, first, last):
-    """x (3, w) of factored equations with the right hand r (3, w), which may be x itself."""
+    """Solution x (3, w) of factored equations for the right-hand side r (3, w), which may be x itself."""
     w, given, out, p = r.shape[1], address(r), address(x), address(pivots)
     a, b, c = given[first], given[w + first], given[2 * w + first]
     out[first], out[w + first], out[2 * w + first] = a, b, c

@@ -1,17 +1,14 @@
-"""Steps of a singly diagonally implicit Runge–Kutta scheme whose size follows from its embedded error estimate.
-
-    v_i = v + h Σ a_ij k_j,   q_i = q + h Σ a_ij v_j,   m k_i = F(q_i, v_i, t + c_i h),   a_11 = 0, a_ii = d
+"""Steps of a singly diagonally implicit Runge–Kutta scheme whose size follows from its embedded error estimate. v_i
+= v + h Σ a_ij k_j,   q_i = q + h Σ a_ij v_j,   m k_i = F(q_i, v_i, t + c_i h),   a_11 = 0, a_ii = d
 
 The scheme is stiffly accurate and L-stable. Elastic waves shorter than the step are damped instead of ringing, and the
 length of the elements does not limit the step.  The difference e of the embedded solution is passed through the
 iteration matrix, S e* = m (e_q + h d e_v) (Hosea & Shampine 1996), because its raw axial part is not an error: the
-elements' stiffness removes it.  A step is accepted if two conditions hold. e* changes the tensions at the ends, and the
+elements' stiffness removes it.  A step is accepted if e* meets two conditions. It changes the end tensions, and the
 root mean square of all tensions, by at most `tolerance` of the largest tension so far. It moves no node by more than
-`tolerance` of the control's distance.
-Where a line snaps, elements become slack and taut one by one. The largest error is then that of a
-single element at the corner of its stiffness, and does not affect the others. Work and losses are integrated with the
-weights
-of the scheme.
+`tolerance` of the control's distance. Where a line snaps, elements become slack and taut one by one. The largest
+error is then the error of a single element at the corner of its stiffness; no other element is affected. Work and
+losses are integrated with the weights of the scheme.
 """
 
 import numpy as np
@@ -33,7 +30,9 @@ SAFETY, LEAST, MOST = 0.8, 0.2, 1.6
 
 
 def tableau():
-    """a (s, s), b − b̂ (s,) and c (s,) of TR-BDF2 (Bank et al. 1985, Hosea & Shampine 1996), order 2 with 3."""
+    """a (s, s), b − b̂ (s,) and c (s,) of TR-BDF2 (Bank et al. 1985, Hosea & Shampine 1996), order 2 with an
+    embedded order 3.
+    """
     d, w = 1 - np.sqrt(0.5), np.sqrt(0.125)
     a = np.array([[0, 0, 0], [d, d, 0], [w, w, d]])
     third = np.array([(1 - w) / 3, (3 * w + 1) / 3, d / 3])
@@ -97,7 +96,7 @@ def lead(motion, t, room, q, v, a, last):
 
 @kernel(counted=False)
 def load_state(state, q, v, a, slip):
-    """The arrays (n, 3) of a State into rows (3, w)"""
+    """Copy the arrays (n, 3) of a State into rows (3, w)"""
     read(q, state.position)
     read(v, state.velocity)
     read(a, state.acceleration)
@@ -106,7 +105,7 @@ def load_state(state, q, v, a, slip):
 
 @kernel(counted=False)
 def store_state(state, q, v, a, slip):
-    """The reverse of `load_state`"""
+    """Rows (3, w) into the arrays (n, 3) of a State"""
     write(state.position, q)
     write(state.velocity, v)
     write(state.acceleration, a)
@@ -115,7 +114,7 @@ def store_state(state, q, v, a, slip):
 
 @kernel(counted=False)
 def error(s, work, K, V, db, step, hd):
-    """Filtered error of tensions (N) and positions (m), see `spread`, with the last stage's matrix."""
+    """Error of tensions (N) and positions (m), filtered with the matrix of the last stage; see `spread`."""
     last = s.length.size
     for i in range(3):
         for j in range(1, last):
@@ -141,10 +140,10 @@ def predict(q, v, qh, vh, K, V, A, i, step, cv):
 
 @kernel(counted=False)
 def run(s, work, water, motion, control, scheme, state, until, rows, frame_times, frames, stations, station_rows):
-    """Step from `state` to `until`; fills rows and frames, and `state` with the arrays of its end.
+    """Step from `state` to the time `until`; fills rows and frames, and leaves the final state in `state`.
 
     s, work : `System` of the line, and its `workspace`; water : None for still water
-    returns : why it stopped, rows used, frames used, time, step, rejected steps, Newton steps, element at fault
+    returns : cause of the stop, rows used, frames used, time, step, rejected steps, Newton steps, element at fault
     """
     A, db, c = scheme
     stages, last, d = c.size, s.length.size, A[1, 1]
@@ -232,12 +231,14 @@ SCHEME = tableau()
 
 @kernel(counted=False)
 def follow(s, work, water, motion, control, state, until, rows, frame_times, frames, stations, station_rows):
-    """`run` for Python: what takes longest to compile is compiled once for lines alone and for lines of bodies"""
+    """`run` for calls from Python: its slowest parts are compiled once, both for single lines and for lines of
+    bodies
+    """
     return run(s, work, water, motion, control, SCHEME, state, until, rows, frame_times, frames, stations, station_rows)
 
 
 def compile_steps(s):
-    """Compile what steps of a `System` need beside the forces on its nodes"""
+    """Compile the kernels that steps of a `System` need besides the forces on its nodes"""
     work = workspace(s)
     q, K, V = work.kept[0], work.kept[6 : 6 + STAGES], work.kept[6 + STAGES :]
     A, db, _ = SCHEME

@@ -2,10 +2,10 @@
 
     m a = T₊ t₊ − T₋ t₋ − w + drag + water inertia + bed,      tangent  S = M + c_v C + c_q K
 
-Tension T = max(0, EA f(ε) + BA g ε̇) with ε = ℓ/ℓ₀ − 1 and f(ε) = ε, or straight between the points of a table; a
-slack element (ε ≤ 0) carries nothing, and damping fades in with g = min(1, ε/ε_s), so that tension is continuous.
-Drag and inertia follow Morison on each half element, with its own tangent t (SR179 report, 1982, section 2.2, in three
-dimensions):
+Tension T = max(0, EA f(ε) + BA g ε̇) with ε = ℓ/ℓ₀ − 1 and f(ε) = ε, or linear between the points of a table. A
+slack element (ε ≤ 0) carries nothing, and damping fades in with g = min(1, ε/ε_s) so that the tension is continuous.
+Drag and inertia follow Morison on each half element, with its own tangent t (SR179 report, 1982, section 2.2, in
+three dimensions):
 
     normal      ½ρ C_dn D |u_n| u_n,     ρA [(1 + C_an) u̇_n − C_an a_n]
     tangential  ½ρ C_dt πD |u_t| u_t,    ρA C_at (u̇_t − a_t)
@@ -13,8 +13,8 @@ dimensions):
 Bed: `bed`; parts out of the water: `surface`; bending: `bending`.  Eight elements, then eight nodes, are taken at once
 (`vectors`, `workspace`).
 
-The tangent is exact for tension, bed and friction and for drag against velocity. It neglects how drag and added mass
-turn with the line, which is h²|F|/mℓ times smaller.
+The tangent is exact for tension, bed, friction, and the dependence of drag on velocity. It neglects the rotation of
+drag and added mass with the line, an effect smaller by the factor h²|F|/mℓ.
 """
 
 import math
@@ -56,7 +56,7 @@ def elongation_row(s, e, strain):
 
 @kernel(counted=False)
 def find_rows(s, work):
-    """For each element the row of the table of its type that holds for the present places of its nodes"""
+    """For each element, the row of its type's tension table that applies at the present positions of its nodes"""
     q, known = work.q, work.element
     for e in range(s.length.size):
         x, y, z = q[0, e + 1] - q[0, e], q[1, e + 1] - q[1, e], q[2, e + 1] - q[2, e]
@@ -81,7 +81,9 @@ def tension(known, w, slot, strain, rate):
 
 @kernel(counted=False)
 def immersion(z, radius):
-    """Share of a sphere's volume under z = 0, its derivative, and −∫ share dz from deep water to z, centre at z."""
+    """Immersed share of the volume of a sphere with its centre at z, the derivative, and −∫ share dz from deep water
+    to z.
+    """
     if z <= -radius:
         return 1.0, 0.0, -z
     if z >= radius:
@@ -120,7 +122,8 @@ def pull_elements(work, elements, cq, cv):
 
 @kernel(inline=True, counted=False)
 def half_water(known, w, slot, t, x, a, du, cv):
-    """Drag and inertia (3) of the halves of eight elements at their nodes, and the tangent: xx, yy, zz, xy, xz, yz.
+    """Drag and inertia (3) of the halves of eight elements at their nodes, and the tangent's components xx, yy, zz,
+    xy, xz, yz.
 
     t : (3) unit vectors along the elements; x, du : velocity of the water past the nodes, acceleration of the water; a
     : acceleration of the nodes
@@ -185,7 +188,7 @@ def load_nodes(work, a, cv):
 
 @kernel(counted=False)
 def body_forces(s, work, a, cq, cv):
-    """Buoyancy, drag and inertia of the bodies, spheres for buoyancy; out of the water they feel no drag."""
+    """Buoyancy, drag and inertia of the bodies. Buoyancy is that of spheres; bodies out of the water have no drag."""
     q, v, u, du, r, D, power = work.q, work.v, work.u, work.du, work.r, work.D, work.power
     for j in s.body_nodes:
         share, slope, _ = immersion(q[2, j], s.body_radius[j])

@@ -1,6 +1,6 @@
 """Static equilibrium of the nodes from a guess: Newton's method made safe by mass.
 
-    (m/τ² + K) δ = F(q),    τ growing while it goes well: pseudo-transient continuation (Kelley & Keyes 1998)
+    (m/τ² + K) δ = F(q), where τ grows while the residual falls: pseudo-transient continuation (Kelley & Keyes 1998)
 
 At small τ the line falls for a moment and is stopped; at large τ the step is Newton's.
 """
@@ -24,8 +24,7 @@ ROUNDING = 1e-14  # rounding of the distance of two nodes, over the line's lengt
 
 @kernel(counted=False)
 def settle(s, work, water, q, slip):
-    """Move the inner nodes of q (n, 3) into equilibrium; returns the number of passes, or −1 when equilibrium was not
-    reached.
+    """Move the inner nodes of q (n, 3) into equilibrium; returns the number of passes, or −1 if it was not reached.
 
     s, work : `System` of the line, and its `workspace`, new; water : None for still water
     """

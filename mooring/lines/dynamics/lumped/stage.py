@@ -1,6 +1,6 @@
 """One implicit stage: accelerations a with  m a = F(q̂ + c_q a, v̂ + c_v a, t),  by Newton's method.
 
-Every implicit scheme of second-order equations has this form; it differs by q̂, v̂, c_q and c_v only.
+Every implicit scheme for second-order equations has this form; schemes differ only in q̂, v̂, c_q and c_v.
 """
 
 import math
@@ -21,11 +21,11 @@ CONVERGED, NOT_FINITE, STALLED = range(3)
 
 @kernel(inline=True, counted=False)
 def changes(work, elements, scale):
-    """Changes of tension (N) and place (m) by displacements ± scale · work.x; `change` and `spread` return them.
+    """Changes of tension (N) and position (m) due to displacements ± scale · work.x; used by `change` and `spread`.
 
-    A slack element has no tension to change until it is taut.
-    returns : the largest of the tensions, their root mean square and the larger one at an end, N; the largest of
-        places, m
+    The tension of a slack element does not change until the element is taut.
+    returns : largest change of tension, its root mean square, and the larger change at an end, N; largest
+        change of position, m
     """
     w, q, x, known = work.q.shape[1], address(work.q), address(work.x), address(work.element)
     far, most, squares, changed = repeated(0.0), repeated(0.0), repeated(0.0), address(work.change)
@@ -65,14 +65,16 @@ def change(work, elements, scale):
 
 @kernel(counted=False)
 def spread(work, elements):
-    """As above, with the change of tension at either end, or the root mean square of all changes if it is larger."""
+    """As `change`, but with the change of tension at either end, or with the root mean square of all changes if
+    larger.
+    """
     _, mean, ends, distance = changes(work, elements, 1.0)
     return ends if mean <= ends else mean, distance  # nan stays
 
 
 @kernel(counted=False)
 def begin_stage(work, q, v, a, last, cq, cv):
-    """Places and velocities of the nodes by q̂ and v̂ (3, w), with the end nodes where they are, and a guess of a"""
+    """Positions and velocities of the inner nodes from q̂ and v̂ (3, w) and a guess of a; end nodes are not moved"""
     copy(work.q, q)
     copy(work.v, v)
     for i in range(3):
@@ -85,7 +87,7 @@ def begin_stage(work, q, v, a, last, cq, cv):
 def solve_stage(s, work, a, slip, since, cq, cv, tension_limit, distance_limit):
     """Accelerations of the inner nodes, into a; leaves positions, velocities, forces and powers in `work`.
 
-    a : (3, w) that the stage began with
+    a : (3, w), the guess at which the stage began
     returns : status, Newton steps
     """
     before, last = np.inf, s.length.size
@@ -112,15 +114,18 @@ def solve_stage(s, work, a, slip, since, cq, cv, tension_limit, distance_limit):
 
 @kernel(counted=False)
 def correction(work, last, cq):
-    """Accelerations that take away the residual, into work.x, and the largest change of tension and of place by these
-    accelerations."""
+    """Accelerations that remove the residual, into work.x; returns the largest changes of tension and position they
+    cause.
+    """
     substitute_line(work.pivots, work.bending, work.r, work.x, last)
     return change(work, last, cq)
 
 
 @kernel(counted=False)
 def correct(work, a, last, cq, cv):
-    """Add work.x to the accelerations of the inner nodes, and what follows to their velocities and places."""
+    """Add work.x to the accelerations of the inner nodes, and the corresponding changes to velocities and
+    positions.
+    """
     for i in range(3):
         for j in range(1, last):
             x = work.x[i, j]

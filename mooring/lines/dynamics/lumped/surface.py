@@ -4,9 +4,8 @@ An element with ends at z₁ and z₂ whose water weighs B when it is wholly wet
 
     E = B b Q(x),   x = z̄/b,   b² = (z₂ − z₁)² + (πD/4)²,   Q = max(x, 0) + y³/6,   y = max(0, 1 − |x|)
 
-when above the water; its dry share is dE/d(B z̄) = Q′.  The neighbours of an element on a straight line are z₂ − z₁
-higher and lower. The dry shares of all elements add up to the length that is out of the water.
-A floating line that lies
+when above the water; its dry share is dE/d(B z̄) = Q′.  On a straight line the neighbours of an element lie z₂ − z₁
+higher and lower. The dry shares of all elements add up to the length out of the water. A floating line that lies
 level has the stiffness of its waterline, ρgD.  Forces on the ends are the derivatives of E. E is C², so the energy
 balance closes and steps keep their order.  Drag, added mass and the force of accelerated water decrease with the
 wet share 1 − Q′ of each element.
@@ -21,7 +20,7 @@ from .workspace import BUOYANCY, DRAG_NORMAL, OF_WATER, ROUND, WHOLE
 
 @kernel(inline=True, counted=False)
 def place_of_surface(known, q, w, e):
-    """x, y, 1/b and (z₂ − z₁)/b of eight elements from node e on"""
+    """The numbers x, y, 1/b and (z₂ − z₁)/b of eight elements from node e on"""
     low, high = load_vector(q, 2 * w + e), load_vector(q, 2 * w + e + 1)
     rise, least = high - low, load_vector(known, ROUND * w + e + 1)
     short = 1.0 / root(rise * rise + least * least)
@@ -74,7 +73,7 @@ def weigh_dry(work, elements, cq):
 
 @kernel(counted=False)
 def energy_dry(s, e, q):
-    """J, energy gained by element e by being out of the water"""
+    """Energy gained by element e where it is out of the water, J"""
     low, high = q[2, e], q[2, e + 1]
     b = ((high - low) ** 2 + s.waterline[e] ** 2) ** 0.5
     x = 0.5 * (low + high) / b

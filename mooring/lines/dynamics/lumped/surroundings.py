@@ -4,7 +4,7 @@ Waves are linear (`bem.waves`): with θ = ωt − k·x − ε the elevation is a
 
     u_h = aω cosh k(z+h)/sinh kh · cos θ,    w = −aω sinh k(z+h)/sinh kh · sin θ.
 
-Above still water the values of z = 0 are used; the current is constant beyond its highest and lowest level.
+Above still water the values at z = 0 are used. The current is constant above its highest and below its lowest level.
 In place of the waves there may be a table of their sums over time at places near the nodes (`tabled_water`).
 The ramp R = x³(10 − 15x + 6x²), x = t/ramp, has continuous velocity and acceleration.
 """
@@ -65,8 +65,7 @@ def fairlead_at(motion, t, p, v, a):
 
 @kernel(counted=False)
 def time_weights(x, weights):
-    """weights (2, SAMPLES): factors on the values at 0, 1, …, which give the polynomial through these values at x, and
-    its slope"""
+    """Factors (2, SAMPLES) on the values at 0, 1, … for the polynomial through these values at x, and for its slope"""
     for i in range(SAMPLES):
         value, slope = SHARES[i], 0.0
         for m in range(SAMPLES):
@@ -78,7 +77,7 @@ def time_weights(x, weights):
 
 @kernel(inline=True, counted=False)
 def in_time(table, weights, part, nodes, at):
-    """Eight numbers of the table at one time, or their slopes, from `at` on; table, weights : pointers"""
+    """Eight numbers of the table, from `at` on, or their slopes, at one time; table, weights : pointers"""
     total, w = weights[SAMPLES * part] * load_vector(table, at), SAMPLES * part
     for i in range(1, SAMPLES):
         total = total + weights[w + i] * load_vector(table, i * OF_PLACE * nodes + at)
@@ -87,8 +86,9 @@ def in_time(table, weights, part, nodes, at):
 
 @kernel(inline=True, counted=False)
 def moved_water(table, weights, part, n, j, d):
-    """Velocity, or acceleration, of the water at eight nodes from j of n on, displaced by d (3) m from their places in
-    the table"""
+    """Velocity or acceleration of the water at eight of n nodes, from j on, displaced by d (3) m from their tabled
+    places
+    """
     x, y, z = d
     xx, xy = in_time(table, weights, part, n, 3 * n + j), in_time(table, weights, part, n, 4 * n + j)
     yy, xz = in_time(table, weights, part, n, 5 * n + j), in_time(table, weights, part, n, 6 * n + j)
@@ -104,7 +104,7 @@ def moved_water(table, weights, part, n, j, d):
 def tabled_water(water, q, nodes, t, R, R1, u, du):
     """Add the water of the table at time t, with its ramp R and dR/dt, to u and du (3, w).
 
-    A current carries the waves past the nodes: to the change at a place it adds the convective part, (V·∇)u.
+    A current carries the waves past the nodes: it adds the convective part (V·∇)u to the local change.
     """
     time_weights((t - water.clock[0]) / water.clock[1], water.weights)
     w, table, weights, slower = q.shape[1], address(water.table), address(water.weights), 1.0 / water.clock[1]
@@ -165,7 +165,7 @@ def add_waves(water, q, nodes, t, R, R1, u, du):
 def water_at(water, q, nodes, t, u, du):
     """Velocity u and acceleration du of the water at the first `nodes` points q, all (3, w).
 
-    Each part in a separate kernel: one loop for all took 5 µs for 21 nodes even without anything to add.
+    Each part has its own kernel: a single loop for all parts took 5 µs for 21 nodes even without anything to add.
     """
     for i in range(3):
         for j in range(nodes):

@@ -12,7 +12,9 @@ from hakobune.bem.kernels.in_memory import in_memory
 
 @in_memory
 class System(NamedTuple):
-    """Per element (N,), with "half" meaning half an element; per node (N + 1,); bed as scalars and a vector."""
+    """Arrays per element (N,), where "half" means half an element; arrays per node (N + 1,); the bed as scalars and
+    a vector.
+    """
 
     length: np.ndarray  # m, unstretched
     stiffness: np.ndarray  # EA, N, the largest of a table
@@ -53,7 +55,7 @@ class System(NamedTuple):
 
 @in_memory
 class Water(NamedTuple):
-    """Current at levels (k,), (k, 2) m/s, and waves: (w,) or (w, 2); depth may be inf.
+    """Current (k, 2), m/s, at levels (k,), and waves (w,) or (w, 2); depth may be inf.
 
     Instead of waves there may be a table of their sums at places of n nodes (`motion.moving_lines.sea`).
     """
@@ -121,7 +123,7 @@ def above_bed(system, q):
 
 
 def elastic_tension(system, q):
-    """Elastic tension, without damping, of the elements between nodes at q (N + 1, 3), m, N; shape (N,)"""
+    """Elastic tension, N, without damping, of the elements between nodes at q (N + 1, 3) m; shape (N,)"""
     strain = np.maximum(np.linalg.norm(np.diff(q, axis=0), axis=1) / system.length - 1, 0.0)
     begins = system.elongation[:, 0]
     places = zip(system.elongation_rows, strain, strict=True)

@@ -1,4 +1,4 @@
-"""Eight places at once: three coordinates from rows (3, w) as three SIMD vectors, and operations on such vectors."""
+"""Eight places at once: three coordinates from rows (3, w) as three SIMD vectors, and operations on SIMD vectors."""
 
 from hakobune.bem.kernels.jit import kernel
 from hakobune.bem.kernels.simd import choose_less, load_vector, store_vector, to_scalars
@@ -39,7 +39,7 @@ def dot(a, b):
 
 @kernel(inline=True, counted=False)
 def combine(f, a, g, b):
-    """f a + g b"""
+    """The sum f a + g b of two vectors"""
     x, y, z = a
     p, q, r = b
     return f * x + g * p, f * y + g * q, f * z + g * r
@@ -47,13 +47,13 @@ def combine(f, a, g, b):
 
 @kernel(inline=True, counted=False)
 def less(a, b):
-    """The smaller one of each"""
+    """The smaller number at each place"""
     return choose_less(a, b, a, b)
 
 
 @kernel(inline=True, counted=False)
 def more(a, b):
-    """The larger one of each"""
+    """The larger number at each place"""
     return choose_less(a, b, b, a)
 
 

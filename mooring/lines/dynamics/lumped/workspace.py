@@ -1,9 +1,8 @@
 """Memory of a line's steps, coordinate by coordinate, so that eight nodes or elements fill a SIMD vector.
 
-Node j is column j.  Element e, between nodes e and e + 1, is column e + 1. Node j then has the elements of columns j
-and j + 1. The column before the first and all columns after the last contain elements of zero force and weight.
-Rows are
-longer than the number of nodes, by at least eight: vectors may begin at any node.
+Node j is column j.  Element e, between nodes e and e + 1, is column e + 1. The elements on both sides of node j are
+then columns j and j + 1. The column before the first and all columns after the last contain elements of zero force
+and weight. Rows are longer than the number of nodes, by at least eight: vectors may begin at any node.
 """
 
 from typing import NamedTuple
@@ -65,7 +64,7 @@ def width(n):
 
 
 def to_rows(points):
-    """Points (n, 3) as rows of one length w; shape (3, w)"""
+    """Points (n, 3) as rows of length w; shape (3, w)"""
     rows = np.zeros((3, width(len(points))))
     rows[:, : len(points)] = points.T
     return rows
@@ -116,7 +115,7 @@ def workspace(s):
 
 @kernel(counted=False)
 def copy(y, x):
-    """y = x for (3, w) arrays: a loop compiles in a fraction of the time of the array expression, as does `add`."""
+    """y = x for (3, w) arrays. Here and in `add` a loop compiles in a fraction of the time of the array expression."""
     for i in range(3):
         for j in range(y.shape[1]):
             y[i, j] = x[i, j]
