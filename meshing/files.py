@@ -254,5 +254,5 @@ def _write_vtu(mesh, path, lid, fields):
 def _on_whole(name, field, mesh):
     values = np.asarray(field, float)
     if values.shape != (len(mesh),):
-        raise ValueError(f"field {name!r} has shape {values.shape}; allowed: ({len(mesh)},), one value a panel")
+        raise ValueError(f"field {name!r} has shape {values.shape}; allowed: ({len(mesh)},), one value for each panel")
     return np.tile(values, mesh.copies)

@@ -48,7 +48,7 @@ def _prepared(plan, draft, depth, tolerance):
     highest = HIGHEST_GAP * min(draft, plan.scale)
     if depth - draft > highest:
         raise ValueError(
-            f"depth is {depth} m; allowed: up to {draft + highest:.6g} m, beyond that use the panel method"
+            f"depth is {depth} m; allowed: up to {draft + highest:.6g} m; in deeper water use the panel method"
         )
     fine = accuracy(MARGIN - np.log10(tolerance), draft, depth - draft, plan.scale)
     return ContourBody(plan.to(fine), float(draft), float(depth), fine)

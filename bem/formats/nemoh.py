@@ -244,7 +244,7 @@ def _cal_of(path):
         line = next(lines, "")
         found = numbers_of(line.split("!")[0])
         if len(found) < least:
-            raise FormatError(f"{path}: {line.strip()!r} stands in place of {least} number(s)")
+            raise FormatError(f"{path}: expected {least} number(s), found {line.strip()!r}")
         return found
 
     density, gravity, depth = (numbers(1)[0] for _ in range(3))

@@ -40,7 +40,7 @@ class Scatter:
             )
         if probability.shape != (len(heights), len(periods)):
             shape = f"{len(heights)} heights and {len(periods)} periods"
-            raise ValueError(f"probability has the shape {probability.shape} for {shape}; allowed: the same shape")
+            raise ValueError(f"probability has the shape {probability.shape}; allowed: {shape}")
         if not (np.all(probability >= 0) and 0 < probability.sum() < np.inf):
             raise ValueError(
                 f"smallest probability is {probability.min():g}; allowed: at least 0, and above 0 somewhere"

@@ -106,9 +106,8 @@ class Sea:
             ends = self.spectrum.quantile((MOST_MISSED / 2, 1 - MOST_MISSED / 2))
             warnings.warn(
                 f"components from {low:.4g} to {high:.4g} rad/s miss {100 * missed:.1f} % of the energy; "
-                f"allowed: {100 * MOST_MISSED:g} %; "
-                f"{min(low, ends[0]):.3g} to {max(high, ends[1]):.3g} rad/s are enough: "
-                "solve the database of a study over them, or give them as low and high",
+                f"allowed: {100 * MOST_MISSED:g} %; {min(low, ends[0]):.3g} to {max(high, ends[1]):.3g} rad/s "
+                "is enough: solve the database over this range, or give its ends as low and high",
                 stacklevel=3,
             )
         return low, high

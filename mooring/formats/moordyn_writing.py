@@ -93,7 +93,7 @@ def _types(system):
     types = {line.type.name: line.type for line in system.lines}
     for line in system.lines:
         if types[line.type.name] != line.type:
-            raise FormatError(f"line type {line.type.name!r} stands for two types; allowed: one name for each")
+            raise FormatError(f"two line types have the name {line.type.name!r}; give each type its own name")
     if len({_word(name) for name in types}) < len(types):
         raise FormatError("two line types have the same name once blanks are replaced; rename one")
     return list(types.values())

@@ -209,8 +209,9 @@ def _suspects(slender, wide, relative):
             beside = [f"{r[str(a)]} at {a}°" for a in (angle - 15, angle + 15) if a <= 90]
             yield (
                 f"current force: {name} = {r[r['suspect']]} at L/B = {slender:g}, B/d = {b:g}, H/d = {h:g}, "
-                f"{angle}° of the report deviates from its neighbours ({', '.join(beside)}); it is used as printed, "
-                f"and {name} of this hull follows it around {angle}°; current coefficients of your own replace it"
+                f"{angle}° of the report deviates from its neighbours ({', '.join(beside)}); it is used as "
+                f"printed, and {name} of this hull follows it around {angle}°; give current coefficients to "
+                "replace it"
             )
 
 

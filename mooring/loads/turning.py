@@ -209,8 +209,8 @@ def _over_slenderness(coefficient, slender):
 def _notes(slender):
     if 1.5 < slender < 3.0:
         yield (
-            f"turning coefficients of L/B = {slender:.4g}: C_y of L/B = 2.25 in the report deviates from its "
-            "neighbours (A4, A5, A6); it is used as printed"
+            f"turning coefficients of L/B = {slender:.4g}: in the report C_y of L/B = 2.25 deviates from the "
+            "neighbouring values (A4, A5, A6); it is used as printed"
         )
     if slender > 1.0:
         yield (

@@ -35,7 +35,7 @@ class Track:
 
     def __post_init__(self):
         if not (math.isfinite(self.distance) and self.distance != 0):
-            raise ValueError(f"distance is {self.distance} m; allowed: a finite one, other than 0")
+            raise ValueError(f"distance is {self.distance} m; allowed: a finite distance other than 0")
         if not 0 < self.speed < math.inf:
             raise ValueError(f"speed is {self.speed} m/s; allowed: above 0")
         if not abs(self.current) < self.speed:

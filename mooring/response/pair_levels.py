@@ -185,10 +185,10 @@ def beside_newman(db, sea, level, spread=False):
         )
     ratio = bound_to_newman(db.reader.floating(), sea)
     if ratio is None or ratio < ENOUGH:
-        size = "it is unknown without drift and inertia"
+        size = "their force is unknown without drift and inertia"
         if ratio is not None:
-            size = f"their force is {100 * ratio:.3g} % of its slow force"
-        return None, (f'qtf = "auto" uses newman, which leaves out bound long waves: {size}',)
+            size = f"their force is {100 * ratio:.3g} % of Newman's slow force"
+        return None, (f'qtf = "auto" uses newman: bound long waves are left out; {size}',)
     size = f"about {ratio:.2g} times the slow force of" if ratio <= RATIO else "a slow force that is nearly zero by"
     size = f"the force of bound long waves is {size} Newman's approximation"
     try:

@@ -182,8 +182,9 @@ def check_height(path, sea, height):
     read = float(sea.spectrum.significant_height)
     if np.isfinite(height) and height > 0 and abs(read / height - 1) > OFF:
         raise TableError(
-            f"{path}: 4√m₀ of its spectrum is {read:.4g} m, its own significant height {height:.4g} m; allowed: within "
-            f"{100 * OFF:g} %: a unit, a column or a part of the band was misread"
+            f"{path}: 4√m₀ of its spectrum is {read:.4g} m, but the significant height in the file is "
+            f"{height:.4g} m; allowed: a difference of up to {100 * OFF:g} %; a unit, a column or a part of "
+            "the band was misread"
         )
 
 

@@ -97,7 +97,7 @@ def resonances(result, wave_period):
         if near:
             yield (
                 f"natural periods {state} near the wave period {wave_period:g} s: {', '.join(near)} lie within "
-                f"{low:g} to {high:g} of it; free motions underestimate the tension, {IN_TIME}"
+                f"{low:g} to {high:g} times this period; free motions underestimate the tension, {IN_TIME}"
             )
 
 
@@ -168,8 +168,8 @@ def _outside_the_method(result, depth):
         )
     if result.conditions.waves and result.conditions.method == "regular_wave" and depth <= SHALLOW:
         yield (
-            f"water depth {depth:g} m is not above {SHALLOW:g} m: in such depths, simulations in heavy seas give more "
-            f"than this method (SR179 report, section 5.5.3); {IN_TIME}"
+            f"water depth {depth:g} m is not above {SHALLOW:g} m: in such depths, simulations in heavy seas "
+            f"exceed the results of this method (SR179 report, section 5.5.3); {IN_TIME}"
         )
 
 

@@ -204,7 +204,8 @@ def _check_bollard(name, place, box):
         x, y, z = place
         raise StudyError(
             f"rope {name}: its bollard ({x:.4g}, {y:.4g}, {z:.4g}) m lies in the hull, {box.length:g} by "
-            f"{box.beam:g} m, z {-box.draft:g} to {box.freeboard:g} m; give its place on the quay, from amidships"
+            f"{box.beam:g} m, z {-box.draft:g} to {box.freeboard:g} m; give its place on the quay, measured "
+            "from amidships"
         )
 
 

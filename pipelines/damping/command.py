@@ -10,7 +10,10 @@ from cyclopts import Parameter
 
 def damping(
     record: Annotated[
-        Path, Parameter(help="CSV: time_s, motion_m, and force_kN of a forced motion; or motion_deg, moment_kNm")
+        Path,
+        Parameter(
+            help="CSV with time_s and motion_m, and force_kN if the motion is forced; or with motion_deg and moment_kNm"
+        ),
     ],
     /,
     *,

@@ -173,7 +173,7 @@ def _of_database(made, mass, body, mode):
         raise ValueError(
             f"mass is {significant(mass / 1e3)} {unit}{thousand}; {motion} of this database has "
             f"{significant(water.mass / 1e3)} {unit} with added mass, allowed: {1 / ANOTHER:g} to {ANOTHER:g} times "
-            "this; leave the mass out to take that of the database"
+            "this; leave the mass out to use the mass of the database"
         )
     if mass is not None and abs(mass / water.mass - 1) > NEAR:
         notes.append(

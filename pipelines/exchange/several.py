@@ -75,7 +75,8 @@ def import_several(place, kind_name, names, meshes, known, weights, output, fres
     if len(values.wave_direction) == 1 and _round(hulls):
         values = _all_around(values)
         remarks.append(
-            "forces at other headings follow from the stored ones, since the bodies are of revolution about one axis"
+            "forces at other headings follow from those at the stored headings, since the bodies are of "
+            "revolution about one axis"
         )
     values = between(values, *known["frequencies"])
     points = [tuple(map(float, one.rotation_center)) for one in parts]

@@ -60,7 +60,7 @@ def _of_motions(held, given, before):
     if names and given and before:
         yield f"{names} depends on the former mass and is removed"
     elif names and given:
-        yield f"{names} is kept: it belongs to the motions that the files were made with, not to those of this mass"
+        yield f"{names} is kept: it belongs to the motions in the files, not to the motions with this mass"
 
 
 def _of_pairs(db):

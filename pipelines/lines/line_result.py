@@ -66,7 +66,7 @@ def line(
     _check_floating(one, fairlead_z, friction, slope)
     if (span is None) == (tension is None):
         state = "neither is given" if span is None else "both are given"
-        raise StudyError(f"--span and --tension: {state}; allowed: one of them")
+        raise StudyError(f"--span and --tension: {state}; give one of them")
     if span is None:
         span = _span_at(one, tension, depth)
     _check_above_bed(one, span, depth)

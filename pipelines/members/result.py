@@ -93,7 +93,7 @@ def findings(standing, force, wave):
         widest = max(one.section.width for one in wide)
         yield fails(
             f"{', '.join(one.name for one in wide)}: the width is {widest:.3g} m, limit {SLENDER:g} of the "
-            f"wave's {length:.3g} m; such a member scatters the wave: solve it with hakobune box or buoy"
+            f"wave length, {length:.3g} m; such a member scatters the wave: solve it with hakobune box or buoy"
         )
 
 

@@ -163,7 +163,7 @@ def _whose_waves(result):
     if result.missed is None:
         return "waves scattered and radiated by the body are not included: the database has no Kochin functions"
     return (
-        "with the waves that the body scatters and radiates, except those that decay within a depth or wave "
+        "this includes the waves that the body scatters and radiates, except waves that decay within a depth or wave "
         "length of it"
     )
 

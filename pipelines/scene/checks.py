@@ -176,7 +176,7 @@ def _check_arrangement(scene):
         )
     files = [body.file for body in scene.bodies if body.shape == "mesh"]
     if scene.panels is not None and files:
-        raise SceneError(f"panels is {scene.panels}, but {files[0]} has its own; leave panels out")
+        raise SceneError(f"panels is {scene.panels}, but {files[0]} has its own panels; leave the key panels out")
 
 
 def _check_damping_lids(scene):
@@ -276,7 +276,9 @@ def _check_rest(scene):
     if scene.panels is not None and not 1 <= scene.panels <= 100_000:
         raise SceneError(f"panels is {scene.panels}; allowed: 1 to 100000")
     if scene.panels is not None and scene.body.shape == "mesh":
-        raise SceneError(f"panels is {scene.panels}, but {scene.body.file} has its own; leave panels out")
+        raise SceneError(
+            f"panels is {scene.panels}, but {scene.body.file} has its own panels; leave the key panels out"
+        )
     _check_point("rotation_center", scene.rotation_center)
     _check_wall(scene)
     try:

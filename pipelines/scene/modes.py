@@ -111,7 +111,7 @@ def _check_body(key, mode, scene):
     if scene.several and mode.body not in known:
         raise SceneError(f"{key}.body is {mode.body!r}; allowed: {', '.join(map(str, known))}")
     if scene.bodies[owner(scene, mode)].fixed:
-        raise SceneError(f"{key}.body is {mode.body!r}, which is fixed; allowed: one that moves")
+        raise SceneError(f"{key}.body is {mode.body!r}, which is fixed; allowed: a body that moves")
 
 
 def points_of(key, file):

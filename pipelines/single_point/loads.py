@@ -191,9 +191,9 @@ def _shallower(deep, relative):
     grows = shallow_coefficient(side, 1.0, relative) / side
     if grows > UNSAFE:
         yield (
-            f"unsafe: in water of {relative:.3g} drafts the current pushes a hull at its side about {grows:.2g} times "
-            "as hard as in these tests, made in deeper water (UFC 4-159-03, eq. 11); give coefficients or a file for "
-            "this depth"
+            f"unsafe: in water of {relative:.3g} drafts a current from the side pushes the hull about "
+            f"{grows:.2g} times as hard as in these tests, which were made in deeper water (UFC 4-159-03, eq. "
+            "11); give coefficients or a file for this depth"
         )
 
 

@@ -37,7 +37,7 @@ def change(place, output, scale="1", turn="0", move="0,0,0", flip=False, mirror=
         raise ValueError(f"{output} is the mesh itself; give another name by --output")
     factors = _finite("--scale", scale, (1, 3), "a factor above 0, or three")
     if min(factors) <= 0:
-        raise ValueError(f"--scale is {scale!r}; allowed: one factor above 0, or three")
+        raise ValueError(f"--scale is {scale!r}; allowed: one or three factors above 0")
     shift = _finite("--move", move, (3,), "three distances in m, such as 0,0,-2")
     angles = _finite("--turn", turn, (1, 3), "degrees about z, or about x,y,z")
     turn = dict(zip("xyz"[-len(angles) :], map(math.radians, angles), strict=True))

@@ -76,7 +76,7 @@ def test_modes_of_a_file_are_those_of_one_rigid_body_and_what_is_left_out_is_not
     (w, i), grid = gridded("a.1", [omega, mode], values, [range(1, 7)])
     assert w.tolist() == [0.5, 0.8] and list(i) == [1, 2, 3, 4, 5, 6]
     assert grid.tolist() == [[1.0, 0.0, 2.0, 0.0, 0.0, 0.0], [3.0, 0.0, 4.0, 0.0, 0.0, 0.0]]
-    with pytest.raises(FormatError, match=r"a\.1 has mode 7; allowed: 1, 2, 3, 4, 5, 6, of one rigid body"):
+    with pytest.raises(FormatError, match=r"a\.1 has mode 7; allowed for one rigid body: 1, 2, 3, 4, 5, 6"):
         gridded("a.1", [omega, [1, 3, 1, 7]], values, [range(1, 7)])
     with pytest.raises(FormatError):
         gridded("a.1", [omega, [1, 1, 1, 3]], values, [range(1, 7)])  # a place twice

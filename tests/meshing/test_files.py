@@ -106,7 +106,7 @@ def test_a_text_stl_may_begin_with_an_empty_line_and_in_capitals(tmp_path):
     (tmp_path / "a.stl").write_text(text)
     assert read_mesh(tmp_path / "a.stl").volume == pytest.approx(0.5)
     (tmp_path / "a.stl").write_text(text.replace("VERTEX", "VERTX", 1))
-    with pytest.raises(ValueError, match=r"a\.stl: 8 vertices; allowed: three for each triangle"):
+    with pytest.raises(ValueError, match=r"a\.stl has 8 vertices; allowed: three for each triangle"):
         read_mesh(tmp_path / "a.stl")
     (tmp_path / "a.stl").write_text(text.replace("e+000", "e+x", 1))
     with pytest.raises(ValueError, match="of a vertex is not a number"):
@@ -388,7 +388,7 @@ BAD = {
     "half.ply": ("ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty", "ends within its head"),
     "half.off": ("OFF\n# a comment\n\n", "ends within its head"),
     "points.obj": ("v 0 0 0\n", "no panels"),
-    "two.obj": ("v 0 0 0\nf 1 1\n", "line 2: 2 nodes; a panel has 3 or 4"),
+    "two.obj": ("v 0 0 0\nf 1 1\n", "line 2 has 2 nodes; a panel has 3 or 4"),
     "bad.xyz": ("hello", "cannot read .xyz; allowed: .gdf"),
 }
 
@@ -471,7 +471,7 @@ def test_any_of_several_counts_is_held_against_the_size_of_the_file(tmp_path):
             "4"),
         ("short.nemoh", "2 0\n1 0 0\n0 0 0 0\n", "line 2 has 3 values; a point needs four: its number"),
         ("side.nemoh", "2 2\n", "line 1 is neither '2 0' nor '2 1';"),
-        ("few.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n", "line 3: 2 nodes; a panel has 3 or 4"),
+        ("few.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n", "line 3 has 2 nodes; a panel has 3 or 4"),
         ("zero.pnl", "1 3 1 2\n", "symmetry 1 2; allowed: 0 or 1 each"),
         ("ninth.pnl", "1 3 0 0\n1 0 0 -1\n2 1 0 -1\n3 1 1 -1\n1 3 1 2 9\n", "ninth.pnl, line 5: there is no point 9; "
             "the file has 3"),

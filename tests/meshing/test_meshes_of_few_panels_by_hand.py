@@ -132,7 +132,7 @@ def test_numbered_points_are_the_corners_of_panels(tmp_path, name, text, read, s
         ),
         ("a.dat", "2 0\n1 0 0 0\n", read_nemoh, "a.dat: no line '0 0. 0. 0.' after the points"),
         ("a.dat", "2 0\n1 0 0 0\n0 0 0 0\n1 7 1 1\n", read_nemoh, "a.dat, line 4: there is no point 7; the file has 1"),
-        ("a.dat", "2 0\n1 0 0 0\n0 0 0 0\n1 1\n", read_nemoh, "a.dat, line 4: 2 nodes; a panel has 3 or 4"),
+        ("a.dat", "2 0\n1 0 0 0\n0 0 0 0\n1 1\n", read_nemoh, "a.dat, line 4 has 2 nodes; a panel has 3 or 4"),
         ("a.hst", "NBODY 2\n", read_hydrostar, "a.hst, line 1 announces 2 bodies; allowed: one body in a file"),
         (
             "a.hst",
@@ -148,7 +148,7 @@ def test_numbered_points_are_the_corners_of_panels(tmp_path, name, text, read, s
             "a.hst has no COORDINATES, which a mesh of HydroStar has; if it is a matrix",
         ),
         ("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 x\n", read_obj, "a.obj, line 4: 'x' is not a finite number"),
-        ("a.obj", "v 0 0\n", read_obj, "a.obj, line 1: '0 0'; 3 numbers are needed"),
+        ("a.obj", "v 0 0\n", read_obj, "a.obj, line 1 is '0 0'; it needs 3 numbers"),
         (
             "a.obj",
             "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 4\n",
@@ -156,8 +156,8 @@ def test_numbered_points_are_the_corners_of_panels(tmp_path, name, text, read, s
             "a.obj, line 4: there is no point 4; the file has 3",
         ),
         ("a.stl", "vertex 0 0 0\nvertex 1 0 y\nvertex 1 1 0\n", read_stl, "a.stl: 'y' of a vertex is not a number"),
-        ("a.stl", "vertex 0 0 0\nvertex 1 0 0\n", read_stl, "a.stl: 2 vertices; allowed: three for each triangle"),
-        ("a.stl", "solid\n", read_stl, "a.stl: 0 vertices"),
+        ("a.stl", "vertex 0 0 0\nvertex 1 0 0\n", read_stl, "a.stl has 2 vertices; allowed: three for each triangle"),
+        ("a.stl", "solid\n", read_stl, "a.stl has 0 vertices"),
     ],
 )
 def test_what_a_list_of_points_cannot_have_is_told_with_its_line(tmp_path, name, text, read, says):

@@ -174,7 +174,8 @@ OUTLINE = {"shape": "outline", "points": [[0, 0], [1, 0], [0, -1]], "breadth": 2
     (OUTLINE, {"points": [[0, 0, 0]]},
      "parts[1].points is not a list of points [x, z]; allowed: three points or more, in m"),
     (OUTLINE, {"points": [[0, "a"]]}, "parts[1].points is not a list"),
-    *((part, {key: ...}, f"parts[1].{key} is missing; a {part['shape']} has {', '.join(drawing.NEEDED[part['shape']])}")
+    *((part, {key: ...},
+       f"parts[1].{key} is missing; a {part['shape']} needs {', '.join(drawing.NEEDED[part['shape']])}")
       for part in (CYLINDER, BOX, SPHERE, OUTLINE) for key in drawing.NEEDED[part["shape"]]),
 ])  # fmt: skip
 def test_a_part_has_its_own_keys_and_sizes(part, change, says):

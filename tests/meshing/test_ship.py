@@ -97,7 +97,7 @@ def test_counts_are_found_again_in_the_mesh(counts):
         ({"block": 0.99}, "block coefficient is 0.99; allowed: 0.4 to 0.95"),
         ({"bow": 0.8}, "fullness is given for only one of bow and stern; give both or neither"),
         ({"block": 0.5, "bow": 0.9, "stern": 0.9}, "of the length; allowed: up to 50 %"),
-        ({"block": None}, "block is missing; a ship has length, beam, draft, block"),
+        ({"block": None}, "block is missing; the keys of a ship are length, beam, draft, block"),
         ({"shape": "box", "block": None, "bow": 0.8}, "a box has only length, beam, draft"),
     ],
 )

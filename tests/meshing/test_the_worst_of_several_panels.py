@@ -119,7 +119,7 @@ def test_panels_by_number_repeat_the_last_corner_of_a_triangle_and_name_a_point_
     numbers = {7.0: 0, 8.0: 1, 9.0: 2, 4.0: 3}
     assert text_formats._panel("f", 3, [7, 9, 8, 4, 99], numbers) == [0, 2, 1, 3]
     assert text_formats._panel("f", 3, [7, 9, 8], numbers) == [0, 2, 1, 1]
-    for row, says in (([7, 9], "f, line 3: 2 nodes; a panel has 3 or 4"),
+    for row, says in (([7, 9], "f, line 3 has 2 nodes; a panel has 3 or 4"),
                       ([7, 9, 5], "f, line 3: there is no point 5; the file has 4")):  # fmt: skip
         with pytest.raises(ValueError) as refused:
             text_formats._panel("f", 3, row, numbers)

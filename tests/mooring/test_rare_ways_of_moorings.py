@@ -344,14 +344,14 @@ def test_the_error_of_bound_wave_forces_is_that_of_their_last_coefficients():
     assert made.error.tolist() == [18 / 20, 0.0, 0.0, 0.0, 0.0, 0.0]
 
 
-@pytest.mark.parametrize("ratio, words", [(None, "it is unknown without drift and inertia"),
-                                         (0.0123, "their force is 1.23 % of its slow force")])  # fmt: skip
+@pytest.mark.parametrize("ratio, words", [(None, "their force is unknown without drift and inertia"),
+                                         (0.0123, "their force is 1.23 % of Newman's slow force")])  # fmt: skip
 def test_bound_waves_that_do_not_count_are_told_in_per_cent(ratio, words, monkeypatch):
     monkeypatch.setattr(pair_levels, "ursell", lambda reader, sea: 0.0)
     monkeypatch.setattr(pair_levels, "bound_to_newman", lambda body, sea: ratio)
     db = SimpleNamespace(reader=SimpleNamespace(floating=lambda: None))
     found, (said,) = pair_levels.beside_newman(db, None, "auto")
-    assert found is None and said.endswith(f"leaves out bound long waves: {words}")
+    assert found is None and said.endswith(f"bound long waves are left out; {words}")
     assert pair_levels.beside_newman(db, None, "newman") == (None, ())
 
 

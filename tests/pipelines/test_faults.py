@@ -157,7 +157,7 @@ STUDIES = {  # what is replaced in the study, by what
     ("pretension_tonf = 40.0", "pretension_tonf = 0"): ("pretension_tonf is 0", "above 0"),
     ("pretension_tonf", "pretenson_tonf"): ("spreads[0].pretenson_tonf is unknown", "pretension_tonf"),
     ('type = "chain_142"', 'type = "chain_143"'): ("spreads[0].type is 'chain_143'", "chain_142"),
-    ("[30, 45, 60]", "[]"): ("corner_headings_deg is empty", "at least one"),
+    ("[30, 45, 60]", "[]"): ("corner_headings_deg is empty", "one or more"),
     ("[30, 45, 60]", "[" + "45, " * 200 + "]"): ("the study has 800 lines", "up to 500", "into one"),
     ("[30, 45, 60]", "[30, 130]"): ("corner_headings_deg is 130", "0 to 90"),
     ("weight_kg_per_m = 406.0", "weight_kg_per_m = -406.0"): ("weight_kg_per_m is -406", "above 0"),

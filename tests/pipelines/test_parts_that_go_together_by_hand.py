@@ -196,8 +196,7 @@ def test_a_weighed_database_is_told_in_one_line(monkeypatch, mass, center, names
 
 @pytest.mark.parametrize(("given", "body", "said"), [
     (True, {"inertia_matrix": 1}, ["drift_force depends on the former mass and is removed"]),
-    (True, {}, ["drift_force is kept: it belongs to the motions that the files were made with, not to those of this "
-                "mass"]),
+    (True, {}, ["drift_force is kept: it belongs to the motions in the files, not to the motions with this mass"]),
     (False, {"inertia_matrix": 1}, []),
 ])  # fmt: skip
 def test_quantities_that_depend_on_the_former_mass_are_left_out_but_for_motions(

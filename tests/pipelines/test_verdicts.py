@@ -341,7 +341,7 @@ CASES = {
     "members": (
         lambda: f"members {one_pile(1.2)}",
         lambda: f"members {one_pile(20.0)}",
-        r"fore port: the width is 20.1 m, limit 0.2 of the wave's .* m; such a member scatters the wave",
+        r"fore port: the width is 20.1 m, limit 0.2 of the wave length, .* m; such a member scatters the wave",
     ),
     "passing": (
         lambda: f"passing {passed(3.0)}",

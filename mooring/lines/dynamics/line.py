@@ -174,7 +174,7 @@ class DynamicLine:
             )
         anchor = np.asarray(self.anchor, float)
         if anchor.shape != (3,) or not np.all(np.isfinite(anchor)):
-            raise ValueError(f"anchor is {self.anchor}; allowed: three finite numbers, m")
+            raise ValueError(f"anchor is {self.anchor}; allowed: three finite numbers in m")
         _check("density", self.density, 0.0)
         _check("gravity", self.gravity, 0.0, strict=True)
         if sum(s.elements for s in segments) < 2:

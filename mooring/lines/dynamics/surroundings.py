@@ -182,7 +182,7 @@ def water_arrays(current, waves, gravity):
 def _point(value):
     p = np.asarray(value, float)
     if p.shape != (3,) or not np.all(np.isfinite(p)):
-        raise ValueError(f"fairlead position is {value}; allowed: three finite numbers, m")
+        raise ValueError(f"fairlead position is {value}; allowed: three finite numbers in m")
     return p
 
 

@@ -339,8 +339,8 @@ class Breakwater:
         away = self.outline.distance(complex(lines.attachment, self.outline.bottom + lines.attachment_height))
         if away > CLEAR * self.line:
             yield (
-                f"lines.attachment is {lines.attachment:g} m and attachment_height {lines.attachment_height:g} m, "
-                f"{away:.3g} m off the body: the lines are computed as held there by rigid arms"
+                f"lines.attachment is {lines.attachment:g} m and attachment_height {lines.attachment_height:g} "
+                f"m, {away:.3g} m off the body: the lines are computed as if rigid arms held them there"
             )
 
     def _check_clear(self):

@@ -49,6 +49,6 @@ def check_solved_depth(depth, solved, name, period=None):
     felt = 0.0 if period is None else GRAVITY * period**2 / (4 * math.pi)
     if felt > depth:
         raise StudyError(
-            f"water.depth is {depth:g} m, but {name} is for deep water, and the bed affects waves of {period:.3g} s "
-            f"in less than {felt:.3g} m; solve the body in {depth:g} m"
+            f"water.depth is {depth:g} m, but {name} is for deep water, and the bed affects waves of "
+            f"{period:.3g} s in depths below {felt:.3g} m; solve the body in {depth:g} m"
         )

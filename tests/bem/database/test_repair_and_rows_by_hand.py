@@ -325,7 +325,8 @@ def test_coordinates_rise_and_the_water_is_heavy_and_deep(attrs, axes, problem):
 
 @pytest.mark.parametrize("missing, inertia, words", [
     (("rao",), None, "motions need the inertia of the body: give --gyration kxx,kyy,kzz (scene: gyration)"),
-    (("rao", "added_mass"), None, "motions need the inertia of the body: give --gyration kxx,kyy,kzz"),
+    (("rao", "added_mass"), None, "motions need the inertia of the body: give --gyration kxx,kyy,kzz "
+     "(scene: gyration)"),
     (("rao",), np.eye(6), "repeat the command that made the database, with --only rao"),
     (("added_mass", "pressure"), None, "repeat the command that made the database, with --only added_mass,pressure"),
 ])  # fmt: skip

@@ -187,7 +187,7 @@ LIMITS = {
     "modes of Capytaine": (hdf(capytaine, "a.nc"), nothing, replaced("radiating_dof", [b"Bending"] + [b"Surge"] * 5),
         "has the modes Bending, Surge, Surge, Surge, Surge, Surge; allowed: Surge, Sway, Heave, Roll, Pitch, Yaw"),
     "words of Nemoh.cal": (edited(nemoh, "n", "n/Nemoh.cal"), {}, {"0. 0.\t! XEFF": "0.\t! XEFF"},
-        "stands in place of 2 number(s)"),
+        "expected 2 number(s), found"),
     "motions of Nemoh": (edited(nemoh, "n", "n/Nemoh.cal"), {"1 0. 1. 0.": "1 0. 2. 0."}, {"1 0. 1. 0.": "1 0. -1. 0."},
         "has a motion or force of kind 1 along [0.0, -1.0, 0.0]; allowed: surge to yaw, along and about the axes"),
     "kinds of Nemoh": (edited(nemoh, "n", "n/Nemoh.cal"), {}, {"1 0. 1. 0.": "3 0. 1. 0."}, "of kind 3 along"),

@@ -373,8 +373,8 @@ def long_wave(ratio=1.0, surge=-1j, k=0.1, headings=(0.0,), C=RHO * G, volume=1.
     (1.0, ""), (1.24, ""), (1.26, "is 1.26 times the value from C₃₃"), (1 / 1.24, ""), (1 / 1.26, "is 0.794 times"),
     (np.exp(0.59j), ""), (np.exp(0.61j), "has a phase of 35°; it must have 0°, in phase with the crest"),
     (np.exp(-0.61j),
-        "is at -35°"),
-    (-1.0, "is at 180°"), (2.0, "forces are for 1 m of wave height"),
+        "has a phase of -35°"),
+    (-1.0, "has a phase of 180°"), (2.0, "forces are for 1 m of wave height"),
 ])  # fmt: skip
 def test_heave_of_the_longest_wave_follows_the_crest_and_its_stiffness(ratio, words):
     lines = laws._long_waves(long_wave(ratio))
@@ -432,7 +432,7 @@ def test_surge_of_long_waves_is_a_quarter_period_behind_the_crest(angle, words):
         assert (words in lines[0]) if words else lines == []
         if "origin" in words:
             at = np.degrees(np.angle(-1j * np.exp(1j * angle) * np.cos(np.radians(heading))))
-            assert f"is at {at:.0f}° at {heading:g}°" in lines[0]
+            assert f"towards {heading:g}° has a phase of {at:.0f}°" in lines[0]
 
 
 def test_surge_across_the_waves_or_too_small_has_no_sign():

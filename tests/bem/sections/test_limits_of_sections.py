@@ -109,9 +109,11 @@ def test_the_contour_method_takes_tolerances_from_a_ten_millionth_to_a_tenth_and
             with pytest.raises(ValueError, match=r"allowed: 1e-07 to 0.1"):
                 prepare_cylinder(10.0, 5.0, 20.0, tolerance)
     prepare_box(40.0, 20.0, 5.0, 5 + 1399 * 5)
-    with pytest.raises(ValueError, match="depth is 7010 m; allowed: up to 7005 m, beyond that use the panel method"):
+    with pytest.raises(
+        ValueError, match="depth is 7010 m; allowed: up to 7005 m; in deeper water use the panel method"
+    ):
         prepare_box(40.0, 20.0, 5.0, 7010)
-    with pytest.raises(ValueError, match=r"allowed: up to .* beyond that"):
+    with pytest.raises(ValueError, match=r"allowed: up to .* in deeper water"):
         prepare_box(40.0, 4.0, 5.0, 7000)  # half the width where that is less
 
 

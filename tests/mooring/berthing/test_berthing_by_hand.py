@@ -23,7 +23,7 @@ def spring(k, end=2.0):
 
 @pytest.mark.parametrize("depth, told", [
     (10.001, "the water under the keel is 0.001 m, 0.01 % of the draft; limit 10 %"),
-                                         (10.99, "0.99 m of"), (11.0, ""), (None, "")])  # fmt: skip
+                                         (10.99, "is 0.99 m"), (11.0, ""), (None, "")])  # fmt: skip
 def test_a_ship_nearly_aground_is_told(depth, told):
     said = list(energy.shallow(SHIP, depth))
     assert len(said) == bool(told) and all(told in line for line in said)

@@ -166,9 +166,9 @@ def test_energy_left_out_is_warned_of_with_its_share():
     missed = 100 * SPECTRUM.moment(0, 1.0) / SPECTRUM.moment(0)
     with pytest.warns(UserWarning, match=f"to 1 rad/s miss {missed:.1f} % of the energy; allowed: 1 %"):
         Sea(SPECTRUM).components(100, 1, high=1.0)
-    with pytest.warns(UserWarning, match="rad/s are enough") as told:
+    with pytest.warns(UserWarning, match="rad/s is enough") as told:
         Sea(SPECTRUM).components(100, 1, high=1.0)
-    low, high = map(float, re.search(r"%; (\S+) to (\S+) rad/s are enough", str(told[0].message)).groups())
+    low, high = map(float, re.search(r"%; (\S+) to (\S+) rad/s is enough", str(told[0].message)).groups())
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         Sea(SPECTRUM).components(100, 1, low=low, high=high)

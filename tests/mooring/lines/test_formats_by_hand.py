@@ -222,7 +222,7 @@ def test_a_system_is_written_column_by_column():
 
 
 @pytest.mark.parametrize("name, said", [
-    ("chain", "line type 'chain' stands for two types; allowed: one name for each"),
+    ("chain", "two line types have the name 'chain'; give each type its own name"),
     ("thin_rope", "two line types have the same name once blanks are replaced"),
 ])  # fmt: skip
 def test_two_types_have_two_names(name, said):

@@ -138,7 +138,9 @@ def test_a_spt_of_datawell_is_a_share_of_its_largest_density(tmp_path):
     assert height(sea) == pytest.approx(4 * math.sqrt(M0))
     assert abs(mean(sea, HZ * 0.2)) == pytest.approx(math.pi, abs=1e-6)
     path.write_text(spt(1.15 * 4 * math.sqrt(M0)))
-    with pytest.raises(TableError, match=r"4√m₀ of its spectrum is 3.225 m, its own significant height 3.709 m"):
+    with pytest.raises(
+        TableError, match=r"4√m₀ of its spectrum is 3.225 m, but the significant height in the file is 3.709 m"
+    ):
         read_sea(path, 180.0)
     path.write_text(spt(3.0).replace("25.1", "25.1,1"))
     with pytest.raises(TableError, match="is not a spectrum of SWAN, NDBC or WAVEWATCH III, Datawell"):
@@ -172,7 +174,7 @@ def test_a_row_of_spotter_is_found_by_its_time(tmp_path):
     assert abs(mean(sea, HZ * 0.2)) == pytest.approx(math.pi, abs=1e-6)
     with pytest.raises(TableError, match="several times; it has 2 times from 2021-09-28T13:12 to 2021-09-28T13:00"):
         read_sea(tmp_path / "a.csv", 45.0)
-    with pytest.raises(TableError, match="its own significant height 9 m"):
+    with pytest.raises(TableError, match="the significant height in the file is 9 m"):
         read_sea(tmp_path / "a.csv", 45.0, "2021-09-28T13:00")
 
 
@@ -227,7 +229,7 @@ def test_planes_in_netcdf_are_read_by_the_names_of_their_programs(xarray, tmp_pa
     data = xarray.open_dataset(tmp_path / "swan.nc").load()
     data["hs"][:] = 1.0
     data.to_netcdf(tmp_path / "other.nc", engine="h5netcdf")
-    with pytest.raises(TableError, match="its own significant height 1 m"):
+    with pytest.raises(TableError, match="the significant height in the file is 1 m"):
         read_sea(tmp_path / "other.nc", 0.0, "2026-01-02")
 
 

@@ -141,7 +141,7 @@ FAULTS = {
     ("height = 6.7", "height = 4.9"): "draft is 5 m, but the section is 4.9 m high",
     ("draft = 5.0", "draft = 5.0\nradius = 3"): "section.radius is unknown",
     ("depth = 10.0", "depth = 4.0"): "draft is 5 m in 4 m of water",
-    ("depth = 10.0", "depth = 10.0\ntide = 2.0"): "with the water at +2 m: draft is 7 m, the section is 6.7 m high",
+    ("depth = 10.0", "depth = 10.0\ntide = 2.0"): "with the water at +2 m: draft is 7 m, but the section is 6.7 m high",
     ("height = 1.5", "height = 90.0"): "waves break at every period;",
     ("periods = [6.0, 8.0, 10.0]", "periods = [0]"): "waves.periods has 0 s",
     ("[waves]", "[optimisation]\ndraft = [5.0, 4.0]\n[waves]"): "optimisation.draft is from 5 to 4",
@@ -174,7 +174,7 @@ def test_lines_beside_the_body_and_waves_that_break_are_warned_of(tmp_path, caps
     )
     assert run(tmp_path, text.replace("[6.0,", "[2.0, 6.0,").replace("height = 1.5", "height = 1.0")) == 0
     said = capsys.readouterr().out
-    assert "2 m off the body: the lines are computed as held there by rigid arms" in said
+    assert "2 m off the body: the lines are computed as if rigid arms held them there" in said
     assert "waves of 1 m break at 1 of 4 periods, up to 2 s, where the highest possible wave is 0.887 m (Miche)" in said
 
 

@@ -440,7 +440,7 @@ def test_stations_lie_on_a_beam_with_both_its_ends(monkeypatch):
 def test_what_is_left_out_of_slow_drift_is_told():
     slow = SimpleNamespace(difference=[0.1, 0.35], by_current=1, damping=None)
     assert [line[:28] for line in of_response._of_drift(slow)] == [
-        "slow drift: difference frequ", 'current.waves = "still" excl', "wave drift damping is left out",
+        "slow drift: difference frequ", 'current.waves = "still" excl', "wave drift damping is left o",
     ]  # fmt: skip
     slow.by_current, slow.damping = None, 2
     assert len(of_response._of_drift(slow)) == 1

@@ -137,7 +137,7 @@ def test_deep_water_is_any_of_half_a_length():
     check_solved_depth(3.0, np.inf, "box.h5")
     with pytest.raises(
         StudyError,
-        match=r"is for deep water, and the bed affects waves of 4 s in less than "
+        match=r"is for deep water, and the bed affects waves of 4 s in depths below "
         r"12.5 m; solve the body in 12.4 m",
     ):
         check_solved_depth(12.4, np.inf, "box.h5", 4.0)

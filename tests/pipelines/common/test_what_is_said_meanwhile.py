@@ -56,7 +56,7 @@ def test_memory_of_a_container_is_what_is_left_below_its_limit_with_its_files(li
 
 @pytest.mark.parametrize("pace, moves, words", [
     ((0.01, np.nan), False, ["told", "one seed takes about 1 s, and all 5 seeds 3 s"]),
-    ((0.01, 0.1), True, ["told", 'a seed takes about 10 s (dynamic_lines = "none": 1 s), 5 of them 30 s']),
+    ((0.01, 0.1), True, ["told", 'one seed takes about 10 s (dynamic_lines = "none": 1 s), and all 5 seeds 30 s']),
     ((np.nan, np.nan), False, ["told"]),
     ((np.nan, 0.1), True, ["told", "one seed takes about 10 s, and all 5 seeds 30 s"]),
 ])  # fmt: skip
@@ -188,7 +188,7 @@ def test_a_hull_of_a_passage_is_drawn_about_the_middle_of_its_waterline(monkeypa
     asked.append(Hull(of_passing.MOST * 100, 19.9))
     (kind, dx, dy), middle = of_passing._hull(study, "moored")
     assert (kind, dx, dy) == ("moved", -20.0, -2.0) and middle.tolist() == [20.0, 2.0, 0.0]
-    for hull, says in ((Hull(of_passing.MOST * 100 + 1), f"allowed: {of_passing.MOST * 100}"),
+    for hull, says in ((Hull(of_passing.MOST * 100 + 1), f"allowed: up to {of_passing.MOST * 100}"),
                        (Hull(10, 20.0), "m has a draft of 20 m in water of 20 m; allowed: less")):  # fmt: skip
         asked.append(hull)
         with pytest.raises(StudyError, match=says):

@@ -97,7 +97,7 @@ def test_a_study_with_simulation_is_one_of_states_kept_where_they_are_asked_for(
 
 
 @pytest.mark.parametrize("lee, database, says", [
-    ("lee", "base.h5", "the database is given with [lee], which has no body; allowed: a database, or [lee] and none"),
+    ("lee", "base.h5", "the database is given with [lee], which has no body; give either a database or [lee]"),
     (None, None, "the database of the body is missing; give either a database or [lee]"),
 ])  # fmt: skip
 def test_a_body_has_a_database_and_water_behind_a_breakwater_has_none(monkeypatch, lee, database, says):

@@ -174,7 +174,7 @@ def test_a_hull_that_cannot_be_read_beside_results_may_be_given_otherwise(tmp_pa
     with pytest.raises(ValueError, match=r"or B-splines \(IGDEF 1\)$"):
         importing.hull_of(tmp_path / "a.1", None, module, beside, {})
     beside.unlink()
-    with pytest.raises(ValueError, match=r"does not exist\): a file of panels, or a .toml of parts$"):
+    with pytest.raises(ValueError, match=r"does not exist\), where FILE is a file of panels, or a .toml"):
         importing.hull_of(tmp_path / "a.1", None, module, None, {})
 
 

@@ -93,7 +93,7 @@ def test_a_member_as_wide_as_a_fifth_of_the_wave_scatters_it(tmp_path, asked, sh
     width = 0.2 * 2 * math.pi / K * share
     _, said = asked("members", written(tmp_path, pile("wide", 0.0, width=width)), status=status)
     assert (
-        f"FAILS: wide: the width is {width:.3g} m, limit 0.2 of the wave's {2 * math.pi / K:.3g} m" in said
+        f"FAILS: wide: the width is {width:.3g} m, limit 0.2 of the wave length, {2 * math.pi / K:.3g} m" in said
     ) is bool(status)
 
 

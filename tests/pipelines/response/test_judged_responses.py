@@ -200,7 +200,7 @@ def test_a_climate_is_without_a_current_and_without_lines_before_any_file_is_ope
     """Each sea of a climate would have a drift and a pose of its own"""
     with pytest.raises(StudyError) as error:
         response(study, "not_there.h5", moored)
-    assert str(error.value) == f"{told}, but it is for [sea] only"
+    assert str(error.value) == f"{told}, but it is for [sea] only; leave it out"
 
 
 def test_every_point_with_a_clearance_has_its_air_gap_in_years():

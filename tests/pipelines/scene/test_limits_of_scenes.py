@@ -50,8 +50,8 @@ LIMITS = [  # old, good, bad, what is said
     ("tolerance = 0.01", "rotation_center = [0, 0, 1e6]", "rotation_center = [0, 0, 1.1e6]",
      "rotation_center is [0.0, 0.0"),
     ('shape = "box"', 'shape = "box"', 'shape = "boxes"', "bodies[0].shape is 'boxes'; allowed"),
-    ("beam = 50.0\n", "beam = 50.0\n", "", "bodies[0].beam is missing; a box has length, beam, draft"),
-    ("beam = 50.0\n", "beam = 50.0\n", "beam = 50.0\nradius = 3.0\n", "bodies[0].radius is 3.0; a box has length"),
+    ("beam = 50.0\n", "beam = 50.0\n", "", "bodies[0].beam is missing; the keys of a box are length, beam, draft"),
+    ("beam = 50.0\n", "beam = 50.0\n", "beam = 50.0\nradius = 3.0\n", "bodies[0].radius is 3.0; the keys of a box"),
     ("beam = 50.0\n", "beam = 50.0\n", "beam = 50.0\nbow = 0.8\n", "or a waterplane coefficient; a box has"),
 ]  # fmt: skip
 

@@ -115,8 +115,8 @@ def test_lines_that_move_are_kept_by_name_once_they_are_known(head, moving, kept
 
 
 @pytest.mark.parametrize("pace, moves, count, seeds, line", [
-    ((0.01, 0.1), ("a",), 1, 3, 'a seed takes about {m} (dynamic_lines = "none": {s}), 3 of them {m3}'),
-    ((0.01, 0.1), ("a",), 2, 3, 'a seed takes about {m} (dynamic_lines = "none": {s}), 3 of them {m2}'),
+    ((0.01, 0.1), ("a",), 1, 3, 'one seed takes about {m} (dynamic_lines = "none": {s}), and all 3 seeds {m3}'),
+    ((0.01, 0.1), ("a",), 2, 3, 'one seed takes about {m} (dynamic_lines = "none": {s}), and all 3 seeds {m2}'),
     ((0.01, 0.1), (), 1, 3, "one seed takes about {s}, and all 3 seeds {s3}"),
     ((np.nan, 0.1), ("a",), 4, 4, "one seed takes about {m}, and all 4 seeds {m}"),
     ((0.01, np.nan), ("a",), 1, 3, None),

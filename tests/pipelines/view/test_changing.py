@@ -58,7 +58,7 @@ def test_half_a_hull_is_mirrored_and_a_whole_one_folded(tmp_path, capsys):
     for words, said in (
         (["--mirror", "y"], "both sides of y = 0"),
         (["--mirror", "z"], "allowed: x, y, xy"),
-        (["--scale", "-1"], "one factor above 0"),
+        (["--scale", "-1"], "one or three factors"),
         (["--move", "1,2"], "three distances"),
         (["--move", "0,0,9", "--clip"], "the hull has no part below"),
     ):
