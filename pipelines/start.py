@@ -11,7 +11,6 @@ from .printing.spelled import spell_out
 # commands that solve large linear systems, which benefit from several BLAS threads
 SOLVING = ("box", "buoy", "ship", "solve", "bench", "stress", "compare", "sections")
 
-SELDOM = 50  # number of searches of young objects, each after some 8 000 new ones, before one of all objects
 
 
 def main():
@@ -22,8 +21,6 @@ def main():
         # took 5 s of processor time on a busy machine with two cores instead of 0.8
         for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
             os.environ.setdefault(name, "1")
-    # of the objects of numba and matplotlib none is garbage; to search all of them took 4 to 9 % of a simulation
-    gc.set_threshold(700, 10, SELDOM)
     spell_out(sys.stdout, sys.stderr)
     if timing.FLAG in sys.argv:
         timing.begin()

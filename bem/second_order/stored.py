@@ -9,7 +9,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from .. import DOFS
-from ..algebra.cubic_spline import cubic_spline
 from ..database.file import DatabaseError
 from ..database.widening import read_group, write_group
 from .kinds import DIFFERENCE, SUM
@@ -195,8 +194,6 @@ class BetweenPairs:
 
 def _through(x, y, at):
     """Values at (q,) of a cubic spline through y (n, …), or of a polynomial through fewer than four; shape (q, …)"""
-    if len(x) > 3:
-        return cubic_spline(x, y)(at)
-    from scipy.interpolate import BarycentricInterpolator
+    from scipy.interpolate import BarycentricInterpolator, CubicSpline
 
-    return BarycentricInterpolator(x, y)(at)
+    return (CubicSpline if len(x) > 3 else BarycentricInterpolator)(x, y)(at)

@@ -12,8 +12,6 @@ from warnings import warn
 
 import numpy as np
 
-from hakobune.bem.algebra.cubic_spline import cubic_spline
-
 from ..environment.logger_files import read_table
 from ..environment.tables import TableError, fault_of_steps
 from ..environment.wave_records import UNEVEN, real_sum
@@ -140,6 +138,8 @@ def sampled(forces, ramp, duration, bodies=1):
     """
     if not forces:
         return np.zeros((6 * bodies, 1)), 1.0
+    from scipy.interpolate import CubicSpline, PchipInterpolator
+
     for one in forces:
         check_lasts(one, duration)
     step = min(float(np.diff(one.times).min()) for one in forces) / FINE
@@ -147,15 +147,6 @@ def sampled(forces, ramp, duration, bodies=1):
     t = step * np.arange(int(np.ceil((ramp + duration) / step)) + 4) - ramp
     total = np.zeros((6 * bodies, len(t)))
     for one in forces:
-        between = _between(one.times, one.force, one.smooth)
+        between = (CubicSpline if one.smooth else PchipInterpolator)(one.times, one.force)
         total[6 * one.body : 6 * one.body + 6] += between(np.clip(t, one.times[0], one.times[-1])).T
     return total, step
-
-
-def _between(times, force, smooth):
-    """Callable between the times of a force: a cubic spline, or, unless smooth, a curve that does not overshoot"""
-    if smooth:
-        return cubic_spline(times, force)
-    from scipy.interpolate import PchipInterpolator
-
-    return PchipInterpolator(times, force)

@@ -23,7 +23,6 @@ from functools import cached_property, partial
 
 import numpy as np
 
-from hakobune.bem.algebra.cubic_spline import cubic_spline
 from hakobune.bem.database.between_frequencies import BetweenError
 from hakobune.bem.kernels.simd import WIDTH
 from hakobune.bem.kernels.threads import blas_threads
@@ -67,8 +66,10 @@ class WaveForces:
     @cached_property
     def curves(self):
         """Cubic splines over the frequency, of forces and of drift (None if unknown)"""
-        drift = None if self.drift is None else cubic_spline(self.omega, self.drift)
-        return cubic_spline(self.omega, self.force), drift
+        from scipy.interpolate import CubicSpline
+
+        drift = None if self.drift is None else CubicSpline(self.omega, self.drift)
+        return CubicSpline(self.omega, self.force), drift
 
     @cached_property
     def at_nodes(self):
@@ -216,7 +217,7 @@ def drift_damping(forces, omega, depth, gravity):
     around = np.concatenate([drift[:, -1:], drift, drift[:, :1]], axis=1)
     by_heading = (around[:, 2:] - around[:, :-2]) * (HEADINGS / (4 * np.pi))
     ring, k = np.arange(HEADINGS) * (2 * np.pi / HEADINGS), wavenumber(omega, depth, gravity)
-    return drift, from_slopes(omega, ring, k, depth, drift, forces.curves[1].slope(omega), by_heading)
+    return drift, from_slopes(omega, ring, k, depth, drift, forces.curves[1](omega, 1), by_heading)
 
 
 def drift_on_current(forces, omega, direction, velocity, depth, gravity):

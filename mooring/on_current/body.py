@@ -11,7 +11,6 @@ from functools import cached_property
 
 import numpy as np
 
-from hakobune.bem.algebra.cubic_spline import cubic_spline
 from hakobune.bem.database.between_frequencies import RADIATION
 from hakobune.bem.database.reader import Reader
 from hakobune.bem.database.resonances import about, resonances
@@ -97,9 +96,11 @@ class OnCurrent(Reader):
 
     @cached_property
     def _splines(self):
+        from scipy.interpolate import CubicSpline
+
         steps = np.arange((len(self.omega) - 1) * STEPS + 1) / STEPS
         omega = np.interp(steps, np.arange(len(self.omega)), self.omega)
-        return tuple(cubic_spline(omega, of) for of in self.still.coefficients(omega))
+        return tuple(CubicSpline(omega, of) for of in self.still.coefficients(omega))
 
     def _coefficients(self, met):
         """Added mass and damping (q, n, n) at rad/s (q,), constant or by their limits beyond the stored frequencies"""

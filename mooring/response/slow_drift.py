@@ -32,7 +32,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hakobune.bem.algebra.cubic_spline import cubic_spline
 from hakobune.bem.database.between_frequencies import BetweenError
 
 from .linear import over_headings
@@ -289,12 +288,13 @@ def half_wave_drift(waves, omega, drift, t):
 
 def _own(body, omega, direction):
     """Drift D at pairs of frequency and direction, by a spline over directions at most 5° apart; shape (n, 3)"""
+    from scipy.interpolate import CubicSpline
+
     offset = np.mod(direction - direction[0] + np.pi, 2 * np.pi) - np.pi
     steps = max(4, int(np.ceil(np.ptp(offset) / FINE)))
     grid = np.linspace(offset.min(), offset.max(), steps + 1)
     pairs = np.arange(len(omega))
-    over = np.moveaxis(body.drift(omega, direction[0] + grid), 1, 0)
-    return cubic_spline(grid, over)(offset)[pairs, pairs]
+    return CubicSpline(grid, body.drift(omega, direction[0] + grid), axis=1)(offset)[pairs, pairs]
 
 
 def sums(rows, omega, t):
