@@ -141,7 +141,7 @@ def _positive(name, text):
 
 
 def stable_step(system, longest, bed_stiffness, bed_damping):
-    """Stable time step, s, at most LONGEST; bed_stiffness, bed_damping : Pa/m and Pa s/m"""
+    """Stable time step, s; longest : upper limit of the step, s; bed_stiffness, bed_damping : Pa/m and Pa s/m"""
     fastest, decay = [0.2 / longest], []
     for line in system.lines:
         kind, felt = line.type, line.type.dynamics or LineDynamics()

@@ -113,7 +113,7 @@ class BuoyOnLines:
 
 @in_memory
 class Buoy(NamedTuple):
-    """inverse : inverse of mass plus added mass, (3,) 1/kg; moved : mass in the force of accelerated water, (3,) kg;
+    """inverse : inverse of mass plus added mass, (3,) 1/kg; moved : factors on the acceleration of the water, (3,) kg;
     drag : ½ρC_dA, (3,) kg/m
 
     lever : m; upright : c_θ over the lever, N; a hawser pull of half this force tilts the buoy by 27°

@@ -249,7 +249,7 @@ def rest_bent(body, berth, others, start, unit, free):
 
     berth : `contacts.Berth`; others : function of the position: forces of lines, water and springs, (n,) N; unit :
         (n,), m and rad
-    free : numbers of the free motions
+    free : numbers of the free motions, which limits the shapes only: bodies come to rest in all six motions
     raises : ValueError where there is no balance
     """
     moves = np.array([*range(body.rigid), *(i for i in free if i >= body.rigid)])

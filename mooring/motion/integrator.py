@@ -4,13 +4,13 @@ its error.
 The error of a step is the difference of the two orders.  The limit of this error is a fraction of the tolerance,
 relative to the scale of each motion, times the step over the time in which an error decays. The errors of positions
 and velocities count. Where a line becomes taut or a fender is touched, the force has a corner, and the error of a
-step over the corner falls only like h². Such a step may have the error allowed to a fraction of the usual step, the
-mean of steps over time.  Where no force has a corner (lines in their static shape, and neither fenders, ropes,
-hawsers nor hinges) the error E of the fourth order is far above the error of the fifth order, whose result is kept.
-The counted error is therefore E min(1, SMOOTH E/D), with D from the third divided difference of the rates; D falls
-by one order less than E.  Steps end where a window of wave forces ends and where a line breaks, so that no step
-contains a jump. Samples between steps are Hermite polynomials, of fifth degree for quantities with known velocity
-and acceleration.
+step over the corner falls only like h². The limit for such a step is therefore computed from a fraction of the usual
+step, which is the mean of steps over time.  Where no force has a corner (lines in their static shape, and neither
+fenders, ropes, hawsers nor hinges) the error E of the fourth order is far above the error of the fifth order, whose
+result is kept. The counted error is therefore E min(1, SMOOTH E/D), with D from the third divided difference of the
+rates; D falls by one order less than E.  Steps end where a window of wave forces ends and where a line breaks, so
+that no step contains a jump. Samples between steps are Hermite polynomials, of fifth degree for quantities with
+known velocity and acceleration.
 
 Dynamic lines (`moving_lines`) follow a step that is computed with their predicted pull. The step is then repeated
 with their computed pull.

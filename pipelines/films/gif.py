@@ -37,7 +37,7 @@ def new_plotter():
 
 
 def write_film(output, frames, count):
-    """Write pictures (height, width, 3) as a film; the frame number is printed if they take long."""
+    """Write pictures (height, width, 3) as a film; the frame number is printed if writing takes long."""
     from PIL import Image
 
     pace = Pace(f"{count} frames take", count, "give a shorter --length or a longer --step")

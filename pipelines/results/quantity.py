@@ -26,7 +26,8 @@ class Quantity:
     axes : name of each of its axes
     unit : "" for none; if units differ, as for surge and roll, a tuple with one unit for each label of the first axis
     description : a noun with its attributes
-    table : title of the table in which it is printed; "" for CSV, JSON and files only
+    table : title of the table in which the quantity is printed; "" for a quantity that only CSV, JSON and files
+        contain
     share : whether it is printed in per cent; record : whether it is a long record, such as a time series, only
         written to files
     """

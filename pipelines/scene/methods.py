@@ -49,8 +49,8 @@ def chosen_method(scene):
     Over a bed far below the keel it loses digits.
     Several bodies whose circles do not overlap are solved one shape at a time. Jobs with four frequencies and two or
     three bodies took a fifth to a third of the panel method's time, but 1.2 times this time with circles 0.03 of the
-    depth apart. The contour method around all bodies does not give the drift of each body, which moorings need, and
-    takes longer than panels where a gap is a twentieth of the beam.
+    depth apart. A contour around all bodies does not give the drift of each body, which moorings need. It takes
+    longer than panels if a gap is a twentieth of the beam.
     """
     if scene.method != "auto":
         return scene.method

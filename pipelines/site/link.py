@@ -41,8 +41,8 @@ class Taken(NamedTuple):
     """Values that a kind of study takes from a site, and their places in its tables.
 
     depth : path of the study's water depth, () if the database gives the water; states : {key of a state: its table}
-    period : the study's key for the mean wave period; ways : whether the table of a state must exist before, for its
-        direction
+    period : the study's key for the mean wave period; ways : whether the study must contain the table of a state,
+        which then gives its direction
     coefficient : path of the seismic coefficient, () if the study has none
     """
 

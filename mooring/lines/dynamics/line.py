@@ -26,7 +26,8 @@ class DynamicSegment:
         its points (`multi_segment.segments.Segment`); the table's largest EA is then `stiffness`
     structural_damping : BA, N s, or None for `damping_ratio`, a fraction of the critical damping ℓ√(EA m) of an
         element. ℓ is the length of an element, at least a fortieth of the segment
-    drag_normal, drag_tangential : coefficients on D and on πD; the report's tangential coefficient is on D
+    drag_normal, drag_tangential : coefficients on D and on πD; the report's tangential coefficient, on D, is π times
+        larger
     added_normal, added_tangential : added mass over the displaced mass; bending_stiffness : EI, N m², 0 for chain
     """
 

@@ -42,7 +42,8 @@ class WaveTable(NamedTuple):
     near : first node of each component, (c,); share : shares of each component on the nodes from its first, (c, WIDTH)
     towards : wave directions of the nodes, (M,) rad
     of_nodes : (M or more, 2, m), `harmonics` of the nodes at the steps of a window and EDGE steps beyond it
-    of_drift : (c or more, 2, n), `harmonics` of the components at every second of these steps and FAR beyond
+    of_drift : (c or more, 2, n), `harmonics` of the components at every second of these steps and at FAR steps
+        beyond the window
     center : rotation centres, (N + G, 2) m; arm : arms from the database's origin to the centres, along body axes,
         (N + G, 2) m
     step, window : time between forces, and length of a window, s

@@ -23,7 +23,7 @@ THREADS = ("NUMBA_NUM_THREADS", "OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_
 class Row(NamedTuple):
     """Measurements of one job; error NaN and a note if it failed
 
-    error : relative, of the worst coefficient; estimate : the program's own
+    error : relative error of the worst coefficient; estimate : error estimated by the program itself
     warm_ms : per frequency; cpu_ms : the same in processor time of all threads
     body_ms : time of a body and its first frequency, with all code loaded; first_s : this time from the start of the
         process
@@ -54,7 +54,8 @@ class Row(NamedTuple):
 def measured(job, pythons, caches):
     """`Row` of a `Job`; if the program fails, `note` has the cause.
 
-    pythons : {program: interpreter}; caches : folder for files that programs keep on disk, None for their own
+    pythons : {program: interpreter}; caches : folder for files that programs keep on disk, None for their usual
+        folders
     """
     question, panels = _question(job)
     load = _load()
@@ -137,7 +138,9 @@ def _load():
 
 
 def peers_of(python):
-    """{program: version} of the peers that an interpreter has.  Raises ValueError if it has none or is none."""
+    """{program: version} of the peers installed for an interpreter. Raises ValueError if there is none, or no such
+    interpreter.
+    """
     code = (
         "import importlib.metadata as m\n"
         "for name in ('capytaine', 'pyhams'):\n"

@@ -21,8 +21,9 @@ def bench(jobs, peers, output, say, own_caches=False):
 
     peers : {program: (interpreter, version)} of other programs
     say : takes each line of progress
-    own_caches : leave what programs keep on disk where they keep it; else a folder of the bench's that starts empty
-    Interrupted, it writes what it has and raises further.
+    own_caches : whether programs keep files on disk in their usual folders; otherwise in a bench folder that starts
+        empty.
+    After an interrupt it writes the finished rows and raises the interrupt again.
     """
     pythons = {"hakobune": sys.executable} | {name: python for name, (python, _) in peers.items()}
     machine, rows = _machine(peers), []

@@ -48,7 +48,7 @@ class Results(NamedTuple):
         return largest > QUIET * largest.max(axis=0)
 
     def heading(self, chi):
-        """Place of an incidence among those of the case"""
+        """Index of an incidence among those of the case"""
         return int(np.argmin(np.abs(self.chi - chi)))
 
 
@@ -60,7 +60,7 @@ def travel(chi):
 def in_report_units(case, db):
     """`Results` of the solved frequencies of a case.
 
-    case : `cases.Case`; db : `bem.database.Database`, which may hold more than the case asks for
+    case : `cases.Case`; db : `bem.database.Database`, which may contain more than the case needs
     """
     rows, columns = _places(case, db)
     size, omega = db.dimensions, db.omega[rows]

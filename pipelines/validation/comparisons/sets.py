@@ -1,4 +1,4 @@
-"""The sets of comparisons by name, and how one is made.
+"""The sets of comparisons by name, and the making of a set.
 
 A set has `cases(xi)`, `tables(results)`, which are {axis: rows} of `beside.result`, `summary(results)`, lines, and
 `pictures(results)`, {name: arguments of `picture.draw`}.
@@ -32,8 +32,8 @@ SETS = {"depth-series": series.DepthSeries(), "length-series": series.LengthSeri
 def make(name, one, folder, xi=None, fresh=False):
     """Databases, result and pictures of a set in `folder`; returns 0, or 1 without a result if a frequency failed.
 
-    one : one of `SETS`; xi : frequencies as text, left out: those of the set
-    raises : SceneError for frequencies that are none; ValueError for a folder with other content
+    one : one of `SETS`; xi : frequencies as text, by default those of the set
+    raises : SceneError for invalid frequencies; ValueError for a folder with different content
     """
     if folder.exists() and not folder.is_dir():
         raise SceneError(f"output is {folder}, which is a file; allowed: a folder, or a new name")
@@ -63,7 +63,7 @@ def solved(cases, folder, fresh=False):
     """Return the `Results` of cases, without those in which a frequency failed; a line for each of these; and a
     database for each.
 
-    folder : Path, made if it is not there; fresh : replace databases that are there
+    folder : Path, made if it is missing; fresh : whether to replace existing databases
     raises : KeyboardInterrupt with everything stored that was solved; ValueError for a database of another scene
     """
     folder.mkdir(parents=True, exist_ok=True)

@@ -11,15 +11,16 @@ report   coefficients at the mean frequency, drift by half waves, no more dampin
 The models are computed at the size of their prototypes, 36 and 46.5 times as large, in fresh water; results are at the
 size of the models.
 
-What the report does not tell is taken as: the sinker's upper part is S₁ = 3.355 m, its own 0.170 m half chain of each
-part; axial stiffness of a studless chain of 7 mm.  Waves are ISSC of 2.19 s and of the measured σ; at 45°, where the
-model's reflection is in the measured waves, of H₁/₃/3.774 of the tests ahead.
+Values that the report does not state are assumed: the part above the sinker is S₁ = 3.355 m; half of the sinker's
+length of 0.170 m is chain of each part; the axial stiffness is that of a studless chain of 7 mm.  Waves are ISSC of
+2.19 s and of the measured σ; at 45°, where the model's reflection is in the measured waves, of H₁/₃/3.774 of the
+tests ahead.
 
-The tests were analysed over 204.8 s ahead and 102.4 s at 45°, in part of the transient, and are called indicative
-where motion is slow (appendix 1, sections 5.2, 5.4). Of computed records of the same length, ahead at gain 0.9, 90 %
-have σ of surge from 3.2 to 6.9 cm on chain and from 3.2 to 4.6 cm with sinker, and sinker over chain from 0.5 to 1.25.
-At gain 0.5 the range on chain is 1.5 to 3.1 cm, which does not include the measured 3.6 cm.
-Heave was too damped for its period to be seen (section 4.2). With a tenth of critical damping in addition to that of
+The tests were analysed over 204.8 s ahead and 102.4 s at 45°, partly in the transient. The report calls them
+indicative where motion is slow (appendix 1, sections 5.2, 5.4). Of computed records of the same length, ahead at
+gain 0.9, 90 % have σ of surge from 3.2 to 6.9 cm on chain and from 3.2 to 4.6 cm with sinker, and sinker over chain
+from 0.5 to 1.25. At gain 0.5 the range on chain is 1.5 to 3.1 cm, which does not include the measured 3.6 cm. Heave
+was too damped for its period to be seen (section 4.2). With a tenth of critical damping in addition to that of
 waves, linear σ of heave is 1.61 and 1.92 cm at gain 0.9; measured were 1.48 and 1.90 cm.
 """
 
@@ -49,7 +50,9 @@ COLUMNS = ("surge_cm", "sway_cm", "heave_cm", "roll_deg", "pitch_deg", "yaw_deg"
 
 
 class Model(NamedTuple):
-    """m, of a box; center : centre of gravity above the keel; gyration : m, about it; scale : prototype over model"""
+    """Dimensions of a box, m; center : height of the centre of gravity above the keel, m; gyration : about the
+    centre of gravity, m; scale : prototype over model
+    """
 
     length: float
     beam: float
@@ -89,7 +92,7 @@ def make(folder, only=None, seeds=1, fresh=False):
 
 
 def name_of(row):
-    """Name of a row, as chain-0-0.9, of the report's calculation as chain-0-0.9-report"""
+    """Name of a row, such as chain-0-0.9; for the report's calculation such as chain-0-0.9-report"""
     return "-".join([row["line"], row["incidence_deg"], row["gain"], *["report"] * (row["source"] == "report")])
 
 
@@ -192,7 +195,7 @@ def bodies(db):
 def computed(row, variant, body, seeds):
     """[{column: number or text}] of a row in a variant, one for each quantity that is printed
 
-    body : its `Moored`; seeds : how many runs; σ in the units of the table
+    body : `Moored` of the row; seeds : number of runs; σ is in the units of the table
     """
     from hakobune.mooring.motion.simulation import simulate
     from hakobune.mooring.motion.statistics import parts
@@ -229,8 +232,9 @@ def ratios(found, variant, quantity, incidence):
 
 
 def sinker_ratios(found, variant, quantity, incidence):
-    """Standard deviation with the sinker over the standard deviation with the chain, at the same gain of the wavemaker,
-    computed and measured; shape (n, 2)"""
+    """Standard deviation with sinker over that with chain only, at equal gain of the wavemaker, computed and
+    measured; shape (n, 2)
+    """
     own = {(one["line"], one["gain"]): one for one in _of(found, variant, quantity, incidence)}
     pairs = [(own["sinker", gain], one) for (line, gain), one in own.items()
              if line == "chain" and ("sinker", gain) in own]  # fmt: skip

@@ -1,20 +1,19 @@
 """`hakobune series appendix-2`: the tests of model M3B at a single point, computed and measured.
 
 SR179 report (1982), appendix 2, digitised in appendix_2.csv: three chains, an intermediate buoy of 5.8 kg on two
-hawsers, or a contact buoy at the bow.  What the report does not tell is taken as: lines at ±60° and 180° of the waves,
-0.72 and 0.82 kgf in them at rest; nylon hawsers of 5 mm, T = 4 kN (ε/0.25)², 0.4 m apart at the bow; chains made fast
-0.05 m under water, hawsers 0.05 m over it, on a gauge on the deck of the buoy, so that their pull tilts the buoy. By
-this tilt the buoy yields three times as far as the hawsers stretch. With a buoy that stays upright, snap loads are
-two to three times the loads measured in waves alone.  Significant loads are means of the highest third of the
-crests, as for records of a tank.
+hawsers, or a contact buoy at the bow.  Values that the report does not state are assumed: lines at ±60° and 180° of
+the waves, 0.72 and 0.82 kgf in them at rest; nylon hawsers of 5 mm, T = 4 kN (ε/0.25)², 0.4 m apart at the bow;
+chains made fast 0.05 m under water, hawsers 0.05 m over it, on a gauge on the deck of the buoy, so that their pull
+tilts the buoy. By this tilt the buoy yields three times as far as the hawsers stretch. With a buoy that stays
+upright, snap loads are two to three times the loads measured in waves alone.  Significant loads are means of the
+highest third of the crests, as for tank records.
 
-Pitch is taken from the run on the intermediate buoy, in which buoy and body are one equation.  With a contact buoy it
-is that of the
-sea's spectrum: the buoyancy of 0.2 × 0.5 m hinged 2.061 m ahead is a spring between the bow and the surface of the
-waves, and the free model pitches 1 to 2 % more than that; 8 to 10 % more than with a spring against still water.  These
-are the two limits for a contact buoy. On an intermediate buoy the measured pitch is 15 to 19 % larger. It is also
-larger than the pitch of the free model in any sea of that spectrum, although the hawsers are too weak to lift the
-model.
+On the intermediate buoy, pitch is taken from the run, in which buoy and body are in one equation. With a contact
+buoy, pitch is computed from the sea's spectrum: the buoyancy of 0.2 × 0.5 m hinged 2.061 m ahead is a spring between
+the bow and the surface of the waves, and the free model pitches 1 to 2 % more than that; 8 to 10 % more than with a
+spring against still water.  These are the two limits for a contact buoy. On an intermediate buoy the measured pitch
+is 15 to 19 % larger. It is also larger than the pitch of the free model in any sea of that spectrum, although the
+hawsers are too weak to lift the model.
 """
 
 import warnings
@@ -116,7 +115,8 @@ def computed(row, db, seed=1):
     """{column: number or text} of a test, computed and measured; seed : seed of its waves
 
     pitch_deg : significant amplitude; hawser, buoy : kgf significant, of one at the bow, of both, massless by a buoy
-    without mass; settled_s : settled s of the heading to 1° of rest, nan where it is not; slews : whether it goes on
+    without mass; settled_s : time until the heading is within 1° of rest, s, nan if never; slews : whether slewing
+    persists
     periods_s : periods s of the small motions, as text
     """
     study = make_study(study_of(row, seed=seed))
@@ -151,7 +151,9 @@ def computed(row, db, seed=1):
 
 
 def pitch_amplitude(db, height, period=PERIOD, area=BUOY_AREA):
-    """° significant amplitude, 2σ, with a contact buoy in head waves of an ISSC spectrum; area : m², of the buoy"""
+    """Significant pitch amplitude 2σ, degrees, with a contact buoy in head waves of an ISSC spectrum; area : area of
+    the buoy, m²
+    """
     lever, spring = np.array([0, 0, 1.0, 0, -PIVOT, 0]), db.density * db.gravity * area
     body, plane = db.reader.restrained(stiffness=spring * np.outer(lever, lever)), [0, 2, 4]
     omega = frequencies(body)
@@ -204,7 +206,7 @@ def _pairs(found, column, per_height=None):
 def ceilings(databases):
     """Lines on the largest pitch of the free model in an ISSC sea of any period, from {B/d: database}
 
-    What was measured on the intermediate buoy lies above; pulls of a hawser are too small to lift it there.
+    The pitch measured on the intermediate buoy lies above; the pulls of a hawser are too small to cause it.
     """
     for wide, db in databases.items():
         sigmas = [pitch_amplitude(db, 0.04, period, 0.0) / 2 for period in SEAS]

@@ -1,10 +1,10 @@
 """`hakobune series dolphin`: floaters A and B between dolphins with fenders, by the design spectrum method and in time.
 
 SR179 report (1982), section 3.7.5: fenders of 700 tonf/m (C2000H, floater A) and 1200 tonf/m (C3000H, B), ISSC spectra,
-waves, wind and current on the beam; strains of at most 10 % under the steady loads and 35 % in all.  Fenders stand on
-two dolphins at a quarter of the length from each end, with `fenders` on each; the report gives no layout.  With a quay
-behind the dolphins, the rows of the design spectrum method include the quay by its far field. The values for open water
-stand beside them.
+waves, wind and current on the beam; strains of at most 10 % under the steady loads and 35 % in total. `fenders`
+fenders stand on each of two dolphins, at a quarter of the length from each end; the report gives no layout.  With a
+quay behind the dolphins, the rows of the design spectrum method include the quay by its far field. Values for open
+water stand beside these rows.
 """
 
 import math
@@ -42,7 +42,8 @@ BEAM = 0.5 * math.pi
 
 
 def make(folder, quay=None, fresh=False):
-    """The Result: rows of the design spectrum method, and Table 3.7.5.2 in time; quay : m from the hull to one behind
+    """The Result: rows of the design spectrum method, and Table 3.7.5.2 in time; quay : distance from the hull to a
+    quay, m, or None
 
     raises : StudyError for a quay that is too near or too far
     """
@@ -98,7 +99,8 @@ def dolphins_of(floater, count, stiffness):
 def rows_of(floater, depth, db, body=None):
     """[{column: number}] of every number of fenders, period, weather and height of waves; body : `Reader` before a quay
 
-    strains are over the height of a fender; limit_m : significant height; curve : by the equivalent spring of a cell
+    strains are deflections over the height of a fender; limit_m : allowable significant height; curve : by a cell's
+    equivalent spring
     """
     f, beam, out = FLOATERS[floater], beam_of((body or db.reader).floating(), BEAM), []
     hull = ExposedBox(f.length, f.beam, f.draft, FREEBOARD)

@@ -1,11 +1,11 @@
 """Table 3.7.5.2 of the SR179 report (1982) again: floaters A and B between dolphins, in time.
 
-Stated here, as the report gives neither curve nor number of its fenders: three generic cell fenders of the printed
-height, 0.5 m off the hull at still water, without friction, that unload with three quarters of their loading; wind of
-50 m/s with Davenport's gusts, K = 0.003; a current of 3 kn with the box tests' coefficients of a depth of three drafts,
-as the printed static deflections are the same in every depth (here 0.147, 0.111, 0.090 and 0.309 m for 0.19, 0.11, 0.10
-and 0.30); waves on the beam, those shorter than 3.9 s left out.  Surge, sway and yaw are held by springs that are too
-soft to matter.
+The report gives neither the curve nor the number of its fenders, so these are assumed: three generic cell fenders of
+the printed height, 0.5 m off the hull at still water, without friction, that unload with three quarters of their
+loading curve; wind of 50 m/s with Davenport's gusts, K = 0.003; a current of 3 kn with the box tests' coefficients
+of a depth of three drafts, as the printed static deflections are the same in every depth (here 0.147, 0.111, 0.090
+and 0.309 m for 0.19, 0.11, 0.10 and 0.30); waves on the beam, those shorter than 3.9 s left out.  Surge, sway and
+yaw are held by springs that are too soft to matter.
 
 report       coefficients at the mean frequency of the waves, drift by half waves; the printed period is the mean one of
              the formula of section 3.7.1.2, T₀₁ = T̄/1.1
@@ -114,8 +114,8 @@ def _settings(variant, duration):
 def row_of(printed, variant, runs, body):
     """{column: number or text} of a row of the table in a variant
 
-    strain is over the height; off_share : off share of the time off the fenders; sigma, heave, sway, roll : standard
-    deviations, at the fenders and of the motions; printed_ : printed  of the report, halves of its significant
+    strain is deflection over height; off_share : share of time without contact; sigma, heave, sway, roll : standard
+    deviations at the fenders and of the motions; printed_… : printed values, halves of the report's significant
     amplitudes
     """
     value = {key: number(text) for key, text in printed.items() if key != "floater"}

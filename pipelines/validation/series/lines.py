@@ -1,9 +1,9 @@
 """`hakobune series lines`: tension of a static line over its horizontal distance, charts 1.7.1 to 1.7.6.
 
-SR179 report (1982), section 3.1.7: T/wL over X/√(L² − Z²), Z the height of the fairlead above the anchor.  Its curves
-and many of its parameters are lost; scope, slopes and the order of the curves follow its text, which `statements`
-judges.  These are chosen here: friction, hills of steepness 1/10, sinker and buoys at half the length, and EA/wL of 500
-to 4000. Wire rope that breaks at T/wL of 20 to 23 with a strain of 1 to 1.5 % has about 2000.
+SR179 report (1982), section 3.1.7: T/wL over X/√(L² − Z²), Z the height of the fairlead above the anchor.  The
+report's curves and many of its parameters are lost. Scope, slopes and the order of the curves follow its text, which
+`statements` checks. Assumed values are: friction, hills of steepness 1/10, sinker and buoys at half the length, and
+EA/wL of 500 to 4000. Wire rope that breaks at T/wL of 20 to 23 with a strain of 1 to 1.5 % has about 2000.
 """
 
 import numpy as np
@@ -53,7 +53,9 @@ def charts():
 
 
 def curve(scope=SCOPE, bed=None, load=0.0, stiffness=np.inf, anchor=False):
-    """Tension T/wL over SHARES at the fairlead, or at the anchor; shape (n,); load at half the length and EA over wL"""
+    """Tension T/wL over SHARES at the fairlead or at the anchor, shape (n,); load : at half the length, over wL; EA
+    : over wL
+    """
     length = scope * HEIGHT
     total = WEIGHT * length
     loads = [PointLoad(0.5 * length, load * total)] if load else []
@@ -63,7 +65,7 @@ def curve(scope=SCOPE, bed=None, load=0.0, stiffness=np.inf, anchor=False):
 
 
 def hills(count, rising):
-    """Triangular hills of one steepness from the anchor on, or hollows, which are lower as they are more"""
+    """Triangular hills, or hollows, of one steepness from the anchor on; the more there are, the lower they are"""
     width = SCOPE * HEIGHT
     x = np.linspace(0.0, width, 2 * count + 1)
     z = np.where(np.arange(x.size) % 2 == 1, 0.1 * width / (2 * count), 0.0)

@@ -43,11 +43,13 @@ def make(folder, only=None, seeds=1, hours=3.0, fresh=False):
 def computed(case, db, folder, hours, seeds):
     """{column: number or text} of a case, nan where a method has no answer; tensions are the largest of all lines
 
-    regular, irregular : by the simplified method, in the report's regular wave and in irregular waves; simulated
-    mean_and_X1000 : of the simulation, the report's largest (eq. 3.5.1.5), for Gaussian records
-    simplified_mean, simulated_mean : steady; used : shares of the breaking load; method : the report's by depth
-    (section 5.5.3); T : s, natural periods under the steady forces; σ of the slow motion by the quick rule, the
-    spectrum and the simulation, of the total, and of waves alone, without wind, current and drift
+    regular, irregular : values by the simplified method, in the report's regular wave and in irregular waves;
+        simulated
+    mean_and_X1000 : largest value of the simulation by the report's formula for Gaussian records (eq. 3.5.1.5)
+    simplified_mean, simulated_mean : mean tensions; used : shares of the breaking load; method : method that the
+        report selects by depth (section 5.5.3); T : natural periods under the steady forces, s; σ of slow motion by
+        the quick rule, the spectrum and the simulation, σ of the total motion, and σ in waves alone, without wind,
+        current and drift
     note : reason of missing values; studies, results and runs are files of the folder, made if missing
     """
     from ...design.kinds.in_time import simulated

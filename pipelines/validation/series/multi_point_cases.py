@@ -2,10 +2,10 @@
 
 Floaters A and B (Table 3.5.5.1) on chain, chain with an intermediate buoy, or chain with an intermediate sinker
 (3.5.5.2), with the lengths of 3.5.5.4 and the conditions of 3.5.5.3, all from 60° off the bow.  From a base case one
-thing is changed at a time: 12 cases for each kind of line, 36 in all.
+quantity is changed at a time: 12 cases for each kind of line, 36 in total.
 
-The report's mean period T̄ is the mean zero-crossing one, T₁/₃ = T̄/0.9, and 1.1 T₀₁ (section 3.7.1.2): waves of a
-spectrum have T₀₁ = T̄/1.1, the regular wave of the simplified method T̄.
+The report's mean period T̄ is the mean zero-crossing period, with T₁/₃ = T̄/0.9 and T̄ = 1.1 T₀₁ (section 3.7.1.2).
+Waves of a spectrum therefore have T₀₁ = T̄/1.1; the regular wave of the simplified method has the period T̄.
 
 Lost in the report and assumed: the layout, three lines a corner at 30, 45 and 60° off the x axis, fairleads at still
 water; the area that goes with E = 7000 kgf/mm², both legs of the link; pretensions and waves of B, and those of A in
@@ -49,9 +49,10 @@ PRETENSIONS = {14: 40.0, 20: 40.0, 40: 60.0, 50: 60.0, 100: 60.0}  # tonf, horiz
 
 
 class Case(NamedTuple):
-    """One combination; depth m, height and wind m and m/s (significant waves, mean wind), period s, mean of the waves
+    """One combination; depth, m; height : significant wave height, m; wind : mean speed, m/s; period : mean wave
+    period, s
 
-    name : floater, kind of line and what is changed, as A-chain-14m
+    name : floater, kind of line and changed value, such as A-chain-14m
     """
 
     name: str
@@ -96,7 +97,7 @@ def scene(case):
 
 
 def study(case, hours, seeds):
-    """Raw tables of the mooring study of a case, with its simulation of so many seeds of so many hours"""
+    """Raw tables of the mooring study of a case; its simulation has a given number of seeds and hours"""
     f, times = FLOATERS[case.floater], case.lines / 12
     kind = {"weight_kg_per_m": WEIGHT * times, "axial_stiffness_tonf": STIFFNESS * times,
             "breaking_load_tonf": STRENGTH * times}  # fmt: skip

@@ -1,6 +1,6 @@
 """Table 3.5.5.5 of the SR179 report (1982) again: floater A on twelve lines in 20 m, chain, buoy and sinker, in time.
 
-Four calculations, and a fifth with the motions that the report states:
+There are four calculations, and a fifth (`printed`) that uses the motions stated in the report:
 
 report    coefficients at the mean frequency, drift by half waves (section 3.5.1.2); T₀₁ = T̄/1.1 as in section 3.7.1.2
 one leg   the same with the modulus of 7000 kgf/mm² on the area of one leg of the chain's links, for that of both

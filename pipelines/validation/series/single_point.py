@@ -45,10 +45,10 @@ def make(folder, only=None, seeds=1, fresh=False):
 
 
 def computed(case, db, seeds=1):
-    """{column: number or text} of a case, per line as the report prints, averaged over `seeds` records of waves
+    """{column: number or text} of a case, for each line as in the report, averaged over `seeds` wave records
 
-    nan where lines do not hold; apart_m : m of surge head-on from the printed significant tension to the computed one
-    settled_s : settled s of the heading from 2°; note : why a value is missing
+    nan where lines do not hold; apart_m : head-on surge between the printed and the computed significant tension, m
+    settled_s : time until the heading has settled from 2°, s; note : reason of a missing value
     """
     ours = dict.fromkeys((*PRINTED, "apart_m", "settled_s"), np.nan) | {"note": ""}
     try:
@@ -88,7 +88,9 @@ def _computed(case, db, seeds):
 
 
 def surge_at(point, tension):
-    """m by which the buoy has moved straight back when the tension of its leading line has a given value, N"""
+    """Distance, m, by which the buoy has moved straight back when the tension of its leading line has a given value,
+    N
+    """
 
     def leading(force):
         return float(point.buoy_under(np.array([-force, 0.0])).tension.max()) - tension
@@ -111,7 +113,9 @@ def drift_of(case, db):
 
 
 def lying(found):
-    """The stable Equilibrium nearest to the wind and the waves, from 0°; the least unstable where none is stable"""
+    """The stable Equilibrium nearest to the wind and waves, which come from 0°; without a stable one the least
+    unstable
+    """
     stable = [one for one in found if one.slewing.stable]
     return max(stable, key=lambda one: np.cos(one.heading)) if stable else preferred(found)
 
@@ -162,7 +166,8 @@ def statements(found):
 def trends(found):
     """Lines of text: significant over static tension of a contact buoy with six lines, head-on, computed and printed
 
-    Where lines are nearly taut, decimetres of surge decide; each line gives the difference of surge between the two.
+    Where mooring lines are nearly taut, decimetres of surge decide; each text line gives the difference of surge
+    between computed and printed tension.
     """
     groups = {}
     for one in found:

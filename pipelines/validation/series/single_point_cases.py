@@ -1,12 +1,13 @@
 """The cases of the report's single-point series as studies, and the scenes of their floaters.
 
-Tables 3.6.5.1 to 3.6.5.5 of the SR179 report (1982), digitised in single_point.csv.  What the report does not
-tell follows from its tables: six lines at ±30°, ±90° and ±150° of the wind, those of 12 and 18 as six of two and three
-times the weight; lines made fast at the buoy's draft; freeboards of 10 m; turning tests of B/d = 10; a drift of c H²
-along the waves at any heading, c of the head-on rows of 14 m (A) and 40 m (B) in waves of 10 s, elsewhere in proportion
-to the drift that is computed; no wind moment, which would make the headings in an oblique current 3 to 8° larger
-than printed.  Head-on forces that are printed for B at 40 m hold a current force 12 % above that of the turning
-tests at H/d = 2 (76.8 t at 1.5 kn against 68.5 t), so that its tensions at 3 kn are computed 4 to 8 % too low.
+Tables 3.6.5.1 to 3.6.5.5 of the SR179 report (1982), digitised in single_point.csv.  Values that the report does not
+state follow from its tables: six lines at ±30°, ±90° and ±150° of the wind, 12 and 18 lines are computed as six
+lines of two and three times the weight; lines made fast at the buoy's draft; freeboards of 10 m; turning tests of
+B/d = 10; a drift of c H² along the waves at any heading, c of the head-on rows of 14 m (A) and 40 m (B) in waves of
+10 s, elsewhere in proportion to the drift that is computed; no wind moment, which would make the headings in an
+oblique current 3 to 8° larger than printed.  Head-on forces that are printed for B at 40 m include a current force
+12 % above that of the turning tests at H/d = 2 (76.8 t at 1.5 kn against 68.5 t), so that its tensions at 3 kn are
+computed 4 to 8 % too low.
 """
 
 from pathlib import Path
@@ -25,9 +26,10 @@ PRINTED = ("heading_deg", "static_tonf", "significant_tonf", "scope", "hawser_to
 
 
 class Floater(NamedTuple):
-    """Sizes, m; hawser : m; attached : m under water; breaking : tonf
+    """Sizes, m; hawser : length, m; attached : depth of the lines' ends under water, m; breaking : breaking load, tonf
 
-    drift, computed : tonf over the square of the height, of the head-on rows, and by a database in the same waves
+    drift, computed : drift over the square of the height, tonf/m², from the head-on rows, and by a database in these
+        waves
     """
 
     length: float
@@ -47,9 +49,9 @@ FLOATERS = {
 
 
 class Case(NamedTuple):
-    """A row of the table: name, {column: number}, system "contact" or "buoy", printed {column: number, NaN of none}
-
-    flag : what is wrong with the print
+    """A row of the table: name; {column: number}; system, "contact" or "buoy"; printed : {column: number, NaN where
+    none is printed}
+    flag : fault of the printed row
     """
 
     name: str

@@ -15,9 +15,9 @@ STEP = 1e-3  # step of every parameter, and in radians of the phase of the waves
 
 
 class Row(NamedTuple):
-    """One scene: its parameters, how it was solved, violations of laws over the allowed ones, and the failure.
+    """One scene: its parameters, method of solution, violations of laws over the allowed violations, and the failure.
 
-    waves : lengths over the body; estimate : stored relative error
+    waves : number of wave lengths over the body; estimate : stored relative error
     smooth, turned (a rotated and shifted mesh) : NaN where not tried
     verdict : "" or what failed, in a line
     """
@@ -56,7 +56,7 @@ def row_of(seed, number, method="auto", tolerance=0.01, most_waves=np.inf, every
     """The `Row` of one scene. The scene is not solved if more than `most_waves` waves lie over the body, or if the
     method cannot represent it.
 
-    every : one scene in so many is solved again with each parameter perturbed, and one rotated and shifted
+    every : one scene in `every` is solved again with each parameter perturbed, and one rotated and shifted
     """
     scene = drawn(seed, number)
     start, row = time.perf_counter(), _placed(scene)._replace(command=scene.command(method, tolerance))
@@ -75,7 +75,7 @@ def row_of(seed, number, method="auto", tolerance=0.01, most_waves=np.inf, every
 
 
 def represented(scene, method, tolerance):
-    """Whether a method can represent the scene; `auto` has to"""
+    """Whether a method can represent the scene; `auto` must"""
     try:
         make_scene(scene.tables(method, tolerance))
     except SceneError:
@@ -111,8 +111,7 @@ def _solved(scene, row, seed, method, tolerance, every):
 
 
 def roughest(scene, here, method, tolerance):
-    """Largest second difference in any parameter, divided by the difference that the errors of the three results
-    allow"""
+    """Largest second difference over any parameter, over the difference that the errors of the three results allow"""
     found = []
     for _, sides in scene.neighbours(STEP / (1 + scene.k * scene.reach)):
         before, after = (solved(side, method, tolerance) for side in sides)

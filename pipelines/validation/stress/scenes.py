@@ -2,7 +2,7 @@
 
 depth/draft 1.005 … ∞, kh 1e-4 … 200 (in infinite depth k·draft 1e-4 … 20), B/d and R/d 0.2 … 100, L/B 1 … 20, drawn
 evenly in the logarithm, a twentieth of the draws at either end.  A third of the frequencies lies on or beside an
-irregular one: with φ = 0 or the walls' resonances of the water inside the hull,
+irregular frequency: with φ = 0 or the walls' resonances of the water inside the hull,
 
     K = κ coth κd    where the panel method's equations have a false resonance (interior of the hull),
     k = κ            where those of the contour method have one (interior of the plan),
@@ -29,7 +29,7 @@ FIRST = 10  # irregular frequencies of a body
 class StressScene:
     """One body in one wave.
 
-    number : that it was drawn with; sizes : {name: m} of the shape without the draft; draft, depth : m
+    number : number with which the scene was drawn; sizes : {name: m} of the shape without the draft; draft, depth : m
     omega : rad/s; headings : degrees, the first on a plane of symmetry in every second scene
     """
 

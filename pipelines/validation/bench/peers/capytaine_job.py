@@ -2,8 +2,8 @@
 
 The job: hull and lid ({"vertices", "faces"}; lid may be null), symmetry ("xy": a quarter is given; "rotation": one of
 `copies` wedges; "": everything), depth, omega, heading (rad), density, gravity, method ("direct" or "indirect"),
-quadrature (name or null), and what `repeated` takes.  The Green function is the default one. The other one for finite
-depth, FinGreen3D, gives NaN on lids, and with a quadrature its roll damping of the box is 100 % off.
+quadrature (name or null), and what `repeated` takes.  The default Green function is used. The alternative for finite
+depth, FinGreen3D, gives NaN on lids; with a quadrature its roll damping of the box is wrong by 100 %.
 """
 
 import numpy as np

@@ -24,8 +24,8 @@ def answer(found):
 def repeated(job, make, solve):
     """Results of every frequency, and the least times over several passes.
 
-    job : with omega, passes and more_s (new ones after so many passes until so many s have gone), seconds (no new pass
-        after so many) and started (s since 1970, before the process was)
+    job : omega; passes and more_s (after `passes` passes, new passes start until more_s s have gone); seconds (no
+        new pass starts after this time); started (s since 1970, before the start of the process)
     make : () → body, everything that no frequency changes; solve : (body, omega) → any result
     returns : (results, {"first_s", "body_ms", "warm_ms", "cpu_ms", "memory_mb", "passes"})
 
@@ -65,9 +65,10 @@ def repeated(job, make, solve):
 
 
 def peak_memory():
-    """MB this program has held at most.
+    """Peak memory of this process, MB.
 
-    Linux counts into ru_maxrss what the parent held when it started us; VmHWM is our own.
+    Linux adds to ru_maxrss the memory that the parent held when it started this process; VmHWM is that of this
+    process alone.
     """
     try:
         with open("/proc/self/status") as file:
