@@ -12,7 +12,6 @@ from .printing.spelled import spell_out
 SOLVING = ("box", "buoy", "ship", "solve", "bench", "stress", "compare", "sections")
 
 
-
 def main():
     """The command line of this process.  Returns the exit status."""
     signal.signal(signal.SIGINT, _leave)
