@@ -14,7 +14,7 @@ from hakobune.meshing.shapes import box, box_counts, buoy, buoy_counts
 from hakobune.meshing.ship import counts_of_ship, ship, ship_counts
 
 MAKERS = {"box": (box, box_counts), "buoy": (buoy, buoy_counts), "ship": (ship, ship_counts)}
-LEAST = {"box": (3, 3, 3), "buoy": (4, 3, 3), "ship": (12, 3, 6)}  # a buoy of twelve sides has yaw excitation
+LEAST = {"box": (3, 3, 3), "buoy": (4, 3, 3), "ship": (12, 4, 8)}  # a buoy of twelve sides has yaw excitation
 LONGEST = 7  # breadths, largest length for which panels across were counted
 COARSE = 0.71  # factor on the counts of edges: about half as many panels
 FEWEST = 2  # panels in a direction of the coarse mesh

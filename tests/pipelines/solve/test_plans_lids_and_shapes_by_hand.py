@@ -70,7 +70,7 @@ def test_counts_of_a_mesh_are_found_again():
 def test_counts_for_a_tolerance_are_at_least_a_few_in_each_direction(monkeypatch):
     asked = []
     monkeypatch.setattr(panel_counts, "panels_for", lambda one, tolerance: (one.shape, tolerance))
-    for shape, least in (("box", (3, 3, 3)), ("buoy", (4, 3, 3)), ("ship", (12, 3, 6))):
+    for shape, least in (("box", (3, 3, 3)), ("buoy", (4, 3, 3)), ("ship", (12, 4, 8))):
         monkeypatch.setitem(
             panel_counts.MAKERS, shape, (None, lambda *all, **more: asked.append((all, more)) or (1, 9, 2))
         )
