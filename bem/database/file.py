@@ -55,7 +55,7 @@ class Header:
     dimensions : sizes of the body, m, under their names in the scene
     scene : text of the scene; scene_hash : hash of the part of this text that must not change while the file grows
     attributes : further root attributes
-    bodies : `bem.modes.Body` of each of several bodies, whose values then have one row per body; empty for one body
+    bodies : `bem.modes.Body` of each of several bodies (`values` then have one row per body); empty for one body
     modes : `bem.modes.Mode` of each shape beyond the rigid motions
     """
 

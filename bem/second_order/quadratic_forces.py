@@ -326,8 +326,8 @@ def resolution_errors(forces, coarser):
     """Estimated errors of forces by the contour method; shape (d, n, m, m, 6)
 
     coarser : whole force at ten times the tolerance, (d, n, m, m, 6).
-    The estimate is the difference between the two forces, root mean square over a pair and its neighbours, which
-    exceeds the error of the finer result.
+    The estimate is the root mean square, over a pair of waves and its neighbours, of the difference between the two
+    forces. This difference exceeds the error of the finer result.
     """
     return np.sqrt(_smoothed(np.abs(forces.total - coarser) ** 2))
 

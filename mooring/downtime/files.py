@@ -184,7 +184,7 @@ def _at(path, values, time, location):
     if values.size != count * time.size or (count > 1 and location is None) or not 1 <= (location or 1) <= count:
         shown = ", ".join(f"{axis} {size}" for axis, size in values.sizes.items())
         raise TableError(f"{path.name}: {values.name} has the axes {shown}, but only {time.name} is expected; give "
-            f"hindcast.location from 1 to {count}, which counts the places of the other axes, the last axis "
-            "fastest")  # fmt: skip
+            f"hindcast.location from 1 to {count}, the number of a place along the other axes, of which the last "
+            "changes first")  # fmt: skip
     place = np.unravel_index((location or 1) - 1, sizes) if sizes else ()
     return np.asarray(values.isel(dict(zip(axes, map(int, place), strict=True))).values, float).ravel()

@@ -68,7 +68,7 @@ class BodyRow(NamedTuple):
 
 
 def early_body(words):
-    """Entries in the order of BodyRow, from the order in draft versions of v2, which MoorPy still writes
+    """Put entries into the order of BodyRow; they come in the order of draft versions of v2, which MoorPy still writes
 
     BodyID X0 Y0 Z0 r0 p0 y0 Xcg Ycg Zcg M V IX IY IZ, then CdA and Ca of one or three numbers. The attachment
     follows the body's number, as in 1Coupled; a number alone means a floating body.  Other rows are returned

@@ -319,7 +319,7 @@ def of_one(scene, b, t, y, rate):
 
 @kernel(inline=True, counted=False)
 def give_to(work, b, y, rate, parts, number):
-    """`give` body b its row of the parts (N, 6); number : kind of the load; y, rate : (n,), of all bodies"""
+    """Call `give` for body b of several, with row b of parts (N, 6); number : kind of load; y, rate : (n,), of all"""
     first = BLOCK * b
     give(work.force[6 * b : 6 * b + 6], y[first : first + BLOCK], rate[first : first + BLOCK], parts[b], 6, number)
 

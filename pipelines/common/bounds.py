@@ -91,7 +91,7 @@ def check_count(key, count, least=1, most=MOST, error=TooMuchError):
 
 
 def whole_number(flag, text, least=0, otherwise=None):
-    """The whole number of a flag, below 10^15, or `otherwise` for an empty text.  Raises ValueError."""
+    """The integer that is given to a flag, below 10^15, or `otherwise` for an empty text.  Raises ValueError."""
     if text is None:
         return otherwise
     if not (text.isdecimal() and text.isascii() and len(text) <= 15) or int(text) < least:

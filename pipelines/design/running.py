@@ -140,14 +140,16 @@ def judged_case(read, ran, others):
 
 
 def excursion(one):
-    """Largest horizontal distance of a Ran from rest, m: in its runs in time, otherwise by steady offset and
-    motions
+    """Largest horizontal distance of a Ran from rest, m: in its runs in time, otherwise by steady offset and motions
+
+    Without a lost line rest is another place, to which the remaining lines pull the body: the distance of that place
+    is added.
     """
     r = one.numbers
     if EXCURSION in r.parts:
         return max(r.parts[EXCURSION].values())
     if one.runs is not None and "excursion" in one.runs:
-        return float(one.runs["excursion"])
+        return float(one.runs["excursion"]) + (one.runs["at_rest"] if one.case.lost else 0.0)
     steady = np.hypot(*np.reshape(r.place, (-1, 3))[:, :2].T)
     moving = np.hypot(*np.reshape(r.motions, (-1, 6))[:, :2].T) if len(r.motions) else 0.0
     return float((steady + moving).max())

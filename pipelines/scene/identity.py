@@ -1,7 +1,7 @@
 """The part of a scene that must not change while its database grows, and the differences between two such parts.
 
 The parsed scenes are compared, not their texts: a key added to the program later has its default in an older file.
-A mesh file counts by its content, in any place: by a stored hash, or in older files by its panels.
+A mesh file is identified by its content, wherever it lies: by a stored hash, or in older files by its panels.
 """
 
 import hashlib

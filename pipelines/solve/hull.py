@@ -143,7 +143,8 @@ def panels_matter(scene):
 
 
 def make_lid(scene, mesh):
-    """Lid with a third of the hull's number of panels, or fewer if its edges are then a fifth of the shortest wave.
+    """Lid with a third of the hull's number of panels, or with fewer where edges of a fifth of the shortest wave are
+    longer.
 
     A coarser lid does not resolve short waves. For the series box the excitation has an error of 0.4 % with edges of a
     quarter of the wave, and of 1.4 % with a third.

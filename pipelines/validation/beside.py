@@ -75,7 +75,7 @@ def result(kind, source, tables, notes=(), findings=(), shown=True):
     """The Result of {axis: [{column: number or text}, …]}; the first column of each table names its rows
 
     Quantities are named axis.column, without the unit. source : title and year of the publication; shown : whether
-    tables of at most LONG rows are printed; detail : the rows
+    tables are printed, if they have at most LONG rows; detail : rows of the table
     """
     quantities, labels = {}, {}
     for axis, rows in ((axis, rows) for axis, rows in tables.items() if rows):

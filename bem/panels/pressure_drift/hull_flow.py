@@ -122,8 +122,9 @@ class HullSurfaces:
 
     @cached_property
     def weighted_modes(self):
-        """Generalised normals times area on the meshed part and its images, m²; shape (6, 3q), repeated for three
-        velocities"""
+        """Generalised normals times area on the meshed part and its images, m²; shape (6, 3q), each repeated three
+        times, for the three components of velocity
+        """
         part = slice(len(self.hull.weights) // self.hull.copies)
         return np.repeat((self.hull_modes[part] * self.hull.weights[part, None]).T * self.hull.copies, 3, axis=1)
 

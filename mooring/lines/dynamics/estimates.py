@@ -57,7 +57,7 @@ def step_error(case, result, state, limit):
         found = run_esdirk(_plain(case)._replace(coarser=COARSER), state)
     except DynamicLineError as error:
         warnings.warn(
-            f"the error of the largest tensions caused by time steps is not known: the run with longer "
+            f"the error that time steps cause in the largest tensions is not known: the run with longer "
             f"steps failed, {error}",
             stacklevel=3,
         )

@@ -249,7 +249,7 @@ class System:
         """Forces of every line with its ends fixed at `starts` and `ends`, each (n, 3) m in space.
 
         Forces are infinite beyond the reach of a line.
-        raises : EquilibriumError for a line that has no forces for any other reason
+        raises : EquilibriumError for a line whose forces cannot be computed for another reason
         """
         from ..catenary.flat_bed import exchange
 

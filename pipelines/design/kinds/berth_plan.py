@@ -15,7 +15,7 @@ SIDES = (1, -1)
 
 
 def draw_berth(made, db, numbers, path):
-    """Write the plan of a Study with the body of a database and the `Numbers` of a load case"""
+    """Draw the plan of a berth: the lines of a Study, the body of a database, and the `Numbers` of a load case"""
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
     from matplotlib.figure import Figure

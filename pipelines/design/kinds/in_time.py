@@ -28,10 +28,10 @@ def simulated(study, database, path, factors):
     returns : {"mean", "breaking" (n,) N of the lines and ropes, "largest": {factor: (n,) N}, "horizontal", "uplift":
         (n,) N at the anchor at the same time, "cycles": of `cycles_of`, "motions": (6N,) m, rad, largest from their
         means, "ranges": (6N,) m, rad, largest less smallest of a run, "excursion": m, largest horizontal distance
-        from rest, "parts": of gaps and hinges, "findings"}
+        from rest, "at_rest": m, distance of rest from the place in the study, "parts": of gaps and hinges, "findings"}
     raises : ValueError, with a message of one line, for a case that cannot be run
     """
-    texts = study.read_text(encoding="utf-8"), repr(factors), "excursion, parts, anchors"
+    texts = study.read_text(encoding="utf-8"), repr(factors), "excursion, at rest, parts, anchors"
     place = path.with_name(f"{path.stem}_extremes.json")
     found = kept(
         place, lambda: key_of(*texts, Path(database), path), lambda: _plain(_simulated(study, database, path, factors))
@@ -51,6 +51,7 @@ READ = {  # JSON values that are no arrays
     "largest": lambda pairs: {factor: np.array(values) for factor, values in pairs},
     "cycles": lambda pairs: [(time, Cycles(*map(np.array, parts))) for time, parts in pairs],
     "excursion": float,
+    "at_rest": float,
     "parts": dict,
     "findings": tuple,
 }
@@ -75,7 +76,7 @@ def _simulated(study, database, path, factors):
     with opened(path) as file:
         rows = [summary_of(file, f"tension {name}") for name in file["line"].asstr()[()]]
         motion, tension = file["motion"][()].astype(float), file["tension"][()].astype(float)
-        excursion, parts = excursion_in_runs(file), _between(file)
+        excursion, at_rest, parts = excursion_in_runs(file), _away_at_rest(file), _between(file)
         pulls = anchors_in_runs(file)[1:]
         motions, ranges, step = _largest_motions(file), _largest_ranges(file), float(np.diff(file["time"][:2])[0])
         found = (*told(file), *stored_findings(file), *overloads(file, 1.0), *on_anchors(file),
@@ -100,9 +101,18 @@ def _simulated(study, database, path, factors):
         "motions": motions,
         "ranges": ranges,
         "excursion": excursion,
+        "at_rest": at_rest,
         "parts": parts,
         "findings": tuple(dict.fromkeys(found)),
     }
+
+
+def _away_at_rest(file):
+    """Largest horizontal distance of a body at rest from its place in the study, m"""
+    from ...simulate.file import bodies_of
+
+    rest = file.attrs["place_at_rest"][: 6 * max(1, len(bodies_of(file)))]
+    return float(np.hypot(rest[0::6], rest[1::6]).max())
 
 
 def cycles_of(tension, step):

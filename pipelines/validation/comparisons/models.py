@@ -96,7 +96,8 @@ def _periods(results):
 
 
 def roll_rows(results):
-    """[{column: number or text}] of each model without viscous damping and with the damping of each wave height
+    """[{column: number or text}]: for each model a row without viscous damping, and one row for the damping of each
+    wave height
 
     of roll in beam waves where the former is largest
     """

@@ -55,8 +55,12 @@ def test_a_case_without_lines_or_numbers_has_empty_cells():
     assert report_tables.case_row(running.Ran(CASE, None, None, None, "no equilibrium"))[6:] == ("",) * 9 + (
         "no equilibrium",
     )
-    in_time = running.Ran(CASE, None, none, {"excursion": 7.5})
+    whole = CASE._replace(lost="")
+    in_time = running.Ran(whole, None, none, {"excursion": 7.5})
     assert running.excursion(in_time) == 7.5
+    runs = {"excursion": 7.5, "at_rest": 10.0}  # the lines that are left pull the body to another rest
+    assert running.excursion(running.Ran(CASE._replace(lost="bow"), None, none, runs)) == 17.5
+    assert running.excursion(running.Ran(whole, None, none, runs)) == 7.5
     assert running.excursion(running.Ran(CASE, None, none, {"largest": {}})) == 5.0  # runs of fixed bodies
     assert running.excursion(running.Ran(CASE, None, numbers(), {"largest": {}})) == pytest.approx(6.0)
 
@@ -286,6 +290,7 @@ def test_tensions_at_a_multiple_of_the_motions_grow_as_statics_says_and_never_be
     monkeypatch.setattr(in_time, "_run", lambda *_: SimpleNamespace(interrupted=False, failures=[]))
     monkeypatch.setattr(in_time, "_moved", held)
     monkeypatch.setattr(f"{where}over_runs.excursion_in_runs", lambda file: 7.0)
+    monkeypatch.setattr(in_time, "_away_at_rest", lambda file: 2.5)
     monkeypatch.setattr(in_time, "_largest_motions", lambda file: np.arange(6.0))
     monkeypatch.setattr(in_time, "_largest_ranges", lambda file: np.arange(6.0))
     monkeypatch.setattr(in_time, "_between", lambda file: {"gap between hulls": {"a b": 1.5}})
@@ -298,6 +303,7 @@ def test_tensions_at_a_multiple_of_the_motions_grow_as_statics_says_and_never_be
     monkeypatch.setattr(f"{where}over_runs.used_in_runs", lambda file: np.array([[0.3, 0.05]]))
     found = in_time._simulated(None, None, None, [1.0, 1.5, 0.5])
     assert moved == [1.0, 1.5, 0.5] and found["mean"].tolist() == [12.0, 5.0] and found["excursion"] == 7.0
+    assert found["at_rest"] == 2.5
     assert found["largest"][1.0].tolist() == [30.0, 10.0] and found["largest"][1.5].tolist() == [45.0, 10.0]
     assert found["largest"][0.5].tolist() == [15.0, 8.0]
     assert found["horizontal"].tolist() == [24.0, 32.0] and found["uplift"].tolist() == [3.0, 4.0]
@@ -306,3 +312,13 @@ def test_tensions_at_a_multiple_of_the_motions_grow_as_statics_says_and_never_be
     monkeypatch.setattr(in_time, "_run", lambda *_: SimpleNamespace(interrupted=False, failures=[(3, "it capsizes")]))
     with pytest.raises(ValueError, match="seed 3: it capsizes"):
         in_time._simulated(None, None, None, [1.0])
+
+
+@pytest.mark.parametrize("names, away", [((), 5.0), (("ship", "barge"), 13.0)])
+def test_the_place_at_rest_is_that_of_the_body_farthest_from_its_place(names, away, monkeypatch):
+    """Shapes of bodies that bend come after the motions of all bodies, and are no places"""
+    monkeypatch.setattr("hakobune.pipelines.simulate.file.bodies_of", lambda file: names)
+    rest = np.zeros(14)
+    rest[[0, 1, 6, 7, 12, 13]] = 3.0, -4.0, 5.0, 12.0, 100.0, 100.0
+    file = SimpleNamespace(attrs={"place_at_rest": rest})
+    assert in_time._away_at_rest(file) == pytest.approx(away)
