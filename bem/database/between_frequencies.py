@@ -259,7 +259,7 @@ class Between:
 
     @cached_property
     def ringing(self):
-        """Poles of those water resonances that the body motions excite, in the variable s of `interpolant`; shape (p,)"""
+        """Poles of the water resonances that body motions excite, in the variable s of `interpolant`; shape (p,)"""
         if len(self.omega) < FEWEST_RINGING or not set(RADIATION) <= set(self.quantities):
             return np.zeros(0, complex)
         own = np.einsum("nii->ni", self._impedance)

@@ -95,7 +95,8 @@ def natural_of(found):
         names += ["buoy, sideways", "buoy, sideways", "buoy, heave"]
         rows += [(period, np.nan) for period in periods_of_buoy(buoy, found.point.system, one)]
     names = [name if names.count(name) == 1 else f"{name} {names[:i].count(name) + 1}" for i, name in enumerate(names)]
-    made = quantities(f"natural periods at {bow(one):.4g}°: surge along the hawser, buoy with a slack one", {
+    title = f"natural periods at {bow(one):.4g}°: hull on a hawser that does not stretch, buoy on its lines alone"
+    made = quantities(title, {
         "natural.period": ([row[0] for row in rows], "s", "period"),
         "natural.growth": ([row[1] for row in rows], "1/s", "growth"),
     }, "mode")  # fmt: skip
