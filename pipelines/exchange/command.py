@@ -202,7 +202,7 @@ def _left_out(db, values, to):
 
 def _viscous(db):
     """Motions that have viscous damping in a database, as text"""
-    found = db.bodies_reader.viscous
+    found = db.bodies_reader.viscous if db.has_viscous_motions else None
     return ", ".join(name.lower() for name in found.laws) if found else ""
 
 

@@ -144,4 +144,6 @@ def test_panels_whose_waterplane_stays_off_are_told_and_those_within_three_per_c
         warnings.simplefilter("always")
         assert meshed(Drawing(1.0, parts=[({"shape": "cylinder"}, 0.0)]), "raft") is mesh
     told = [str(one.message) for one in caught]
-    assert len(told) == (plane > 103) and all("raft: the panels" in one and "3 % apart" in one for one in told)
+    assert len(told) == (plane > 103) and all(
+        "raft: the panels" in one and "a difference of up to 3 %" in one for one in told
+    )

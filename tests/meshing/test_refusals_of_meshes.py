@@ -107,7 +107,7 @@ def test_a_field_on_a_mesh_has_one_value_a_panel(tmp_path):
     write_mesh(BOX, path, fields={"pressure": np.arange(float(len(BOX)))})
     with pytest.raises(ValueError) as refused:
         write_mesh(BOX, path, fields={"pressure": np.zeros(len(BOX) + 1)})
-    assert f"field 'pressure' has shape ({len(BOX) + 1},); allowed: ({len(BOX)},), one value a panel" in str(
+    assert f"field 'pressure' has shape ({len(BOX) + 1},); allowed: ({len(BOX)},), one value for each panel" in str(
         refused.value
     )
 

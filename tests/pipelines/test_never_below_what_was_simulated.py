@@ -212,9 +212,7 @@ def test_a_single_point_takes_the_largest_wherever_it_is(place):
 @pytest.mark.parametrize("kept, told", [(3, False), (2, True)])
 def test_steady_strains_of_fewer_records_than_runs_are_told(kept, told):
     said = list(_steady_of_few({"deflection": np.zeros((kept, 5, 1)), "seed": np.arange(3)}))
-    assert bool(said) is told and (
-        not told or ("come from the 2 of 3 runs" in said[0] and "keep_series = 3" in said[0])
-    )
+    assert bool(said) is told and (not told or ("come from 2 of 3 runs" in said[0] and "keep_series = 3" in said[0]))
 
 
 def test_a_design_judges_by_what_is_used_where_that_is_more_than_the_pull_on_the_body_says():

@@ -33,6 +33,7 @@ ROOT = "hakobune.pipelines"
 
 class Table(msgspec.Struct):
     dynamic_lines: str | list = "auto"
+    dynamic_water: str = "still"
     seeds: int = 7
 
 
@@ -56,7 +57,7 @@ def compiled(monkeypatch):
         monkeypatch.setattr(f"{ROOT}.simulate.run.input_of", lambda path: (study, "text", "folder", path))
         monkeypatch.setattr(f"{ROOT}.results.given.database_of", lambda path: db if path == "base.h5" else None)
         monkeypatch.setattr(f"{ROOT}.simulate.work.with_pairs", lambda *given: ran.append(("pairs", *given)))
-        monkeypatch.setattr(f"{ROOT}.line_dynamics.result.line_dynamics", lambda *a, **k: ran.append(("line", *a, k)))
+        monkeypatch.setattr(compiling, "_of_moving_line", lambda study: ran.append(("line", study)))
         monkeypatch.setattr(f"{ROOT}.simulate.result.simulate", lambda *a, **k: ran.append(("runs", *a, k)))
         compiling._of_simulate("study.toml", "base.h5")
         plan = ("plan", study, "omega", 1, compiling.SHORT, "folder", "words")
@@ -69,7 +70,7 @@ def compiled(monkeypatch):
 def test_a_study_of_lines_that_may_move_compiles_pairs_a_line_and_a_short_run_of_all_moving(compiled, tables):
     ran, db, pairs = compiled(Moored(Table(), **tables))
     short = {"duration": compiling.SHORT}
-    line = ("line", compiling.SCENES / "line_chain_60m.toml", short)
+    line = ("line", compiling.SCENES / "line_chain_60m.toml")
     runs = ("runs", Moored(Table("all"), **tables), db, {"seeds": 1, **short})
     assert ran == [pairs, line, runs] and line[1].is_file()
     assert compiled(Moored(None, **tables))[0][2][1].simulation == Table("all")
@@ -213,7 +214,8 @@ def test_what_one_body_is_moored_by_is_looked_at_and_the_mooring_is_told_with_it
     excluded, given = [], []
     system = SimpleNamespace(line_names=("bow", "stern"))
     study = SimpleNamespace(
-        quay=quay, hinges="hinges", allowable=0.5, without_berth=excluded.append, hulls_of=lambda db: "hull",
+        quay=quay, hinges="hinges", allowable=0.5, simulation=None,
+        without_berth=excluded.append, hulls_of=lambda db: "hull",
         system_of=lambda db, hull: system, anchors_on=lambda names: [f"anchor of {name}" for name in names],
         berth_of=lambda db, hull: "berth", remarks=lambda hull, db: ("remark",),
         conditions_and_warnings=lambda: ("conditions", ("steep",)),
@@ -271,8 +273,8 @@ def test_schemas_are_written_to_the_place_that_is_named(tmp_path, monkeypatch, c
 
 
 @pytest.mark.parametrize("of_database, ratio, told", [
-    (False, 0.1, None), (True, 0.1, "since each sea would need its own: body.damping_ratio takes its place"),
-    (True, None, "its own: motions near resonance are too large; give body.damping_ratio"),
+    (False, 0.1, None), (True, 0.1, "each sea has its own equivalent damping: body.damping_ratio takes its place"),
+    (True, None, "equivalent damping: motions near resonance are too large; give body.damping_ratio"),
 ])  # fmt: skip
 def test_viscous_damping_of_one_sea_is_left_out_in_a_climate(monkeypatch, of_database, ratio, told, recwarn):
     read = SimpleNamespace(body=SimpleNamespace(viscous=None, damping_ratio=ratio), climate="table")

@@ -170,7 +170,7 @@ def test_numbers_that_are_unknown_at_one_frequency_fail_what_shows_them_and_end_
     for words in ("check {}", *SHOWS):
         status, lines = ended(words.format("box.h5"), capsys)
         told = [line for line in lines if line.startswith(FAILS)]
-        assert status == 1 and told, lines
+        assert status == 1 and told, (words, lines)
         assert f"{FAILS}box.h5: added_mass of surge, sway, heave, roll, pitch, yaw is not a number at 1 of 5" in told[0]
     for words in set(READERS) - set(SHOWS):
         status, lines = ended(words.format("box.h5"), capsys)

@@ -265,11 +265,15 @@ def test_numbers_that_some_frequencies_lack_are_told_and_those_that_all_lack_are
     whole = dict(zip(("added_mass", "radiation_damping"), coefficients(), strict=True))
     whole["excitation_force"] = np.ones((5, 2, 6), complex)
     _check_rows(db, whole)
-    for rows, refused in (([1], r"0\.6 rad/s, 1 of 5"), ([2, 4], r"0\.8 rad/s, 2 of 5"), (range(5), None)):
+    for rows, refused in (
+        ([1], r"1 of 5 frequencies, the first at ω = 0\.6"),
+        ([2, 4], r"2 of 5 frequencies, the first at ω = 0\.8"),
+        (range(5), None),
+    ):
         spoiled = whole | {name: whole[name].copy()}
         spoiled[name][list(rows), 0, 0] = np.nan
         if refused:
-            with pytest.raises(BetweenError, match=rf"a\.h5: {name} is not a number at ω = {refused} frequencies;"):
+            with pytest.raises(BetweenError, match=rf"a\.h5: {name} is not a number at {refused} rad/s;"):
                 _check_rows(db, spoiled)
         else:
             _check_rows(db, spoiled)

@@ -229,7 +229,7 @@ def test_circles_that_overlap_or_nearly_touch_are_refused():
     squares = [("box", (20.0, 20.0, 5.0))] * 2
     with pytest.raises(
         ValueError,
-        match=r"circles around bodies 1 and 2 overlap by 0.0843 m; transfer matrices need at least 0.4 m between them",
+        match=r"circles around bodies 1 and 2 overlap by 0.0843 m; transfer matrices need at least 0.4 m between two",
     ):
         prepare_far(squares, [Place(0, 0, 0), Place(28.2, 0, 0)], 20.0)
     with pytest.raises(ValueError, match=r"are 0\.39 m apart"):

@@ -108,7 +108,7 @@ def test_a_fiftieth_of_a_current_across_the_waves_is_told(degrees, told):
 def test_rotations_above_fifteen_degrees_are_told():
     assert not list(large_rotations({"Roll": 15.0}))
     (said,) = large_rotations({"Roll": 15.1, "Pitch": 3.0, "Yaw": 20.0})
-    assert said.startswith("roll 15.1°, yaw 20° of amplitude")
+    assert said.startswith("the motion has an amplitude of roll 15.1°, yaw 20°; ")
 
 
 class Guessed:

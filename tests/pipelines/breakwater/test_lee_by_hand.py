@@ -139,7 +139,7 @@ def test_regular_waves_outside_the_database_are_refused(period, inside):
     if inside:
         assert lee.waves_of(*asked)[0] == pytest.approx([2 * math.pi / period])
         return
-    with pytest.raises(BreakwaterError, match=f"map.period is {period} s; the database has 3 to 20"):
+    with pytest.raises(BreakwaterError, match=f"map.period is {period} s; the database covers 3 to 20"):
         lee.waves_of(*asked)
 
 

@@ -20,7 +20,7 @@ def test_long_work_is_told_before_it_begins_and_short_work_is_not(seconds, first
     assert said == ["forces of bound long waves, 10 frequencies on 2500 panels: about 1 min 30 s, 2.4 GB"] * first
     monkeypatch.setattr(cost, "seconds_alone", None)
     few = SimpleNamespace(problem=SimpleNamespace(mesh=SimpleNamespace(total=300)))
-    monkeypatch.setattr(cost, "memory_alone", lambda prepared, dense: 1e8)
+    monkeypatch.setattr(cost, "memory_alone", lambda prepared: 1e8)
     LongWaves(said.append)("long", (few, 0.1, 0, 10))  # seven seconds at most: not measured
     assert len(said) == first
     told.EVERY = 0.0

@@ -299,7 +299,7 @@ def test_natural_periods_and_records_at_a_berth_are_told():
     assert "".join(berth._periods(file)) == "natural periods of small motions at the berth: surge 12.3 s, yaw 60 s"
     file.attrs["natural_period"] = [math.inf] * 3
     assert "".join(berth._periods(file)).endswith("none, since nothing holds the body at rest")
-    for kept, told in ((3, []), (2, ["steady strains come from the 2 of 3 runs"])):
+    for kept, told in ((3, []), (2, ["steady strains come from 2 of 3 runs,"])):
         said = list(berth._steady_of_few({"deflection": [0] * kept, "seed": [0] * 3}))
         assert [line[: len(words)] for line, words in zip(said, told, strict=True)] == told
 

@@ -166,7 +166,7 @@ def test_files_of_several_places_and_years_and_of_a_spectrum_each_hour(tmp_path)
     assert np.exp(1j * one.main.direction[0]) == pytest.approx(1.0)
     assert found.planes.path(23).name == "w2020.nc" and found.planes.path(24).name == "w2021.nc"
     for words in (
-        "w2020.nc has 2 places|w2020.nc: wnd has valid_time 24, place 2; allowed: the axis valid_time alone",
+        "w2020.nc has 2 places|w2020.nc: wnd has the axes valid_time 24, place 2, but only valid_time is expected",
         "w2019",
     ):
         with pytest.raises(ValueError, match=words):

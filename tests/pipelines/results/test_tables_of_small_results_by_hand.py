@@ -46,7 +46,7 @@ def test_a_forced_oscillation_is_told_with_every_coefficient_and_its_error(monke
     )
     monkeypatch.setattr(damping, "forced", lambda *given: made)
     time, force = np.array([0.0, 1.0, 2.0]), np.array([1.0, 5.0, 3.0])
-    found, findings, notes = damping._forced(time, None, force)
+    found, findings, notes = damping._forced(time, None, force, None)
     title = "forced oscillation"
     assert told(found) == {
         "amplitude": (0.4, "m", "amplitude", title),
@@ -68,7 +68,7 @@ def test_a_forced_oscillation_is_told_with_every_coefficient_and_its_error(monke
     assert found["left"].share and found["cubic.left"].share and (findings, notes) == ((), ())
     assert found["record.force"].values.tolist() == [-2, 2, 0] and found["fitted.force"].values.tolist() == [0, 2, 4]
     made.same_energy, made.off = -3e4, 0.5
-    findings = damping._forced(time, None, force)[1]
+    findings = damping._forced(time, None, force, None)[1]
     assert len(findings) == 2 and "the equivalent damping by energy is negative, -30" in findings[1].replace("−", "-")
 
 
@@ -78,7 +78,7 @@ def test_a_decay_is_told_over_its_mass_and_with_it(monkeypatch, mass):
                            with_cubic=np.array([1.0, 2.0, 0.03]), fitted=np.array([1.0, 0.0]),
                            extremes=np.array([2.0, -1.0, 0.5]))  # fmt: skip
     monkeypatch.setattr(damping, "decay", lambda *given: made)
-    found, findings, notes = damping._decay(None, np.array([2.0, -1.0]), mass, "m")
+    found, findings, notes = damping._decay(None, np.array([2.0, -1.0]), mass, "m", None)
     title = "free decay"
     of_mass = {"B1": (0.16, "N s/m", "B1", title), "B2": (0.24, "N s2/m2", "B2", title)}
     assert told(found) == {

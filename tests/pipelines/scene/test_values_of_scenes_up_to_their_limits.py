@@ -124,7 +124,7 @@ def a_body(name="a", shape="box", viscous=None, file=None):
     (several(a_body(), a_body("b"), rotation_center=(0.0, 1.0, 0.0)), "rotation_center is [0.0, 1.0, 0.0]"),
     (several(a_body(), a_body("b", viscous="t")), "b has viscous damping, which needs a wave height; give wave_height"),
     (several(a_body(), a_body("b", viscous="t"), viscous="table"), None),
-    (several(a_body(), a_body("b", "mesh", file="h.gdf"), panels=500), "panels is 500, but h.gdf has its own;"),
+    (several(a_body(), a_body("b", "mesh", file="h.gdf"), panels=500), "panels is 500, but h.gdf has its own panels;"),
     (several(a_body(), a_body("b", "mesh", file="h.gdf")), None), (several(a_body(), a_body("b"), panels=500), None),
 ])  # fmt: skip
 def test_an_arrangement_of_bodies(made, says):

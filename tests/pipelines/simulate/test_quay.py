@@ -50,7 +50,6 @@ def database(tmp_path_factory):
 
 def test_a_ship_at_a_quay_is_simulated_stored_and_told(database, tmp_path, monkeypatch, capsys):
     monkeypatch.setattr("hakobune.mooring.motion.simulation.moored_body.fitted_memory", without_memory)
-    monkeypatch.setattr("hakobune.pipelines.simulate.command.draw", lambda file, output: [])
     run, words = tmp_path / "quay.h5", ["simulate", str(SCENE), "--database", str(database)]
     more = ["--duration", "60", "--seeds", "1", "--output", str(run)]
     failing = 1  # breast lines carry 41 % of their strength, 40 % are allowed
@@ -91,7 +90,16 @@ def test_a_ship_at_a_quay_is_simulated_stored_and_told(database, tmp_path, monke
 def test_a_floater_between_dolphins_has_the_design_spectrum_method_beside(database, tmp_path, monkeypatch, capsys):
     monkeypatch.setattr("hakobune.mooring.motion.simulation.moored_body.fitted_memory", without_memory)
     run, scene = tmp_path / "dolphins.h5", SCENE.with_name("simulate_dolphins.toml")
-    words = ["simulate", str(scene), "--database", str(database), "--duration", "60", "--output", str(run)]
+    words = [
+        "simulate",
+        str(scene),
+        "--database",
+        str(database),
+        "--duration",
+        "60",
+        "--output",
+        str(run),
+    ]
     assert main(words) == 0
     told = capsys.readouterr().out
     assert "natural period of small motions" in " ".join(told.replace("┃", " ").split())
@@ -110,7 +118,17 @@ def test_lines_that_cannot_move_by_themselves_leave_no_file(database, tmp_path, 
     chains = SCENE.with_name("simulate_chain_12.toml").read_text()
     chains = chains.replace('catalogue = "R3 studlink 142 mm"\n', "")
     study.write_text(chains.replace("[simulation]", f"[simulation]\ndynamic_lines = {asked}"))
-    words = ["simulate", str(study), "--database", str(database), "--duration", "60", "--output", str(run)]
+    words = [
+        "simulate",
+        str(study),
+        "--database",
+        str(database),
+        "--duration",
+        "60",
+        "--no-pictures",
+        "--output",
+        str(run),
+    ]
     assert main(words) == 2
     error = capsys.readouterr().err
     assert told in error and error.strip().count("\n") == 0 and not run.exists()
@@ -265,13 +283,22 @@ def before_wall(tmp_path_factory):
 def test_dolphins_on_a_database_with_a_wall_take_one_frequency_and_are_told_that_no_drift_is_known(
     before_wall, tmp_path, monkeypatch, capsys
 ):
-    monkeypatch.setattr("hakobune.pipelines.simulate.command.draw", lambda file, output: [])
     plain = SCENE.with_name("simulate_dolphins.toml").read_text()
     found = []
     for i, text in enumerate((plain, plain + "[quay]\ny = 60.0\n")):
         study, run = tmp_path / f"{i}.toml", tmp_path / f"{i}.h5"
         study.write_text(text)
-        words = ["simulate", str(study), "--database", str(before_wall), "--duration", "60", "--output", str(run)]
+        words = [
+            "simulate",
+            str(study),
+            "--database",
+            str(before_wall),
+            "--duration",
+            "60",
+            "--no-pictures",
+            "--output",
+            str(run),
+        ]
         assert main(words) == 0
         told = capsys.readouterr()
         assert "wave drift in front of the quay is unknown and not included" in told.out + told.err

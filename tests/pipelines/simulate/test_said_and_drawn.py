@@ -300,7 +300,7 @@ def test_a_tilt_beyond_linear_theory_is_told_of_each_body(degrees, told):
     file |= {"quantity": SimpleNamespace(asstr=lambda: names), "summary": np.array(rows * 3)}
     said = list(findings.tilt_findings(file))
     assert said == [
-        f"barge roll {abs(degrees):.3g}° of amplitude, and linear theory is valid up to about 15°: this motion is not "
-        "realistic; give viscous damping ([viscous] of the scene; simulate also takes simulation.damping_ratio), or "
-        "use lower waves"
+        f"the motion has an amplitude of barge roll {abs(degrees):.3g}°; linear theory is valid up to about 15°, so "
+        "this motion is not realistic; give viscous damping ([viscous] of the scene; simulate also takes "
+        "simulation.damping_ratio), or use lower waves"
     ] * told  # fmt: skip

@@ -321,7 +321,7 @@ def test_what_is_left_out_is_the_first_line_of_the_answer_also_of_a_file_that_is
     monkeypatch.setattr(type(read_study("study.toml")[0]), "remarks", lambda *_: ["the hull is no box"])
     said = io.StringIO()
     simulate(console=Console(file=said, width=300))
-    takes = 'a seed takes about 1 min 05 s (dynamic_lines = "none": 6 s), 3 of them 3 min 15 s'
+    takes = 'one seed takes about 1 min 05 s (dynamic_lines = "none": 6 s), and all 3 seeds 3 min 15 s'
     assert said.getvalue().split("\n")[:4] == [left, trial, takes, "warning: the hull is no box"]
     assert simulate().made == 0
     with opened("run.h5") as file:

@@ -154,7 +154,7 @@ def test_the_memory_of_all_motions_bends_it_as_the_stored_coefficients_do(tmp_pa
     ("simulation", "more", "words"),
     [
         ({"stations": [{"x": [13.0]}]}, {}, r"simulation.stations\[0\].x has 13; allowed: -12 to 12, the beam"),
-        ({"stations": [{"x": [0.0], "body": "tug"}]}, {}, r"simulation.stations\[0\].body is 'tug'; allowed: left out"),
+        ({"stations": [{"x": [0.0], "body": "tug"}]}, {}, r"stations\[0\].body is 'tug'; allowed: no key body"),
         ({"offset": {"vertical bending 3": 0.1}}, {}, "there is no motion 'vertical bending 3'; allowed: surge,"),
         ({"dynamic_lines": "all"}, ON_CHAINS, "dynamic_lines: type chain of line .* has no mass; give a type with a"),
         ({"qtf": "full"}, {"waves": {"height": 0.5, "period": 4.0, "direction_deg": 45.0, "spectrum": "issc"}},

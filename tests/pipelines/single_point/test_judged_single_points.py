@@ -64,7 +64,7 @@ def test_a_buoy_that_its_lines_pull_down_is_told_with_the_key_for_its_draft_with
     if told:
         per_metre = 1.025 * math.pi * 25.0
         assert f"with {per_metre * 9.80665 * sunk:.4g} kN to {200 / per_metre + sunk:.3g} m" in said[0]
-        assert "give buoy.draft = 2.48 in place of buoy.mass: buoy.z is then the height with lines too" in said[0]
+        assert "give buoy.draft = 2.48 instead of buoy.mass: buoy.z is then the height with lines too" in said[0]
 
 
 def test_headings_that_are_stable_are_counted():

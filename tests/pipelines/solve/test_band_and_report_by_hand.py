@@ -284,7 +284,7 @@ def test_the_table_of_several_bodies_tells_where_each_turns_and_which_is_fixed(m
 
 def of_check(monkeypatch, complete=True, omega=OMEGA, **parts):
     """Status and lines of `check` of a database whose parts are set by hand"""
-    found = {"_findings": [], "_scene_findings": [], "_broken": [], "checked": [], "resonances_of": []}
+    found = {"_findings": [], "_scene_findings": [], "_broken": [], "checked": [], "resonances_of": [], "_of_pairs": []}
     found |= {name: value for name, value in parts.items() if name != "gaps"}
     db = SimpleNamespace(omega=omega, complete=complete, attributes={}, rows=np.array([True, True, complete]))
     for name, value in found.items():
