@@ -348,6 +348,8 @@ def _against_offset(curve, file, worst, motion, pull, step):
     turned = np.stack([np.cos(yaw) * arm[0] - np.sin(yaw) * arm[1], np.sin(yaw) * arm[0] + np.cos(yaw) * arm[1]])
     offset = (np.stack([x, y]) + turned - arm[:, None]).T @ away
     curve.plot(offset[::step], pull[::step] / KN, ".", ms=1.5, color="C1", alpha=0.35)
+    largest = pull.argmax()  # the shown points may leave it out
+    curve.plot(offset[largest], pull[largest] / KN, "x", ms=7, color="C3")
     _breaking(curve, file, worst, pull.max())
     end = "bollard" if file["line"].asstr()[worst.at] in ropes_of(file) else "anchor"
     curve.set(xlabel=f"offset of the fairlead away from its {end}, m", ylabel="tension, kN")
