@@ -69,7 +69,7 @@ def test_an_error_by_steps_that_cannot_be_had_is_told_and_is_no_number(monkeypat
     monkeypatch.setattr(estimates, "run_esdirk", failing)
     with pytest.warns(
         UserWarning,
-        match="the error of the largest tensions caused by time steps is not known: the run with longer "
+        match="the error that time steps cause in the largest tensions is not known: the run with longer "
         "steps failed, it st",
     ):
         assert math.isnan(estimates.step_error(case, None, None, 0.01))

@@ -54,6 +54,7 @@ def simulated(monkeypatch):
 
     monkeypatch.setattr(stored, "opened", opened)
     monkeypatch.setattr(stored, "summary_of", lambda file, name: rows[name])
+    monkeypatch.setattr("hakobune.pipelines.design.kinds.in_time._away_at_rest", lambda file: 5.0)
     monkeypatch.setattr(stored, "told", lambda file: ("left out", "same"))
     monkeypatch.setattr(stored, "stored_findings", lambda file: ("stored", "same"))
     monkeypatch.setattr(over_runs, "overloads", lambda file, share: (f"over {share:g}",))
