@@ -281,7 +281,7 @@ def _decay(time, motion, mass, unit, given):
         "cubic.left": (made.with_cubic[2], "%", "motion not explained even with a cubic term"),
     }
     found = quantities("free decay", rows)
-    if water:
+    if water and given is not None:
         body, mode = given
         mass_row = {"mass": (mass, "kg", f"M, mass with added mass of {body.words[mode]} in the database")}
         waves = _of_waves(water.waves, water.rest, f"{body.words[mode]} with the other motions free")

@@ -229,10 +229,10 @@ def _of_lines(file, rows):
 
 def _of_anchors(file):
     """Pulls at the anchors and lengths on the bed, as in `moor`; {} without lines"""
-    found = anchors_in_runs(file)
-    if not found:
+    found, bed = anchors_in_runs(file), bed_in_runs(file)
+    if not found or not bed:
         return {}
-    (anchors, along, up), (at_rest, least) = found, bed_in_runs(file)
+    (anchors, along, up), (at_rest, least) = found, bed
     columns = {
         "anchor.largest_vertical": ("N", "largest lift", up),
         "anchor.largest_horizontal": ("N", "largest horizontal", along),
