@@ -1,8 +1,9 @@
-"""Number of panels of a box or buoy for a tolerance, the coarser mesh for the error estimate, and finer meshes.
+"""Number of panels of a box, buoy or ship for a tolerance, the coarser mesh for the error estimate, and finer meshes.
 
 The error of all coefficients falls like the power −1.16 of the number of panels as long as no direction has only a
 panel or two; the counts of `meshing.shapes` are over half the length, half the beam and the draft of a box, and over a
-quarter of the circumference, the radius and the draft of a buoy.
+quarter of the circumference, the radius and the draft of a buoy; those of `meshing.ship` are over the length, half the
+bottom, and bilge with side.
 """
 
 import math
